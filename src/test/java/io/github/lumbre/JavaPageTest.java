@@ -116,6 +116,6 @@ class JavaPageTest {
             "isCancelled",
             "Budget(",
             "ImageWriter.write")
-        .contains("CheckpointFile", "FilmMerge", "PixelReplay", "ModelSetup");
+        .contains("CheckpointFile", "FilmMerge", "PixelReplay", "Stage");
   }
 }

@@ -70,7 +70,7 @@ class LayersTest {
               "math image sampling texture geometry path material camera light scene guiding"),
           Map.entry("render", "limit math image sampling path camera scene guiding integrator"),
           Map.entry(
-              "model", "math image texture geometry file text limit material camera light scene"),
+              "model", "math image texture geometry file text limit material light scene"),
           Map.entry(
               "parser",
               "math image sampling texture geometry file text limit material camera light scene"

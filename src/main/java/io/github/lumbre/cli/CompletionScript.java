@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.Choices;
-import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.parser.Stage.View;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;

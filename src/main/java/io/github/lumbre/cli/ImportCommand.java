@@ -5,15 +5,16 @@ import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.TextFile;
 import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.parser.ModelSetup;
+import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.Stage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -21,7 +22,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -72,16 +72,16 @@ final class ImportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    if (!ModelSetup.isModel(model)) {
+    if (!ModelReader.isModel(model)) {
       throw failure(model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
     }
     Path target = output.orElseGet(this::beside);
     if (ModelReader.isModelName(target.toString())) {
       throw failure("--output: expected a name that ends in .json, found " + target);
     }
-    ModelSetup setup = flags.setup(OptionalDouble.empty());
+    Stage stage = flags.stage(OptionalDouble.empty());
     Path folder = target.toAbsolutePath().normalize().getParent();
-    for (Path used : setup.files(model)) {
+    for (Path used : stage.files(model)) {
       if (!used.startsWith(folder)) {
         throw failure(
             "--output: expected a scene file in a folder that contains "
@@ -91,18 +91,15 @@ final class ImportCommand implements Callable<Integer> {
                 + "; a scene may use only files in its own folder or below");
       }
     }
-    overwrite
-        .guard()
-        .reads(model, "the model")
-        .readsAssets(model, () -> assets(setup))
-        .writes("-o", target, OutputContent.SCENE)
-        .check();
+    OutputGuard guard =
+        overwrite.guard().reads(model, "the model").writes("-o", target, OutputContent.SCENE);
+    guard.check();
     try {
-      SceneText scene = setup.sceneIn(folder, model.toAbsolutePath().normalize(), flags.aspect());
-      // Report what is wrong with the scene now, not when it is rendered.
-      new SceneParser().parse(scene.json(), scene.path());
-      requireUnedited(target, scene.pretty() + "\n");
-      TextFile.write(target, scene.pretty() + "\n");
+      SceneFile scene = new SceneParser().parse(folder, model, stage);
+      guard.checkAssets(model, scene.assetPaths(target));
+      String text = scene.text().orElseThrow().pretty() + "\n";
+      requireUnedited(target, text);
+      TextFile.write(target, text);
     } catch (IOException e) {
       throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
     }
@@ -124,11 +121,6 @@ final class ImportCommand implements Callable<Integer> {
   private Path beside() {
     String name = model.getFileName().toString();
     return model.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json");
-  }
-
-  private Set<Path> assets(ModelSetup setup) throws SceneFormatException, IOException {
-    SceneText scene = setup.sceneOf(model, flags.aspect());
-    return SceneParser.files(scene.json(), scene.path());
   }
 
   private ParameterException failure(String message) {

@@ -158,9 +158,7 @@ final class ResumeCommand implements Callable<Integer> {
       Optional<SceneText> text = notes.sceneText(path);
       OutputGuard guard = overwrite.guard();
       if (text.isPresent()) {
-        guard
-            .reads(path, "the model")
-            .readsAssets(path, () -> SceneParser.files(text.get().json(), text.get().path()));
+        guard.reads(path, "the model");
       } else {
         guard.readsScene(path);
       }
@@ -174,6 +172,9 @@ final class ResumeCommand implements Callable<Integer> {
           RenderMonitor monitor = run.monitor(interruption, deadline)) {
         report.put("scene", path.toString());
         SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
+        if (text.isPresent()) {
+          guard.checkAssets(path, file.assetPaths(text.get().path()));
+        }
         RunBudget budget = budget(notes, file.settings(), start, startup);
         MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
         interruption.requireRender();

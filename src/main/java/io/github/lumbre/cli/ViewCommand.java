@@ -35,6 +35,7 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
@@ -227,10 +228,12 @@ final class ViewCommand implements Callable<Integer> {
 
   private SceneSource source(Messages errors) {
     return new SceneSource() {
+      private volatile Optional<SceneFile> last = Optional.empty();
+
       @Override
       public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
-        options.forget();
         SceneFile file = options.load(parser(), errors);
+        last = Optional.of(file);
         RenderSettings settings = file.settings();
         Set<Layer> all = EnumSet.noneOf(Layer.class);
         all.addAll(settings.layers());
@@ -245,13 +248,14 @@ final class ViewCommand implements Callable<Integer> {
       }
 
       @Override
-      public byte[] text() throws SceneFormatException, IOException {
-        return options.sceneText();
+      public byte[] text() throws IOException {
+        Optional<SceneText> around = last.flatMap(SceneFile::text);
+        return around.isPresent() ? around.get().json() : Files.readAllBytes(options.scene());
       }
 
       @Override
       public Set<Path> files() {
-        return options.files();
+        return options.files(last);
       }
     };
   }

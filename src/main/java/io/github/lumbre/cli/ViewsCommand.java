@@ -23,12 +23,13 @@ import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.parser.ModelSetup;
-import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.ModelViews;
+import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderResult;
@@ -42,7 +43,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -122,16 +122,19 @@ final class ViewsCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    ModelSetup setup = checkedSetup();
-    guard(setup).check();
+    Stage stage = checkedStage();
+    OutputGuard guard = guard();
+    guard.check();
     Messages messages = new Messages(spec.commandLine().getErr());
     try (Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
         Frames frames = new Frames(targets(), interruption, Deadline.after(Optional.empty()))) {
-      ModelViews views = monitor.reading(model, () -> read(setup));
-      messages.warnings(views.first().warnings());
-      RenderSettings settings = views.first().settings();
-      MemoryCheck.require(settings, FilmLayers.of(settings, views.first().scene()));
+      ModelViews views = monitor.reading(model, () -> read(stage));
+      SceneFile first = views.first();
+      guard.checkAssets(model, first.assetPaths(first.text().orElseThrow().path()));
+      messages.warnings(first.warnings());
+      RenderSettings settings = first.settings();
+      MemoryCheck.require(settings, FilmLayers.of(settings, first.scene()));
       frames.reserve(Optional.empty(), Fallback.TEMPORARY);
       interruption.requireRender();
       long start = System.nanoTime();
@@ -154,9 +157,9 @@ final class ViewsCommand implements Callable<Integer> {
         seconds);
   }
 
-  private ModelSetup checkedSetup() {
+  private Stage checkedStage() {
     require(
-        ModelSetup.isModel(model),
+        ModelReader.isModel(model),
         model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
     for (String flag : List.of("--view", "--camera")) {
       require(
@@ -168,12 +171,11 @@ final class ViewsCommand implements Callable<Integer> {
     threads.ifPresent(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.width()));
     size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
-    return flags.setup(OptionalDouble.empty());
+    return flags.stage(OptionalDouble.empty());
   }
 
-  private OutputGuard guard(ModelSetup setup) {
-    OutputGuard guard =
-        overwrite.guard().reads(model, "the model").readsAssets(model, () -> assets(setup));
+  private OutputGuard guard() {
+    OutputGuard guard = overwrite.guard().reads(model, "the model");
     targets().forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
     return guard;
   }
@@ -186,15 +188,10 @@ final class ViewsCommand implements Callable<Integer> {
     return targets;
   }
 
-  private Set<Path> assets(ModelSetup setup) throws SceneFormatException, IOException {
-    SceneText scene = setup.sceneOf(model, flags.aspect());
-    return SceneParser.files(scene.json(), scene.path());
-  }
-
-  private ModelViews read(ModelSetup setup) throws SceneFormatException, TaskException {
+  private ModelViews read(Stage stage) throws SceneFormatException, TaskException {
     SceneParser parser = new SceneParser().overriding(this::overridden);
     try {
-      return parser.parse(model, setup, List.copyOf(View.standard().values()));
+      return parser.parse(model, stage, List.copyOf(View.standard().values()));
     } catch (IOException e) {
       throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
     }

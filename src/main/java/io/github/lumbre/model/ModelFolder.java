@@ -19,16 +19,7 @@ public interface ModelFolder {
 
   /** Returns access to the files in a folder and below. */
   static ModelFolder of(Path folder) {
-    return of(folder, Long.MAX_VALUE);
-  }
-
-  /**
-   * Returns access to the files in a folder and below.
-   *
-   * @param maxBytes the largest sum of the sizes of all files that are read
-   */
-  static ModelFolder of(Path folder, long maxBytes) {
-    return new FileFolder(folder.toAbsolutePath().normalize(), maxBytes);
+    return new FileFolder(folder.toAbsolutePath().normalize());
   }
 
   /**

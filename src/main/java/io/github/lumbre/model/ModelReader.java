@@ -4,7 +4,11 @@ import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions.Pose;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InterruptedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
@@ -28,6 +32,25 @@ public final class ModelReader {
    */
   public static boolean isModel(byte[] start, long size) {
     return ModelFormat.in(start, size).isPresent();
+  }
+
+  /**
+   * Returns whether a file is a model, by the ending of its name. If it is neither that of a model
+   * nor .json, the content of the file decides.
+   */
+  public static boolean isModel(Path file) {
+    String name = String.valueOf(file.getFileName());
+    boolean isNamed = isModelName(name);
+    boolean isScene = name.toLowerCase(Locale.ROOT).endsWith(".json");
+    if (isNamed || isScene || !Files.isRegularFile(file)) {
+      return isNamed;
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      return isModel(in.readNBytes(FileContent.START), Files.size(file));
+    } catch (IOException e) {
+      // Reading the file reports the error.
+      return false;
+    }
   }
 
   /** Returns the usual name of the format of a file that is a model, such as GLB. */

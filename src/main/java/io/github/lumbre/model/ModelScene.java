@@ -1,8 +1,5 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.OrthographicCamera;
-import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshAttributes;
@@ -205,23 +202,6 @@ public final class ModelScene {
         yield new SpotLight(point, axis, outer, outer - inner);
       }
     };
-  }
-
-  /**
-   * Returns a camera of the model.
-   *
-   * @param aspect width of the film over its height; the camera's vertical size stays
-   */
-  public Camera camera(ModelCamera camera, double aspect) {
-    Transform transform = toWorld.times(camera.toWorld());
-    Vec3 position = transform.point(Vec3.ZERO);
-    Frame axes = axes(transform);
-    if (camera.lens() instanceof ModelCamera.Parallel lens) {
-      double scale = transform.vector(Vec3.Y).length();
-      return new OrthographicCamera(position, axes, aspect, 2 * lens.halfHeight() * scale);
-    }
-    ModelCamera.Perspective lens = (ModelCamera.Perspective) camera.lens();
-    return new PinholeCamera(position, axes, aspect, Math.toDegrees(lens.verticalFov()));
   }
 
   /** Returns the right, up and forward directions of a camera's space. */

@@ -15,7 +15,6 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.LinkedHashSet;
@@ -39,11 +38,8 @@ final class AssetData {
   /** The largest file, in bytes, that fits into a Java array. */
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
-  /** Bytes between two checks for an interrupt; a power of two, so that sums do not overflow. */
-  private static final int HASH_BLOCK = 1 << 24;
-
   private final Path sceneFile;
-  private final MessageDigest digest;
+  private final SceneHash hash;
   private final Allowance allowance;
   private final Map<String, String> hashes = new TreeMap<>();
 
@@ -52,20 +48,19 @@ final class AssetData {
 
   /**
    * @param sceneFile path of the scene file; relative asset paths start in its folder
-   * @param digest receives the bytes of all files that are read
+   * @param hash receives the bytes of all files that are read
    * @param allowance what may be read
    */
-  AssetData(Path sceneFile, MessageDigest digest, Allowance allowance) {
-    this(sceneFile, digest, allowance, Map.of());
+  AssetData(Path sceneFile, SceneHash hash, Allowance allowance) {
+    this(sceneFile, hash, allowance, Map.of());
   }
 
   /**
    * @param inMemory bytes of files that are not read from the folder, by their names
    */
-  AssetData(
-      Path sceneFile, MessageDigest digest, Allowance allowance, Map<String, byte[]> inMemory) {
+  AssetData(Path sceneFile, SceneHash hash, Allowance allowance, Map<String, byte[]> inMemory) {
     this.sceneFile = sceneFile;
-    this.digest = digest;
+    this.hash = hash;
     this.allowance = allowance;
     this.inMemory = Map.copyOf(inMemory);
   }
@@ -75,14 +70,14 @@ final class AssetData {
     return allowance;
   }
 
-  /** The bytes of an asset, and the key at which their errors are reported. */
-  record Content(JsonNode asset, String key, byte[] bytes) {
+  /** The bytes of an asset, and the place at which their problems are reported. */
+  record Content(Spot spot, byte[] bytes) {
     void error(Kind kind, String message) {
-      asset.error(kind, key, message);
+      spot.error(kind, message);
     }
 
     void warn(String message) {
-      asset.warn(key, message);
+      spot.warn(message);
     }
   }
 
@@ -96,13 +91,13 @@ final class AssetData {
       if (asset.has(base64Key)) {
         asset.warn(base64Key, "is ignored, because the asset names a file");
       }
-      return asset.string(FILE_KEY).flatMap(name -> file(asset, name));
+      return asset.string(FILE_KEY).flatMap(name -> file(asset.spot(FILE_KEY), name));
     }
     if (!asset.has(base64Key)) {
       asset.error(base64Key, "expected " + base64Key + " or file, found neither");
       return Optional.empty();
     }
-    return asset.string(base64Key).flatMap(text -> decoded(asset, base64Key, text));
+    return asset.string(base64Key).flatMap(text -> decoded(asset.spot(base64Key), text));
   }
 
   /** Returns the files that assets name, if they exist and are in the scene's folder or below. */
@@ -194,17 +189,17 @@ final class AssetData {
     return Map.copyOf(hashes);
   }
 
-  private static Optional<Content> decoded(JsonNode asset, String key, String text) {
+  private static Optional<Content> decoded(Spot spot, String text) {
     byte[] letters = withoutLineBreaks(text);
     // The decoder itself accepts truncated text.
     if (letters.length == 0 || letters.length % 4 != 0) {
-      asset.error(Kind.ASSET, key, "expected base64, found truncated text");
+      spot.error(Kind.ASSET, "expected base64, found truncated text");
       return Optional.empty();
     }
     try {
-      return Optional.of(new Content(asset, key, Base64.getDecoder().decode(letters)));
+      return Optional.of(new Content(spot, Base64.getDecoder().decode(letters)));
     } catch (IllegalArgumentException e) {
-      asset.error(Kind.ASSET, key, "expected base64, found invalid characters");
+      spot.error(Kind.ASSET, "expected base64, found invalid characters");
       return Optional.empty();
     }
   }
@@ -237,12 +232,12 @@ final class AssetData {
     }
   }
 
-  /** Returns the bytes of a file; empty, with an error added at "file", if it cannot be read. */
-  Optional<Content> file(JsonNode asset, String name) {
+  /** Returns the bytes of a file; empty, with an error added at a place, if it cannot be read. */
+  Optional<Content> file(Spot spot, String name) {
     try {
-      return Optional.of(new Content(asset, FILE_KEY, bytes(name)));
+      return Optional.of(new Content(spot, bytes(name)));
     } catch (Unusable e) {
-      asset.error(e.kind, FILE_KEY, e.getMessage());
+      spot.error(e.kind, e.getMessage());
       return Optional.empty();
     }
   }
@@ -254,8 +249,7 @@ final class AssetData {
         requireBytes(known.length);
       }
       byte[] bytes = known != null ? known : fileBytes(name);
-      hash(bytes);
-      hashes.put(name, Sha256.of(bytes));
+      note(name, bytes);
       return bytes;
     } catch (ClosedByInterruptException e) {
       throw new CancellationException(e.toString());
@@ -264,17 +258,16 @@ final class AssetData {
     }
   }
 
+  /** Notes the bytes of a file of the scene that has been read. */
+  void note(String name, byte[] bytes) {
+    hash.add(bytes);
+    hashes.put(name, Sha256.of(bytes));
+  }
+
   private byte[] fileBytes(String name) throws IOException, Unusable {
     Path path = inFolder(name);
     requireFile(name, path);
     return Files.readAllBytes(path);
-  }
-
-  private void hash(byte[] bytes) {
-    for (int at = 0; at < bytes.length; at += HASH_BLOCK) {
-      Interrupts.check();
-      digest.update(bytes, at, Math.min(HASH_BLOCK, bytes.length - at));
-    }
   }
 
   /** Checks that a path is a file small enough to be read. */

@@ -28,8 +28,12 @@ public record CameraPose(Vec3 position, Vec3 rotation) {
    * numbers.
    */
   public Camera place(Camera camera) {
-    Transform turn = Transform.rotationDegrees(rotation);
-    return camera.movedTo(
-        position, new Frame(turn.vector(Vec3.X), turn.vector(Vec3.Y), turn.vector(Vec3.Z)));
+    return camera.movedTo(position, axes());
+  }
+
+  /** Returns the right, up and forward directions, with the bits of a scene file's camera. */
+  Frame axes() {
+    Transform turn = Transform.IDENTITY.times(Transform.rotationDegrees(rotation));
+    return new Frame(turn.vector(Vec3.X), turn.vector(Vec3.Y), turn.vector(Vec3.Z));
   }
 }

@@ -154,6 +154,16 @@ final class JsonNode {
     return path() + "." + childKey;
   }
 
+  /** Returns the place of this value. */
+  Spot spot() {
+    return new Spot(problems, this::path);
+  }
+
+  /** Returns the place of the value of a key. */
+  Spot spot(String childKey) {
+    return new Spot(problems, () -> path(childKey));
+  }
+
   void error(String message) {
     problems.error(SceneFormatException.Kind.INVALID, this::path, message);
   }

@@ -176,7 +176,7 @@ final class LightReader {
 
   private Consumer<SceneAssembly> lamp(Placed light, Rgb intensity, Shape shape, double localArea) {
     Unit unit = light.node().choice("unit", UNITS, Unit.FORMAT);
-    boolean measurable = ShapeReader.isMeasurable(light.node(), shape);
+    boolean measurable = ShapeReader.isMeasurable(light.node().spot(), shape);
     Rgb radiance = measurable ? intensity.times(unit.radiance(localArea, shape.area())) : Rgb.BLACK;
     if (!radiance.isFinite()) {
       light.node().error("intensity", "expected a finite radiance, found an infinite one");

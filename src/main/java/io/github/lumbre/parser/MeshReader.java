@@ -69,9 +69,7 @@ final class MeshReader {
     data.allowance().addTriangles(obj.indices().length / 3);
     TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
     if (mesh.droppedTriangles() > 0) {
-      content
-          .asset()
-          .warn(content.key(), "dropped triangles of zero area: " + mesh.droppedTriangles());
+      content.warn("dropped triangles of zero area: " + mesh.droppedTriangles());
     }
     return mesh.triangleCount() == 0 ? Optional.empty() : Optional.of(mesh);
   }

@@ -33,7 +33,7 @@ public record ModelContents(
     materials = List.copyOf(materials);
   }
 
-  static ModelContents of(Model model, ModelFraming framing) {
+  static ModelContents of(Model model, Framing framing) {
     Map<String, String> materials = new LinkedHashMap<>();
     model.parts().stream()
         .map(part -> part.material())

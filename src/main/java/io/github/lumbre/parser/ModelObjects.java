@@ -1,34 +1,18 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.light.Light;
-import io.github.lumbre.math.Transform;
-import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.ModelGeometry;
-import io.github.lumbre.model.ModelMaterial;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
-import io.github.lumbre.model.ModelPart;
 import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.model.ModelScene;
-import io.github.lumbre.model.ModelSurface;
 import io.github.lumbre.parser.ObjectTree.Placed;
-import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.scene.SceneAssembly;
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashSet;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 
 /** Reads objects that are model files: glTF, OBJ, PLY and STL. */
 final class ModelObjects {
@@ -53,175 +37,71 @@ final class ModelObjects {
 
   private final AssetData data;
   private final MaterialReader materials;
-  private final Kernel kernel;
+  private final ModelParts parts;
   private final String sceneName;
   private final boolean lenient;
-  private final Set<ModelGeometry> meshes = identitySet();
-  private final Set<ModelMaterial> ownMaterials = identitySet();
-  private int count;
-  private int pictures;
-  private int lights;
-  private long triangles;
 
   /**
-   * @param sceneName name of the scene file; problems of a model with this name are located in the
-   *     model alone
-   * @param kernel traversal kernel of shared meshes
+   * @param parts receives the models
+   * @param sceneName name of the scene file; places of a model with this name are in the model
+   *     alone: the scene stands for the model
    * @param lenient whether a missing picture of a model is a warning instead of an error; it always
    *     is if the scene stands for the model
    */
   ModelObjects(
-      AssetData data, MaterialReader materials, String sceneName, Kernel kernel, boolean lenient) {
+      AssetData data,
+      MaterialReader materials,
+      ModelParts parts,
+      String sceneName,
+      boolean lenient) {
     this.data = data;
     this.materials = materials;
+    this.parts = parts;
     this.sceneName = sceneName;
-    this.kernel = kernel;
     this.lenient = lenient;
   }
 
-  private static <T> Set<T> identitySet() {
-    return Collections.newSetFromMap(new IdentityHashMap<>());
-  }
-
-  /** A part of a model: one primitive or light. */
-  record Part(Origin origin, Origin material, Consumer<SceneAssembly> action) {}
-
-  /** Returns the number of parts read so far. */
-  int count() {
-    return count;
-  }
-
-  /** Returns the number of meshes read so far; instances share one. */
-  int meshes() {
-    return meshes.size();
-  }
-
-  /** Returns the number of materials of the models in use, without default materials. */
-  int materials() {
-    return ownMaterials.size();
-  }
-
-  /** Returns the number of pictures that the models' materials use. */
-  int pictures() {
-    return pictures;
-  }
-
-  /** Returns the number of the models' lights in use. */
-  int lights() {
-    return lights;
-  }
-
-  /** Returns the number of triangles read so far, counted for each instance. */
-  long triangles() {
-    return triangles;
-  }
-
-  /** Returns the parts of a model; empty, with an error added, if it cannot be used. */
-  List<Part> read(Placed object) {
+  /** Adds the model of an object; adds an error if it cannot be used. */
+  void read(Placed object) {
     JsonNode node = object.node();
     node.warnUnknown(KEYS);
-    Optional<String> name = node.string("file");
+    Optional<String> name = node.string(AssetData.FILE_KEY);
     if (name.isEmpty()) {
-      if (!node.has("file")) {
-        node.error("file", "expected the name of a model file, found nothing");
+      if (!node.has(AssetData.FILE_KEY)) {
+        node.error(AssetData.FILE_KEY, "expected the name of a model file, found nothing");
       }
-      return List.of();
+      return;
     }
-    Optional<AssetData.Content> content = data.file(node, name.get());
-    return content.map(bytes -> parts(object, name.get(), bytes)).orElse(List.of());
+    data.file(node.spot(AssetData.FILE_KEY), name.get())
+        .ifPresent(content -> read(object, name.get(), content.bytes()));
   }
 
-  private List<Part> parts(Placed object, String name, AssetData.Content content) {
+  private void read(Placed object, String name, byte[] content) {
     JsonNode node = object.node();
+    boolean isTheScene = name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
+    ModelPlace place =
+        isTheScene ? new ModelPlace.OfFile(node.problems()) : new ModelPlace.OfObject(node, name);
+    ModelOptions options = options(node, lenient || isTheScene);
     try {
-      ModelOptions options = options(node, name);
-      Model model = ModelReader.read(name, content.bytes(), data.folderOf(name), options);
-      model.warnings().forEach(warning -> warn(node, name, warning));
-      Transform toWorld = object.toWorld().times(ModelScene.TO_LEFT_HANDED);
-      long maxTexels = data.allowance().texelsLeft();
-      boolean sharesAll = node.flag("shared", false);
-      ModelScene scene = new ModelScene(model, toWorld, kernel, maxTexels, sharesAll);
-      return parts(node, name, scene, overrides(node));
+      parts.add(
+          ModelReader.read(name, content, data.folderOf(name), options),
+          new ModelParts.Placement(
+              place,
+              object.toWorld(),
+              node.flag("shared", false),
+              overrides(node),
+              node.flag("useLights", true),
+              object.lightGroup()));
     } catch (ModelFormatException e) {
-      report(node, name, e);
+      place.error(e);
     } catch (IOException e) {
       CancellationException cancelled = new CancellationException(e.toString());
       cancelled.initCause(e);
       throw cancelled;
     }
-    return List.of();
   }
 
-  private List<Part> parts(
-      JsonNode node, String name, ModelScene scene, Map<String, Surface> overrides)
-      throws ModelFormatException {
-    List<Part> parts = new ArrayList<>();
-    List<ModelSurface> surfaces = scene.surfaces();
-    scene.warnings().forEach(warning -> warn(node, name, warning));
-    data.allowance().addTexels(scene.texels());
-    pictures += scene.pictures();
-    for (ModelSurface surface : surfaces) {
-      ModelPart part = surface.part();
-      count++;
-      triangles += part.geometry().triangleCount();
-      data.allowance().addTriangles(part.geometry().triangleCount());
-      meshes.add(part.geometry());
-      Optional<Surface> other = Optional.ofNullable(overrides.get(part.material().name()));
-      if (other.isEmpty() && !part.material().location().isEmpty()) {
-        ownMaterials.add(part.material());
-      }
-      if (ShapeReader.isMeasurable(node, surface.shape())) {
-        parts.add(
-            new Part(
-                origin(node, name, part.location(), part.name()),
-                origin(node, name, part.material().location(), part.material().name()),
-                builder ->
-                    other.ifPresentOrElse(
-                        own -> own.add(surface.shape(), builder), () -> surface.addTo(builder))));
-      }
-    }
-    if (node.flag("useLights", true)) {
-      for (Light light : scene.lights()) {
-        lights++;
-        parts.add(new Part(origin(node, name, "lights", ""), Origin.NONE, b -> b.add(light)));
-      }
-    }
-    return parts;
-  }
-
-  private Origin origin(JsonNode node, String name, String location, String itsName) {
-    String path = isTheScene(name) ? location : node.path() + ": " + name + ": " + location;
-    return new Origin(Problems.shownPath(Problems.escaped(path)), Problems.shortened(itsName));
-  }
-
-  /** Returns whether the scene stands for the model itself. */
-  private boolean isTheScene(String name) {
-    return name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
-  }
-
-  private void warn(JsonNode node, String name, String warning) {
-    if (isTheScene(name)) {
-      node.problems().warn(() -> "", () -> warning);
-    } else {
-      node.warn("file", name + ": " + warning);
-    }
-  }
-
-  private void report(JsonNode node, String name, ModelFormatException e) {
-    Kind kind =
-        switch (e.kind()) {
-          case TOO_LARGE -> Kind.LIMIT;
-          case MALFORMED, UNSUPPORTED, ASSET -> Kind.ASSET;
-        };
-    String message = Problems.escaped(e.getMessage());
-    if (isTheScene(name)) {
-      node.problems().error(kind, () -> Problems.escaped(e.location()), e.detail());
-    } else {
-      node.error(kind, "file", name + ": " + message);
-    }
-  }
-
-  private ModelOptions options(JsonNode node, String file) {
+  private ModelOptions options(JsonNode node, boolean mayLackPictures) {
     Optional<Pose> pose =
         node.has("pose")
             ? node.string("pose")
@@ -234,7 +114,7 @@ final class ModelObjects {
         node.choice("up", UPS, Up.Y),
         node.number("unit", 1, Range.POSITIVE),
         data.allowance().left(),
-        lenient || isTheScene(file));
+        mayLackPictures);
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */

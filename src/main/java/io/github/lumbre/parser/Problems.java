@@ -60,7 +60,7 @@ final class Problems {
   }
 
   private String place(String path) {
-    return shownPath(isModel ? ModelStage.place(path) : path);
+    return shownPath(isModel && path.startsWith("$") ? "" : path);
   }
 
   boolean hasErrors() {

@@ -3,10 +3,13 @@ package io.github.lumbre.parser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * The content of a scene file.
@@ -29,6 +32,18 @@ public record SceneFile(
     Optional<SceneText> text) {
   public SceneFile {
     warnings = List.copyOf(warnings);
+  }
+
+  /**
+   * Returns the absolute paths of the asset files that the scene uses.
+   *
+   * @param path of the scene, in whose folder the names of assets start
+   */
+  public Set<Path> assetPaths(Path path) {
+    Path absolute = path.toAbsolutePath();
+    return files.assets().keySet().stream()
+        .map(name -> absolute.resolveSibling(name).normalize())
+        .collect(Collectors.toSet());
   }
 
   /** Returns a copy with a different scene. */

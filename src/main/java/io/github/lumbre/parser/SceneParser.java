@@ -6,13 +6,11 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.TimeLimit;
-import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
@@ -21,15 +19,11 @@ import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
@@ -163,7 +157,7 @@ public final class SceneParser {
     return timed(
         problems,
         () -> {
-          byte[] text = read(file, problems, limits.bytes());
+          byte[] text = read(file, problems, "scene", "bytes", limits.bytes());
           return parse(file, text, Optional.empty(), Map.of(), Optional.empty(), problems);
         });
   }
@@ -171,31 +165,26 @@ public final class SceneParser {
   /**
    * Reads a model and builds the scene around it. The picture's size is that of the parser's
    * settings; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or
-   * 4:3.
+   * 4:3. The model may lack pictures.
    *
    * @param model path of a glTF, OBJ, PLY or STL file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
-  public SceneFile parse(Path model, ModelSetup setup) throws SceneFormatException, IOException {
-    Problems problems = new Problems(String.valueOf(model.getFileName()), true);
-    return timed(
-        problems,
-        () -> {
-          return parse(setup.limitedTo(limits).sceneOf(model, modelAspect()), problems);
-        });
+  public SceneFile parse(Path model, Stage stage) throws SceneFormatException, IOException {
+    return timed(problemsOf(model), () -> staged(model, stage).scene(this));
   }
 
   /**
-   * Builds the scene around a model whose bytes are known; see {@link #parse(Path, ModelSetup)}.
-   * Nothing is read from files, except a picture of a sky that the setup names.
+   * Builds the scene around a model whose bytes are known; see {@link #parse(Path, Stage)}. Nothing
+   * is read from files, except a picture of a sky that the stage names.
    *
    * @param name of the model without folders; its ending chooses the format
    * @param model bytes of a GLB, PLY or STL file, or of a glTF or OBJ file that names no others
    * @throws SceneFormatException if the model cannot be used; it lists the errors
    * @throws IOException if the calling thread is interrupted
    */
-  public SceneFile parse(String name, byte[] model, ModelSetup setup)
+  public SceneFile parse(String name, byte[] model, Stage stage)
       throws SceneFormatException, IOException {
     Path here = Path.of("").toAbsolutePath();
     Path file = here.resolve(name).normalize();
@@ -203,58 +192,86 @@ public final class SceneParser {
       throw new IllegalArgumentException(
           "name: expected a name without folders, found " + Problems.quoted(name));
     }
-    Path folder = setup.folderOf(file);
-    Problems problems = new Problems(name, true);
+    Stage lenient = stage.reading(stage.options().lenient(true));
     return timed(
-        problems,
-        () -> {
-          SceneText text =
-              setup.limitedTo(limits).sceneOf(folder, file, model, ModelFolder.NONE, modelAspect());
-          return parse(
-              text.path(),
-              text.json(),
-              Optional.of(text),
-              Map.of(folder.relativize(file).toString().replace(File.separatorChar, '/'), model),
-              Optional.empty(),
-              problems);
-        });
+        problemsOf(file),
+        () ->
+            new StagedModel(lenient, stage.folderOf(file), file, model, true, limits).scene(this));
   }
 
   /**
    * Reads a model and builds the scene around it for several views. The scenes share meshes,
-   * hierarchies and textures; their pictures have the bits of {@link #parse(Path, ModelSetup)} with
-   * {@link ModelSetup#seenFrom}.
+   * hierarchies and textures; their pictures have the bits of {@link #parse(Path, Stage)} with
+   * {@link Stage#seenFrom}.
    *
    * @param model path of a glTF, OBJ, PLY or STL file
    * @param views at least one
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
-  public ModelViews parse(Path model, ModelSetup setup, List<ModelSetup.View> views)
+  public ModelViews parse(Path model, Stage stage, List<Stage.View> views)
       throws SceneFormatException, IOException {
-    Problems problems = new Problems(String.valueOf(model.getFileName()), true);
     return timed(
-        problems,
+        problemsOf(model),
         () -> {
-          List<SceneText> texts =
-              setup.limitedTo(limits).scenesOf(model, modelAspect(), List.copyOf(views));
-          SceneFile first = parse(texts.get(0), problems);
-          List<Scene> scenes = new ArrayList<>(List.of(first.scene()));
-          for (SceneText text : texts.subList(1, texts.size())) {
-            SceneFile other = parse(text.withoutAllButTheCamera(), problems);
-            scenes.add(first.scene().seenBy(other.scene().camera()));
-          }
-          return new ModelViews(first, scenes);
+          StagedModel staged = staged(model, stage.seenFrom(views.get(0)));
+          SceneFile first = staged.scene(this);
+          return new ModelViews(first, staged.seenFrom(views, first, this));
         });
   }
 
-  private OptionalDouble modelAspect() {
-    RenderSettings size =
-        change.apply(
-            new RenderSettings.Builder()
-                .size(ModelSetup.DEFAULT_WIDTH, ModelSetup.DEFAULT_HEIGHT)
-                .build());
-    return OptionalDouble.of(size.aspect());
+  private static Problems problemsOf(Path model) {
+    return new Problems(String.valueOf(model.getFileName()), true);
+  }
+
+  private StagedModel staged(Path model, Stage stage) throws SceneFormatException, IOException {
+    Path file = model.toAbsolutePath().normalize();
+    Stage lenient = stage.reading(stage.options().lenient(true));
+    return staged(file, lenient, stage.folderOf(file));
+  }
+
+  private StagedModel staged(Path file, Stage stage, Path folder)
+      throws SceneFormatException, IOException {
+    byte[] content = read(file, problemsOf(file), "model", "bytes in all files", limits.bytes());
+    return new StagedModel(stage, folder, file, content, false, limits);
+  }
+
+  /**
+   * Reads a model and builds the scene around it, whose text is to be written to a file. A missing
+   * picture is an error unless the options of the stage are lenient, as it is in a scene.
+   *
+   * @param folder where asset paths start; contains the model and the sky's picture
+   * @throws SceneFormatException if the scene cannot be used; it lists the errors
+   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
+   */
+  public SceneFile parse(Path folder, Path model, Stage stage)
+      throws SceneFormatException, IOException {
+    Path file = model.toAbsolutePath().normalize();
+    return timed(problemsOf(file), () -> staged(file, stage, folder).scene(this));
+  }
+
+  /** Returns the aspect ratio for which a model is framed. */
+  double frameAspect() {
+    return change
+        .apply(new RenderSettings.Builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
+        .aspect();
+  }
+
+  /** Returns the settings of a scene that states none. */
+  RenderSettings missing() {
+    return SettingsReader.missing(mode);
+  }
+
+  boolean isLenient() {
+    return lenient;
+  }
+
+  TextureChange textures() {
+    return textures;
+  }
+
+  Kernel kernel() {
+    return kernel.orElse(Kernel.AUTO);
   }
 
   /**
@@ -289,7 +306,7 @@ public final class SceneParser {
   SceneFile parse(SceneText text, Map<String, byte[]> files, Optional<Scene> known)
       throws SceneFormatException {
     Path file = text.path();
-    Problems problems = new Problems(String.valueOf(file.getFileName()), ModelSetup.isModel(file));
+    Problems problems = new Problems(String.valueOf(file.getFileName()), ModelReader.isModel(file));
     try {
       return timed(
           problems, () -> parse(file, text.json(), Optional.of(text), files, known, problems));
@@ -344,7 +361,7 @@ public final class SceneParser {
    */
   public static Set<Path> files(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
-    return files(read(file, problems, MAX_BYTES), file);
+    return files(read(file, problems, "scene", "bytes", MAX_BYTES), file);
   }
 
   /**
@@ -361,17 +378,23 @@ public final class SceneParser {
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
-    AssetData data = new AssetData(file, Sha256.digest(), Allowance.unlimited());
+    AssetData data = new AssetData(file, new SceneHash(), Allowance.unlimited());
     Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets")));
     files.addAll(data.modelFiles(ObjectTree.of(root).models()));
     return files;
   }
 
-  private static byte[] read(Path file, Problems problems, long maxBytes)
+  /**
+   * Returns the bytes of a file.
+   *
+   * @param what the file is, for messages
+   * @param bytes what is counted, for messages
+   */
+  private static byte[] read(Path file, Problems problems, String what, String bytes, long maxBytes)
       throws SceneFormatException, IOException {
     try {
       long max = Math.min(MAX_BYTES, maxBytes);
-      Optional<String> excess = Limits.excess("bytes", max, Files.size(file));
+      Optional<String> excess = Limits.excess(bytes, max, Files.size(file));
       if (excess.isPresent()) {
         problems.error(Kind.LIMIT, () -> "$", excess.get());
         throw problems.exception();
@@ -379,13 +402,9 @@ public final class SceneParser {
       return Files.readAllBytes(file);
     } catch (NoSuchFileException e) {
       String place = Problems.at(file);
-      problems.error(Kind.INVALID, () -> "$", "expected a scene file, found none" + place);
+      problems.error(Kind.INVALID, () -> "$", "expected a " + what + " file, found none" + place);
       throw problems.exception();
     }
-  }
-
-  private SceneFile parse(SceneText text, Problems problems) throws SceneFormatException {
-    return parse(text.path(), text.json(), Optional.of(text), Map.of(), Optional.empty(), problems);
   }
 
   private SceneFile parse(
@@ -411,11 +430,10 @@ public final class SceneParser {
     Optional<JsonNode> options = root.object("renderOptions");
     RenderSettings settings = settings(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
-    MessageDigest digest = Sha256.digest();
-    digest.update(text);
-    String ownHash = Sha256.soFar(digest);
+    SceneHash hash = new SceneHash();
+    hash.text(text);
     AssetTable assets = new AssetTable(root, lenient);
-    AssetData data = new AssetData(file, digest, allowance, files);
+    AssetData data = new AssetData(file, hash, allowance, files);
     SceneReader world =
         new SceneReader(
             root,
@@ -423,7 +441,7 @@ public final class SceneParser {
             data,
             settings.seed(),
             textures,
-            kernel.orElse(Kernel.AUTO),
+            kernel(),
             String.valueOf(file.getFileName()));
     world.read(settings.aspect(), background);
     problems.throwIfAny();
@@ -432,8 +450,8 @@ public final class SceneParser {
         scene,
         settings,
         problems.warnings(),
-        HexFormat.of().formatHex(digest.digest()),
-        new FileHashes(ownHash, data.hashes()),
+        hash.value(),
+        new FileHashes(Sha256.of(text), data.hashes()),
         world.contents(),
         world.origins(),
         source);
@@ -481,10 +499,20 @@ public final class SceneParser {
     if (problems.hasErrors() && !hadErrors) {
       return inFile;
     }
+    return changed(inFile, "$.renderOptions", problems);
+  }
+
+  /**
+   * Returns settings with the caller's changes; adds an error for each that exceeds a limit.
+   *
+   * @param place of the settings, for messages
+   */
+  RenderSettings changed(RenderSettings inFile, String place, Problems problems) {
     RenderSettings used = change.apply(inFile);
     boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
     if ((long) used.width() * used.height() > limits.pixels()) {
-      String where = isInFile ? "$.renderOptions" : "the size that overrides $.renderOptions";
+      boolean overrides = place.startsWith("$") && !isInFile;
+      String where = overrides ? "the size that overrides " + place : place;
       String found = used.width() + "x" + used.height();
       problems.error(
           Kind.LIMIT,
@@ -492,7 +520,7 @@ public final class SceneParser {
           "expected width x height <= " + limits.pixels() + ", found " + found);
     }
     Limits.excess("samples per pixel", limits.samples(), used.samples())
-        .ifPresent(excess -> problems.error(Kind.LIMIT, () -> "$.renderOptions", excess));
+        .ifPresent(excess -> problems.error(Kind.LIMIT, () -> place, excess));
     return used;
   }
 }

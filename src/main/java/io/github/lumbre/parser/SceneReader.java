@@ -6,12 +6,10 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.SceneAssembly;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /** Reads the objects of a scene, the assets they use, and the main camera. Not reusable. */
@@ -28,18 +26,12 @@ final class SceneReader {
   private final ShapeReader shapes;
   private final CameraReader cameras;
   private final ModelObjects models;
-  private final List<Addition> additions = new ArrayList<>();
-  private final List<Origin> primitives = new ArrayList<>();
-  private final List<Origin> materialsOfPrimitives = new ArrayList<>();
-  private final List<Origin> emitters = new ArrayList<>();
+  private final SceneParts parts = new SceneParts();
+  private final ModelParts modelParts;
   private Optional<Camera> camera = Optional.empty();
   private Optional<Rgb> backplate = Optional.empty();
   private String cameraType = "";
   private int lightCount;
-
-  /** An action that adds a part of the file to the scene. */
-  private record Addition(
-      Origin origin, Origin material, String lightGroup, Consumer<SceneAssembly> action) {}
 
   /**
    * @param seed seed of the procedural textures
@@ -64,7 +56,8 @@ final class SceneReader {
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
-    models = new ModelObjects(data, materials, sceneName, kernel, assets.isLenient());
+    modelParts = new ModelParts(parts, data.allowance(), kernel);
+    models = new ModelObjects(data, materials, modelParts, sceneName, assets.isLenient());
   }
 
   private List<Placed> objects(ObjectTree.Type type) {
@@ -131,20 +124,16 @@ final class SceneReader {
     Optional<Shape> shape = shapes.read(object);
     shape.ifPresent(
         made ->
-            additions.add(
-                new Addition(
-                    Origin.of(object.node()),
-                    materials.asset(object.node()).map(Origin::of).orElse(Origin.NONE),
-                    object.lightGroup(),
-                    scene -> surface.add(made, scene))));
+            parts.add(
+                Origin.of(object.node()),
+                materials.asset(object.node()).map(Origin::of).orElse(Origin.NONE),
+                object.lightGroup(),
+                scene -> surface.add(made, scene)));
   }
 
   private void readModel(Placed object) {
     Interrupts.check();
-    for (ModelObjects.Part part : models.read(object)) {
-      additions.add(
-          new Addition(part.origin(), part.material(), object.lightGroup(), part.action()));
-    }
+    models.read(object);
   }
 
   private void readLights(Optional<Rgb> background) {
@@ -153,8 +142,7 @@ final class SceneReader {
       Origin origin = Origin.of(light.node());
       lights
           .read(light)
-          .ifPresent(
-              made -> additions.add(new Addition(origin, Origin.NONE, light.lightGroup(), made)));
+          .ifPresent(made -> parts.add(origin, Origin.NONE, light.lightGroup(), made));
     }
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
@@ -163,12 +151,11 @@ final class SceneReader {
     } else {
       background.ifPresent(
           radiance ->
-              additions.add(
-                  new Addition(
-                      Origin.of(backgroundNode()),
-                      Origin.NONE,
-                      "",
-                      b -> b.addBackground(radiance))));
+              parts.add(
+                  Origin.of(backgroundNode()),
+                  Origin.NONE,
+                  "",
+                  scene -> scene.addBackground(radiance)));
     }
   }
 
@@ -182,29 +169,7 @@ final class SceneReader {
    * @param known the same scene, if code has built it: it gets the names of the file
    */
   Scene scene(Optional<Scene> known) {
-    SceneAssembly scene = new SceneAssembly(camera.orElseThrow()).searchedBy(kernel);
-    backplate.ifPresent(scene::backplate);
-    OriginNames objects = new OriginNames("object");
-    OriginNames materialNames = new OriginNames("default");
-    for (Addition addition : additions) {
-      Interrupts.check();
-      scene.lightGroup(addition.lightGroup);
-      scene.named(objects.of(addition.origin), materialNames.of(addition.material));
-      addition.action.accept(scene);
-      note(addition, scene);
-    }
-    return known.map(same -> same.named(scene)).orElseGet(scene::build);
-  }
-
-  /** Records the origin of the primitives or lights that were just added. */
-  private void note(Addition addition, SceneAssembly scene) {
-    while (scene.primitiveCount() > primitives.size()) {
-      primitives.add(addition.origin);
-      materialsOfPrimitives.add(addition.material);
-    }
-    while (scene.emitterCount() > emitters.size()) {
-      emitters.add(addition.origin);
-    }
+    return parts.scene(camera.orElseThrow(), backplate, kernel, known);
   }
 
   /** Returns the places of objects and assets; requires an earlier call of {@link #scene}. */
@@ -213,7 +178,7 @@ final class SceneReader {
     addUnused(AssetTable.Type.MATERIAL, "material", materials::uses, unused);
     addUnused(AssetTable.Type.TEXTURE, "texture", textures::uses, unused);
     addUnused(AssetTable.Type.MESH, "mesh", meshes::uses, unused);
-    return new SceneOrigins(primitives, materialsOfPrimitives, emitters, textures.uses(), unused);
+    return parts.origins(textures.uses(), unused);
   }
 
   private void addUnused(
@@ -230,11 +195,11 @@ final class SceneReader {
   SceneContents contents() {
     return new SceneContents(
         cameraType,
-        shapes.count() + models.count(),
-        meshes.count() + models.meshes(),
-        shapes.triangles() + models.triangles(),
-        lightCount + models.lights(),
-        materials.count() + models.materials(),
-        textures.count() + models.pictures());
+        shapes.count() + modelParts.count(),
+        meshes.count() + modelParts.meshes(),
+        shapes.triangles() + modelParts.triangles(),
+        lightCount + modelParts.lights(),
+        materials.count() + modelParts.materials(),
+        textures.count() + modelParts.pictures());
   }
 }

@@ -1,9 +1,7 @@
 package io.github.lumbre.parser;
 
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
-import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -27,17 +25,6 @@ public record SceneText(byte[] json, Path path, Optional<ModelContents> model) {
   /** A scene that is not made around a model. */
   public SceneText(byte[] json, Path path) {
     this(json, path, Optional.empty());
-  }
-
-  /** Returns the same scene with its first object alone, which is the camera of a model's scene. */
-  SceneText withoutAllButTheCamera() {
-    JsonObject scene =
-        JsonParser.parseString(new String(json, StandardCharsets.UTF_8)).getAsJsonObject();
-    JsonArray camera = new JsonArray();
-    camera.add(scene.getAsJsonArray("objects").get(0));
-    scene.add("objects", camera);
-    scene.add("assets", new JsonArray());
-    return new SceneText(scene.toString().getBytes(StandardCharsets.UTF_8), path);
   }
 
   /** Returns the scene with line breaks and indentation. */

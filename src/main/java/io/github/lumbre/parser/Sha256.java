@@ -20,13 +20,4 @@ final class Sha256 {
   static String of(byte[] bytes) {
     return HexFormat.of().formatHex(digest().digest(bytes));
   }
-
-  /** Returns the hash of a digest's input so far, in hexadecimal; the digest stays usable. */
-  static String soFar(MessageDigest digest) {
-    try {
-      return HexFormat.of().formatHex(((MessageDigest) digest.clone()).digest());
-    } catch (CloneNotSupportedException e) {
-      throw new AssertionError("every Java copies SHA-256", e);
-    }
-  }
 }

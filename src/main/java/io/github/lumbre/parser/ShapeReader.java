@@ -12,6 +12,7 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.parser.ObjectTree.Placed;
+import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -89,20 +90,25 @@ final class ShapeReader {
     return family
         .choose(node)
         .flatMap(reader -> reader.read(object))
-        .filter(shape -> shape instanceof Plane || isMeasurable(node, shape));
+        .filter(shape -> shape instanceof Plane || isMeasurable(node.spot(), shape));
   }
 
   /**
    * Returns whether a shape lies within 1e150 of the origin, so that its area does not overflow;
    * adds an error if it does not.
    */
-  static boolean isMeasurable(JsonNode node, Shape shape) {
-    Bounds3 bounds = shape.bounds();
+  static boolean isMeasurable(Spot spot, Shape shape) {
+    return isMeasurable(spot, shape.bounds());
+  }
+
+  /** Returns whether a box lies within 1e150 of the origin; adds an error if it does not. */
+  static boolean isMeasurable(Spot spot, Bounds3 bounds) {
     double reach = Math.max(bounds.min().maxAbs(), bounds.max().maxAbs());
     if (reach <= MAX_REACH) {
       return true;
     }
-    node.error("expected a shape within 1e150 of the origin, found one that extends beyond");
+    spot.error(
+        Kind.INVALID, "expected a shape within 1e150 of the origin, found one that extends beyond");
     return false;
   }
 

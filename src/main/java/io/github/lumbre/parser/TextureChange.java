@@ -1,7 +1,12 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
+import io.github.lumbre.texture.internal.StudioSky;
+import io.github.lumbre.texture.internal.TintedTexture;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
@@ -26,6 +31,24 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
   /** Returns the filter to use for a texture with the given filter in the file. */
   Filter filter(Filter own) {
     return forced.orElse(own);
+  }
+
+  /** Returns the light of the studio, multiplied by a color. */
+  EnvironmentLight studio(Frame axes, Rgb radiance) {
+    return EnvironmentLight.image(
+        axes,
+        TintedTexture.of(radiance, watched(StudioSky.INSTANCE)),
+        StudioSky.COLUMNS,
+        StudioSky.ROWS);
+  }
+
+  /** Returns the light of a latitude-longitude picture, multiplied by a color. */
+  EnvironmentLight dome(Frame axes, Rgb radiance, Picture picture) {
+    return EnvironmentLight.image(
+        axes,
+        TintedTexture.of(radiance, watched(picture.asLight())),
+        picture.domeColumns(),
+        picture.domeRows());
   }
 
   /** Returns the same texture, with lookups counted if there is a counter. */

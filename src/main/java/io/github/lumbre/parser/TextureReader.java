@@ -2,18 +2,11 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.BokehCache;
-import io.github.lumbre.image.Image;
-import io.github.lumbre.image.ImageFormatException;
-import io.github.lumbre.image.ImageReader;
-import io.github.lumbre.image.LinearPicture;
-import io.github.lumbre.image.LinearReader;
-import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.parser.AssetTable.Type;
-import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.SceneOrigins.TextureUse;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
@@ -38,9 +31,6 @@ final class TextureReader {
   private static final String BASE64_KEY = "base64PNG";
   private static final Map<String, Filter> FILTERS = new LinkedHashMap<>();
 
-  /** Files with more texels per byte are reported as possible decompression bombs. */
-  private static final int SUSPICIOUS_TEXELS_PER_BYTE = 250;
-
   private static final Point2 NO_OFFSET = new Point2(0, 0);
   private static final Point2 NO_SCALE = new Point2(1, 1);
 
@@ -57,6 +47,7 @@ final class TextureReader {
   private final AssetTable assets;
   private final AssetData data;
   private final TextureChange change;
+  private final PictureDecoder decoder;
   private final ProceduralReader procedurals;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
   private final List<TextureUse> uses = new ArrayList<>();
@@ -89,6 +80,7 @@ final class TextureReader {
     this.assets = assets;
     this.data = data;
     this.change = change;
+    decoder = new PictureDecoder(data.allowance(), assets.isLenient());
     procedurals = new ProceduralReader(seed);
   }
 
@@ -152,7 +144,7 @@ final class TextureReader {
 
   private Optional<Picture> image(JsonNode texture) {
     Filter filter = filter(texture);
-    return data.read(texture, BASE64_KEY).flatMap(content -> picture(content, filter));
+    return data.read(texture, BASE64_KEY).flatMap(content -> decoder.read(content, filter));
   }
 
   private Optional<Picture> computed(
@@ -165,95 +157,8 @@ final class TextureReader {
     return change.filter(texture.choice("filter", FILTERS, Filter.NEAREST));
   }
 
-  private Texture<Rgb> watched(Texture<Rgb> texture) {
-    return change.watched(texture);
-  }
-
   private Texture<Rgb> watched(Picture picture, Role role) {
     return change.watched(picture.as(role));
-  }
-
-  private Optional<Picture> picture(AssetData.Content content, Filter filter) {
-    if (!LinearReader.isLinear(content.bytes())) {
-      return decoded(content).map(pixels -> new Picture.Decoded(pixels, filter));
-    }
-    try {
-      LinearPicture read = LinearReader.open(content.bytes(), data.allowance().texelsLeft());
-      Image light = read.light();
-      data.allowance().addTexels((long) light.width() * light.height());
-      return isUsable(content, light)
-          ? Optional.of(new Picture.Linear(read, content::warn))
-          : Optional.empty();
-    } catch (ImageFormatException e) {
-      boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
-      return Optional.empty();
-    }
-  }
-
-  /**
-   * Replaces negative colors by 0, and if missing assets are tolerated, those that are not finite;
-   * otherwise returns false, and reports the first of these.
-   */
-  private boolean isUsable(AssetData.Content content, Image image) {
-    float[] rgb = image.rgb();
-    int negative = 0;
-    int broken = 0;
-    String first = "";
-    for (int i = 0; i < rgb.length; i++) {
-      boolean isFinite = Float.isFinite(rgb[i]);
-      if (!isFinite && broken++ == 0) {
-        int pixel = i / 3;
-        first = rgb[i] + " at pixel " + pixel % image.width() + "," + pixel / image.width();
-      }
-      negative += rgb[i] < 0 && isFinite ? 1 : 0;
-      rgb[i] = rgb[i] > 0 && isFinite ? rgb[i] : 0;
-    }
-    if (broken > 0 && !assets.isLenient()) {
-      content.error(Kind.ASSET, "expected finite colors, found " + first);
-      return false;
-    }
-    if (broken > 0) {
-      content.warn("has " + broken + " colors that are not finite, which count as 0: " + first);
-    }
-    if (negative > 0) {
-      content.warn("has " + negative + " negative colors, which count as 0");
-    }
-    return true;
-  }
-
-  private Optional<Pixels> decoded(AssetData.Content content) {
-    try {
-      Pixels pixels = ImageReader.decode(content.bytes(), data.allowance().texelsLeft());
-      data.allowance().addTexels((long) pixels.width() * pixels.height());
-      warnOfBomb(content, pixels);
-      warnOfColorSpace(content);
-      return Optional.of(pixels);
-    } catch (ImageFormatException e) {
-      boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
-      return Optional.empty();
-    }
-  }
-
-  private static void warnOfColorSpace(AssetData.Content content) {
-    ImageReader.ignoredColorSpace(content.bytes())
-        .ifPresent(
-            space ->
-                content.warn(
-                    "the picture has "
-                        + Problems.shortened(space)
-                        + ", which is ignored; its colors are read as sRGB;"
-                        + " convert it to sRGB"));
-  }
-
-  private static void warnOfBomb(AssetData.Content content, Pixels pixels) {
-    long texels = (long) pixels.width() * pixels.height();
-    int bytes = content.bytes().length;
-    if (texels > (long) SUSPICIOUS_TEXELS_PER_BYTE * bytes) {
-      String size = pixels.width() + "x" + pixels.height();
-      content.warn(bytes + " bytes decode to " + size + " pixels");
-    }
   }
 
   /**
@@ -311,21 +216,11 @@ final class TextureReader {
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
     if (light.has("sky")) {
       light.choice("sky", Map.of("studio", StudioSky.INSTANCE), StudioSky.INSTANCE);
-      return EnvironmentLight.image(
-          axes,
-          TintedTexture.of(radiance, watched(StudioSky.INSTANCE)),
-          StudioSky.COLUMNS,
-          StudioSky.ROWS);
+      return change.studio(axes, radiance);
     }
-    Optional<Picture> picture = find(light, "textureId");
-    if (picture.isEmpty()) {
-      return EnvironmentLight.uniform(radiance);
-    }
-    return EnvironmentLight.image(
-        axes,
-        TintedTexture.of(radiance, change.watched(picture.get().asLight())),
-        picture.get().domeColumns(),
-        picture.get().domeRows());
+    return find(light, "textureId")
+        .map(picture -> change.dome(axes, radiance, picture))
+        .orElse(EnvironmentLight.uniform(radiance));
   }
 
   /** Returns the aperture that a mask describes: white is open. Empty if there is no mask. */

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.Stage.Sky;
+import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.render.BucketRenderer;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -153,22 +155,11 @@ class TextureRolesTest {
         "nodes",
         "{'rotation': [-0.4, 0.3, 0, 0.8660254],"
             + " 'extensions': {'KHR_lights_punctual': {'light': 0}}}");
-    ModelSetup setup =
-        new ModelSetup(
-            Optional.empty(),
-            Optional.of(ModelSetup.View.of("front")),
-            ModelSetup.DEFAULT_FOV,
-            "white",
-            0,
-            0,
-            false,
-            Optional.empty(),
-            false,
-            ModelOptions.DEFAULT);
+    Stage stage = Stage.DEFAULT.seenFrom(View.of("front")).under(new Sky("white", 0, 0));
     SceneFile scene =
         new SceneParser()
             .overriding(s -> s.toBuilder().size(10, 10).samples(4).threads(1).build())
-            .parse("a.glb", file.glb(), setup);
+            .parse("a.glb", file.glb(), stage);
     Image image = new BucketRenderer(scene.settings()).render(scene.scene());
     float[] rgb = image.rgb();
     double[] result = new double[rgb.length];

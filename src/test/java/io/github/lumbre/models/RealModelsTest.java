@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LinearReader;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -238,7 +238,7 @@ class RealModelsTest {
   }
 
   private static Content model(Path file) throws SceneFormatException, IOException {
-    SceneFile scene = new SceneParser().parse(file, ModelSetup.DEFAULT);
+    SceneFile scene = new SceneParser().parse(file, Stage.DEFAULT);
     List<String> warnings =
         scene.warnings().stream().map(w -> w.path() + ": " + w.message()).toList();
     return new Content(scene.contents().triangles(), warnings);

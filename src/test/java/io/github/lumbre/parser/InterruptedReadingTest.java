@@ -69,8 +69,8 @@ class InterruptedReadingTest {
     Path model =
         Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
     byte[] bytes = Files.readAllBytes(model);
-    ModelSetup setup = ModelSetup.DEFAULT;
-    List<ModelSetup.View> views = List.copyOf(ModelSetup.View.standard().values());
+    Stage stage = Stage.DEFAULT;
+    List<Stage.View> views = List.copyOf(Stage.View.standard().values());
     SceneParser late =
         new SceneParser()
             .overriding(
@@ -80,9 +80,9 @@ class InterruptedReadingTest {
                 });
     for (ThrowingCallable reading :
         List.<ThrowingCallable>of(
-            () -> late.parse(model, setup),
-            () -> late.parse("a.obj", bytes, setup),
-            () -> late.parse(model, setup, views))) {
+            () -> late.parse(model, stage),
+            () -> late.parse("a.obj", bytes, stage),
+            () -> late.parse(model, stage, views))) {
       assertThatThrownBy(reading).isInstanceOf(InterruptedIOException.class);
       assertThat(Thread.interrupted()).isTrue();
     }

@@ -117,19 +117,7 @@ class LinearPictureTest {
       first++;
     }
     String place = first / 3 % image.width() + "," + first / 3 / image.width();
-    ModelSetup setup = ModelSetup.DEFAULT;
-    ModelSetup lit =
-        new ModelSetup(
-            setup.camera(),
-            setup.view(),
-            setup.fov(),
-            "src/test/resources/cases/e_nan.exr",
-            1,
-            0,
-            false,
-            setup.background(),
-            false,
-            setup.options());
+    Stage lit = Stage.DEFAULT.under(new Stage.Sky("src/test/resources/cases/e_nan.exr"));
     Path model = Path.of("src/test/resources/cases/vc.obj");
     assertThatThrownBy(() -> new SceneParser().parse(model, lit))
         .hasMessage("vc.obj: sky: expected finite colors, found NaN at pixel " + place);

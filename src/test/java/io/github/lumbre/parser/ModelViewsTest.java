@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.charset.StandardCharsets;
@@ -75,12 +75,12 @@ class ModelViewsTest {
   @Test
   void viewsOfOneRunHaveTheBitsOfSingleRenders() throws Exception {
     Path part = part();
-    for (ModelSetup setup : List.of(ModelSetup.DEFAULT, ModelSetup.DEFAULT.onGround())) {
+    for (Stage stage : List.of(Stage.DEFAULT, Stage.DEFAULT.onGround())) {
       List<View> views = List.copyOf(View.standard().values());
-      ModelViews all = parser().parse(part, setup, views);
+      ModelViews all = parser().parse(part, stage, views);
       assertThat(all.scenes()).hasSize(7);
       for (int i = 0; i < views.size(); i++) {
-        SceneFile single = parser().parse(part, setup.seenFrom(views.get(i)));
+        SceneFile single = parser().parse(part, stage.seenFrom(views.get(i)));
         assertThat(all.first().settings()).isEqualTo(single.settings());
         assertThat(picture(single.settings(), all.scenes().get(i)).rgb())
             .as(views.get(i).toString())
@@ -96,8 +96,7 @@ class ModelViewsTest {
   @Test
   void standardViewsAreStableOverReleases() throws Exception {
     ModelViews all =
-        parser()
-            .parse(part(), ModelSetup.DEFAULT.onGround(), List.copyOf(View.standard().values()));
+        parser().parse(part(), Stage.DEFAULT.onGround(), List.copyOf(View.standard().values()));
     Map<String, String> found = new LinkedHashMap<>();
     int i = 0;
     for (String name : View.standard().keySet()) {

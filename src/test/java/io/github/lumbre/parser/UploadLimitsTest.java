@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelReader;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -64,8 +65,8 @@ class UploadLimitsTest {
         catchThrowableOfType(
             SceneFormatException.class,
             () -> {
-              if (ModelSetup.isModel(file)) {
-                parser.parse(file, ModelSetup.DEFAULT);
+              if (ModelReader.isModel(file)) {
+                parser.parse(file, Stage.DEFAULT);
               } else {
                 parser.parse(file);
               }
@@ -92,7 +93,7 @@ class UploadLimitsTest {
   void modelWithinTheLimitsIsRead() throws Exception {
     Limits limits = Limits.UPLOADS.withTriangles(1).withBytes(4000).withTexels(0);
     SceneParser parser = new SceneParser().limitedTo(limits);
-    assertThat(parser.parse(file("a.obj", TRIANGLE), ModelSetup.DEFAULT).scene().primitives())
+    assertThat(parser.parse(file("a.obj", TRIANGLE), Stage.DEFAULT).scene().primitives())
         .isNotEmpty();
   }
 
@@ -103,7 +104,8 @@ class UploadLimitsTest {
     file("a.mtl", "newmtl a\nmap_Kd a.png\n");
     file("a.png", new byte[3000]);
     Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
-    assertRefused(obj, Limits.NONE.withBytes(2000), "more bytes of files, found 3022");
+    assertRefused(
+        obj, Limits.NONE.withBytes(2000), "expected at most 2000 bytes in all files, found 3089");
     Path scene = file("s.json", "{\"objects\": []}");
     assertRefused(scene, Limits.NONE.withBytes(10), "expected at most 10 bytes, found 15");
   }

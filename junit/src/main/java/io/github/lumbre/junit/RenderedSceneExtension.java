@@ -2,10 +2,11 @@ package io.github.lumbre.junit;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.parser.ModelSetup;
+import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
@@ -81,11 +82,11 @@ public final class RenderedSceneExtension implements ParameterResolver {
 
   private static SceneFile read(RenderedScene wanted, Path path)
       throws SceneFormatException, IOException {
-    boolean isModel = ModelSetup.isModel(path);
+    boolean isModel = ModelReader.isModel(path);
     SceneParser parser =
         new SceneParser().overriding(settings -> overridden(settings, wanted, isModel));
     if (isModel) {
-      return parser.parse(path, setup(wanted));
+      return parser.parse(path, stage(wanted));
     }
     if (!wanted.view().isEmpty() || wanted.ground() || !wanted.up().equals("y")) {
       throw new IllegalArgumentException("view, ground, up: expected a model, found a scene");
@@ -106,17 +107,17 @@ public final class RenderedSceneExtension implements ParameterResolver {
         .build();
   }
 
-  private static ModelSetup setup(RenderedScene wanted) {
-    ModelSetup setup = ModelSetup.DEFAULT;
+  private static Stage stage(RenderedScene wanted) {
+    Stage stage = Stage.DEFAULT;
     if (wanted.up().equals("z")) {
-      setup =
-          setup.reading(new ModelOptions(Optional.empty(), Optional.empty(), ModelOptions.Up.Z, 1));
+      stage =
+          stage.reading(new ModelOptions(Optional.empty(), Optional.empty(), ModelOptions.Up.Z, 1));
     } else if (!wanted.up().equals("y")) {
       throw new IllegalArgumentException("up: expected y or z, found " + wanted.up());
     }
     if (!wanted.view().isEmpty()) {
-      setup = setup.seenFrom(ModelSetup.View.of(wanted.view()));
+      stage = stage.seenFrom(Stage.View.of(wanted.view()));
     }
-    return wanted.ground() ? setup.onGround() : setup;
+    return wanted.ground() ? stage.onGround() : stage;
   }
 }

@@ -4,10 +4,10 @@ import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
@@ -127,8 +127,8 @@ public final class ThumbnailServer implements AutoCloseable {
         new SceneParser()
             .limitedTo(limits)
             .overriding(settings -> settings.toBuilder().size(SIDE, SIDE).samples(SAMPLES).build());
-    ModelSetup setup = ModelSetup.DEFAULT.seenFrom(ModelSetup.View.of("iso"));
-    SceneFile file = parser.parse(name, model, setup);
+    Stage stage = Stage.DEFAULT.seenFrom(Stage.View.of("iso"));
+    SceneFile file = parser.parse(name, model, stage);
     RenderResult result =
         new BucketRenderer(file.settings())
             .on(renderers)

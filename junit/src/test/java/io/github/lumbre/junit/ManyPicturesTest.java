@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
 import io.github.lumbre.render.BucketRenderer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -60,9 +60,8 @@ class ManyPicturesTest {
                         .bucketSize(8)
                         .threads(threads)
                         .build());
-    ModelSetup setup =
-        ModelSetup.DEFAULT.seenFrom(new ModelSetup.View(37 * number % 360, number % 60)).onGround();
-    SceneFile file = parser.parse("model.obj", obj(new Random(number)), setup);
+    Stage stage = Stage.DEFAULT.seenFrom(new Stage.View(37 * number % 360, number % 60)).onGround();
+    SceneFile file = parser.parse("model.obj", obj(new Random(number)), stage);
     return new BucketRenderer(file.settings()).render(file.scene());
   }
 

@@ -48,10 +48,7 @@ record SceneBundle(
     TreeMap<String, byte[]> assets = new TreeMap<>();
     Set<Path> files;
     try {
-      files =
-          scene.text().isPresent()
-              ? SceneParser.files(scene.text().get().json(), source)
-              : SceneParser.files(path);
+      files = scene.text().isPresent() ? scene.assetPaths(source) : SceneParser.files(path);
     } catch (SceneFormatException e) {
       throw new IOException(path + ": has changed since it was read", e);
     }

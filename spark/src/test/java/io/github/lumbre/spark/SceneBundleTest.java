@@ -2,15 +2,11 @@ package io.github.lumbre.spark;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.Stage;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -23,20 +19,8 @@ class SceneBundleTest {
     Path model = directory.resolve("a.obj");
     Files.writeString(model, "mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     Files.writeString(directory.resolve("a.mtl"), "newmtl red\nKd 1 0 0\n");
-    ModelSetup setup =
-        new ModelSetup(
-            Optional.empty(),
-            Optional.empty(),
-            ModelSetup.DEFAULT_FOV,
-            "white",
-            1,
-            0,
-            false,
-            Optional.empty(),
-            false,
-            ModelOptions.DEFAULT);
-    SceneText text = setup.sceneOf(model, OptionalDouble.empty());
-    SceneFile scene = new SceneParser().parse(text.json(), text.path());
+    Stage stage = Stage.DEFAULT.under(new Stage.Sky("white"));
+    SceneFile scene = new SceneParser().parse(model, stage);
 
     SceneBundle bundle = SceneBundle.of(model, scene);
 

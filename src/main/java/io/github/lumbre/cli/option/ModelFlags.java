@@ -4,9 +4,9 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
-import io.github.lumbre.parser.ModelSetup;
-import io.github.lumbre.parser.ModelSetup.View;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.Stage.Sky;
+import io.github.lumbre.parser.Stage.View;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -114,13 +114,13 @@ public final class ModelFlags {
   private Optional<Double> unit;
 
   /**
-   * Returns the scene around the model.
+   * Returns what is around the model.
    *
    * @param turn degrees by which the view is turned about the vertical axis; empty without a
    *     turntable
    * @throws ParameterException that names the flag, if a value is wrong
    */
-  public ModelSetup setup(OptionalDouble turn) {
+  public Stage stage(OptionalDouble turn) {
     require(
         camera.isEmpty() || turn.isEmpty(),
         "--turntable: cannot be combined with --camera; --view sets the first view");
@@ -128,7 +128,7 @@ public final class ModelFlags {
     if (turn.isPresent()) {
       from = Optional.of(from.orElse(View.DEFAULT).turned(turn.getAsDouble()));
     }
-    double angle = fov.orElse(ModelSetup.DEFAULT_FOV);
+    double angle = fov.orElse(Stage.DEFAULT_FOV);
     require(
         angle > 0 && angle < 180, "--fov: expected more than 0 and less than 180, found " + angle);
     double intensity = skyIntensity.orElse(1.);
@@ -140,13 +140,11 @@ public final class ModelFlags {
         Double.isFinite(rotation), "--sky-rotation: expected a finite number, found " + rotation);
     require(camera.isEmpty() || from.isEmpty(), "--camera and --view: expected only one of them");
     boolean isTransparent = background.equals(Optional.of("transparent"));
-    return new ModelSetup(
+    return new Stage(
         camera,
         from,
         angle,
-        sky.orElse("studio"),
-        intensity,
-        rotation,
+        new Sky(sky.orElse("studio"), intensity, rotation),
         ground,
         isTransparent ? Optional.empty() : background.flatMap(this::color),
         isTransparent,
@@ -208,14 +206,6 @@ public final class ModelFlags {
       throw failure(flag + ": expected a number, found " + text);
     }
     throw failure(flag + ": expected a finite number, found " + text);
-  }
-
-  /** Returns the aspect ratio of the frame; empty if no flag sets it. */
-  public OptionalDouble aspect() {
-    ParseResult given = spec.commandLine().getParseResult();
-    Optional<Size> size = given.matchedOptionValue("--size", Optional.empty());
-    return size.map(s -> OptionalDouble.of((double) s.width() / s.height()))
-        .orElse(OptionalDouble.empty());
   }
 
   /**

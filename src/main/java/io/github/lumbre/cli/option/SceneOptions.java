@@ -7,14 +7,12 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -29,7 +27,7 @@ import picocli.CommandLine.Parameters;
 /** The flags and arguments of all commands that read a scene. */
 public final class SceneOptions {
   private Optional<byte[]> text = Optional.empty();
-  private Optional<SceneText> modelScene = Optional.empty();
+  private Optional<OutputGuard> guard = Optional.empty();
   private OptionalDouble turn = OptionalDouble.empty();
 
   @Mixin ModelFlags model = new ModelFlags();
@@ -78,55 +76,44 @@ public final class SceneOptions {
   public boolean isModel() throws TaskException {
     return isStandardInput()
         ? ModelReader.isModel(standardInput(), standardInput().length)
-        : ModelSetup.isModel(scene);
+        : ModelReader.isModel(scene);
   }
 
   /**
-   * Adds the scene and its asset files to the files that a command reads.
+   * Adds the scene and its asset files to the files that a command reads. The files that a model
+   * names are checked when it has been read.
    *
    * @throws TaskException if standard input cannot be read
    */
-  public OutputGuard guardedBy(OutputGuard guard) throws TaskException {
-    if (isStandardInput() && isModel()) {
-      Set<Path> sky = new LinkedHashSet<>(model.setup(turn).files(PictureOutput.STDIN));
-      sky.remove(PictureOutput.STDIN.toAbsolutePath().normalize());
-      return guard.reads(Path.of("/dev/stdin"), "standard input").readsAssets(scene, () -> sky);
-    }
+  public OutputGuard guardedBy(OutputGuard given) throws TaskException {
     if (isModel()) {
-      return guard
-          .reads(scene, "the model")
-          .readsAssets(scene, () -> SceneParser.files(ofModel().json(), ofModel().path()));
+      guard = Optional.of(given);
+      return isStandardInput()
+          ? given.reads(Path.of("/dev/stdin"), "standard input")
+          : given.reads(scene, "the model");
     }
     if (!isStandardInput()) {
-      return guard.readsScene(scene);
+      return given.readsScene(scene);
     }
     byte[] content = standardInput();
-    return guard
+    return given
         .reads(Path.of("/dev/stdin"), "standard input")
         .readsAssets(scene, () -> SceneParser.files(content, PictureOutput.STDIN));
   }
 
-  /** Forgets what was read, so that the next call reads the files again. */
-  public void forget() {
-    modelScene = Optional.empty();
-  }
-
   /**
-   * Returns the text of the scene; for a model, of the scene around it.
+   * Returns the files that the scene depends on; those that cannot be found out are left out.
    *
-   * @throws SceneFormatException if the model cannot be used
-   * @throws IOException if the file cannot be read
+   * @param last the scene as it was read last; empty if it was never valid
    */
-  public byte[] sceneText() throws SceneFormatException, IOException {
-    return ModelSetup.isModel(scene) ? ofModel().json() : Files.readAllBytes(scene);
-  }
-
-  /** Returns the files that the scene depends on; only its own if it is invalid just now. */
-  public Set<Path> files() {
+  public Set<Path> files(Optional<SceneFile> last) {
     Set<Path> files = new LinkedHashSet<>(Set.of(scene.toAbsolutePath()));
+    Optional<SceneText> around = last.flatMap(SceneFile::text);
     try {
-      Path base = ModelSetup.isModel(scene) ? ofModel().path() : scene;
-      files.addAll(SceneParser.files(sceneText(), base));
+      files.addAll(
+          around.isPresent()
+              ? last.get().assetPaths(around.get().path())
+              : SceneParser.files(scene));
     } catch (SceneFormatException | IOException e) {
       // Reading the scene reports what is wrong with it.
       return files;
@@ -137,21 +124,12 @@ public final class SceneOptions {
   /** Turns the view of a model about the vertical axis, by an angle in degrees. */
   public void turn(double degrees) {
     turn = OptionalDouble.of(degrees);
-    modelScene = Optional.empty();
-  }
-
-  /** Returns the scene around the model. */
-  private SceneText ofModel() throws SceneFormatException, IOException {
-    if (modelScene.isEmpty()) {
-      modelScene = Optional.of(model.setup(turn).sceneOf(scene, model.aspect()));
-    }
-    return modelScene.get();
   }
 
   private SceneFile parsed(byte[] content, SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     return isModel()
-        ? parser.parse(PictureOutput.STDIN.toString(), content, model.setup(turn))
+        ? parser.parse(PictureOutput.STDIN.toString(), content, model.stage(turn))
         : parser.parse(content, PictureOutput.STDIN);
   }
 
@@ -190,6 +168,9 @@ public final class SceneOptions {
   public SceneFile load(SceneParser parser, Messages messages)
       throws SceneFormatException, TaskException {
     SceneFile file = read(parser);
+    if (guard.isPresent()) {
+      guard.get().checkAssets(scene, file.assetPaths(file.text().orElseThrow().path()));
+    }
     messages.warnings(file.warnings());
     if (isStrict() && !file.warnings().isEmpty()) {
       int count = file.warnings().size();
@@ -211,7 +192,7 @@ public final class SceneOptions {
         return parsed(standardInput(), parser);
       }
       if (isModel()) {
-        return parser.parse(ofModel());
+        return parser.parse(scene, model.stage(turn));
       }
       SceneParser.requireScene(scene);
       model.requireNone();

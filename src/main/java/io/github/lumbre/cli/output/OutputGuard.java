@@ -131,19 +131,27 @@ public final class OutputGuard {
     }
   }
 
+  /**
+   * Checks that no output is a file of a model that was read after {@link #check}.
+   *
+   * @param assets the files that the model names
+   * @throws TaskException with {@link ExitCodes#OUTPUT} for the first output that is
+   */
+  public void checkAssets(Path model, Set<Path> assets) throws TaskException {
+    for (Path asset : assets) {
+      for (Output output : outputs) {
+        requireDifferent(output, new Input(asset, "a file of the scene " + model));
+      }
+    }
+  }
+
   /** Reads the scenes' asset lists only if an output exists: only then can it be an asset. */
   private void checkAssets() throws TaskException {
-    List<Output> existing =
-        outputs.stream().filter(o -> written(o.path).stream().anyMatch(Files::exists)).toList();
-    if (existing.isEmpty()) {
+    if (outputs.stream().flatMap(o -> written(o.path).stream()).noneMatch(Files::exists)) {
       return;
     }
     for (Assets ofScene : assets) {
-      for (Path asset : ofScene.files()) {
-        for (Output output : existing) {
-          requireDifferent(output, new Input(asset, "a file of the scene " + ofScene.scene));
-        }
-      }
+      checkAssets(ofScene.scene, ofScene.files());
     }
   }
 

@@ -18,7 +18,7 @@ public interface SceneSource {
   SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException;
 
   /** Returns the text of the scene; for a model, of the scene around it. */
-  byte[] text() throws SceneFormatException, IOException;
+  byte[] text() throws IOException;
 
   /** Returns the files that the scene depends on; those that cannot be found out are left out. */
   Set<Path> files();

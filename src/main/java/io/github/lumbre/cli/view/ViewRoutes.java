@@ -4,11 +4,9 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.PixelPlace;
-import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.parser.CameraPose;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
@@ -194,12 +192,7 @@ final class ViewRoutes {
     }
     CameraPose pose =
         session.pose().orElseGet(() -> CameraPose.of(session.scene().get().scene().camera()));
-    try {
-      return Answer.json(CameraJson.of(source.get().text(), pose));
-    } catch (SceneFormatException e) {
-      String found = String.join("\n", ProblemText.of(e));
-      throw new IllegalArgumentException("the scene is invalid just now: " + found, e);
-    }
+    return Answer.json(CameraJson.of(source.get().text(), pose));
   }
 
   private Answer save(Query query) throws InterruptedException, IOException {

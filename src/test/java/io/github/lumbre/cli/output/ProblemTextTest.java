@@ -3,10 +3,10 @@ package io.github.lumbre.cli.output;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import io.github.lumbre.parser.ModelSetup;
 import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
@@ -19,8 +19,7 @@ class ProblemTextTest {
     SceneParser parser = new SceneParser().overriding(s -> s.toBuilder().size(9, 9).build());
     SceneFormatException e =
         catchThrowableOfType(
-            SceneFormatException.class,
-            () -> parser.limitedTo(80).parse(MODEL, ModelSetup.DEFAULT));
+            SceneFormatException.class, () -> parser.limitedTo(80).parse(MODEL, Stage.DEFAULT));
     String found = "expected width x height <= 80, found 9x9";
     assertThat(e).hasMessage("vc.obj: size: " + found);
     assertThat(ProblemText.of(e)).containsExactly("vc.obj: --size: " + found);

@@ -11,7 +11,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.model.ModelScene;
-import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.parser.Stage.View;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Cameras that are framed for a model have all of it in their frame, and as large as possible. */
-class ModelFramingTest {
+class FramingTest {
   private static final double FILL = .92;
   private static final double FOV = 35;
 
@@ -53,8 +53,7 @@ class ModelFramingTest {
     return vertices;
   }
 
-  private static ModelFraming framing(List<Vec3> vertices)
-      throws ModelFormatException, IOException {
+  private static Framing framing(List<Vec3> vertices) throws ModelFormatException, IOException {
     StringBuilder obj = new StringBuilder();
     for (Vec3 v : vertices) {
       // glTF and OBJ are right-handed; scenes mirror x.
@@ -65,7 +64,7 @@ class ModelFramingTest {
     }
     byte[] file = obj.toString().getBytes(StandardCharsets.US_ASCII);
     Model model = ModelReader.read("a.obj", file, NO_FILES, ModelOptions.DEFAULT);
-    return ModelFraming.of(model);
+    return Framing.of(model);
   }
 
   /** Projects by the rotation that the scene's camera gets. */
@@ -123,7 +122,7 @@ class ModelFramingTest {
       throws ModelFormatException, IOException {
     for (int seed = 0; seed < 10; seed++) {
       List<Vec3> vertices = vertices(seed);
-      ModelFraming framing = framing(vertices);
+      Framing framing = framing(vertices);
       View first = new View(30, elevation);
       Vec3 center = null;
       double fullest = 0;

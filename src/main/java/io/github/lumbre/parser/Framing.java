@@ -6,13 +6,13 @@ import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelPart;
 import io.github.lumbre.model.ModelScene;
-import io.github.lumbre.parser.ModelSetup.View;
+import io.github.lumbre.parser.Stage.View;
 import java.util.BitSet;
 import java.util.List;
 import java.util.function.Consumer;
 
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
-final class ModelFraming {
+final class Framing {
   /** The fraction of the frame that the model may fill. */
   private static final double FILL = .92;
 
@@ -29,7 +29,7 @@ final class ModelFraming {
   private final Vec3 min;
   private final Vec3 max;
 
-  private ModelFraming(List<Vertices> parts, Vec3 min, Vec3 max) {
+  private Framing(List<Vertices> parts, Vec3 min, Vec3 max) {
     this.parts = parts;
     this.min = min;
     this.max = max;
@@ -60,7 +60,7 @@ final class ModelFraming {
     }
   }
 
-  static ModelFraming of(Model model) {
+  static Framing of(Model model) {
     List<Vertices> parts = model.parts().stream().map(Vertices::of).toList();
     double infinity = Double.POSITIVE_INFINITY;
     double[] box = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
@@ -75,9 +75,8 @@ final class ModelFraming {
           box[5] = Math.max(box[5], v.z());
         });
     return box[0] > box[3]
-        ? new ModelFraming(parts, Vec3.ZERO, Vec3.ZERO)
-        : new ModelFraming(
-            parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+        ? new Framing(parts, Vec3.ZERO, Vec3.ZERO)
+        : new Framing(parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
   }
 
   private static void forVertices(List<Vertices> parts, Consumer<Vec3> visitor) {

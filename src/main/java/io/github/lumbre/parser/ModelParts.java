@@ -1,0 +1,143 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelGeometry;
+import io.github.lumbre.model.ModelMaterial;
+import io.github.lumbre.model.ModelPart;
+import io.github.lumbre.model.ModelScene;
+import io.github.lumbre.model.ModelSurface;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** Adds models to the parts of a scene, and counts what the models have. */
+final class ModelParts {
+  private final SceneParts parts;
+  private final Allowance allowance;
+  private final Kernel kernel;
+  private final Set<ModelGeometry> meshes = identitySet();
+  private final Set<ModelMaterial> ownMaterials = identitySet();
+  private int count;
+  private int pictures;
+  private int lights;
+  private long triangles;
+
+  /**
+   * @param kernel traversal kernel of shared meshes
+   */
+  ModelParts(SceneParts parts, Allowance allowance, Kernel kernel) {
+    this.parts = parts;
+    this.allowance = allowance;
+    this.kernel = kernel;
+  }
+
+  private static <T> Set<T> identitySet() {
+    return Collections.newSetFromMap(new IdentityHashMap<>());
+  }
+
+  /**
+   * How a model stands in a scene.
+   *
+   * @param toWorld from the left-handed space of the model
+   * @param isShared whether all meshes have hierarchies in their local space
+   * @param overrides surfaces that replace materials of the model, by their names
+   * @param lightGroup of the model's lights; empty for none
+   */
+  record Placement(
+      ModelPlace place,
+      Transform toWorld,
+      boolean isShared,
+      Map<String, Surface> overrides,
+      boolean useLights,
+      String lightGroup) {
+    /** Returns the placement of a model that is rendered by itself. */
+    static Placement alone(ModelPlace place) {
+      return new Placement(place, Transform.IDENTITY, false, Map.of(), true, "");
+    }
+  }
+
+  /** Returns the number of surfaces added so far. */
+  int count() {
+    return count;
+  }
+
+  /** Returns the number of meshes added so far; instances share one. */
+  int meshes() {
+    return meshes.size();
+  }
+
+  /** Returns the number of materials of the models in use, without default materials. */
+  int materials() {
+    return ownMaterials.size();
+  }
+
+  /** Returns the number of pictures that the models' materials use. */
+  int pictures() {
+    return pictures;
+  }
+
+  /** Returns the number of the models' lights in use. */
+  int lights() {
+    return lights;
+  }
+
+  /** Returns the number of triangles added so far, counted for each instance. */
+  long triangles() {
+    return triangles;
+  }
+
+  /** Adds a model, and its warnings and its error to the problems. */
+  void add(Model model, Placement placement) {
+    ModelPlace place = placement.place;
+    model.warnings().forEach(place::warn);
+    Transform toWorld = placement.toWorld.times(ModelScene.TO_LEFT_HANDED);
+    ModelScene scene =
+        new ModelScene(model, toWorld, kernel, allowance.texelsLeft(), placement.isShared);
+    try {
+      for (ModelSurface surface : scene.surfaces()) {
+        add(surface, placement);
+      }
+    } catch (ModelFormatException e) {
+      place.error(e);
+      return;
+    }
+    scene.warnings().forEach(place::warn);
+    allowance.addTexels(scene.texels());
+    pictures += scene.pictures();
+    if (placement.useLights) {
+      for (Light light : scene.lights()) {
+        lights++;
+        Origin origin = place.origin("lights", "");
+        parts.add(origin, Origin.NONE, placement.lightGroup, b -> b.add(light));
+      }
+    }
+  }
+
+  private void add(ModelSurface surface, Placement placement) {
+    ModelPart part = surface.part();
+    ModelMaterial material = part.material();
+    count++;
+    triangles += part.geometry().triangleCount();
+    allowance.addTriangles(part.geometry().triangleCount());
+    meshes.add(part.geometry());
+    Optional<Surface> other = Optional.ofNullable(placement.overrides.get(material.name()));
+    if (other.isEmpty() && !material.location().isEmpty()) {
+      ownMaterials.add(material);
+    }
+    if (ShapeReader.isMeasurable(placement.place.spot(), surface.shape())) {
+      parts.add(
+          placement.place.origin(part.location(), part.name()),
+          placement.place.origin(material.location(), material.name()),
+          placement.lightGroup,
+          scene ->
+              other.ifPresentOrElse(
+                  own -> own.add(surface.shape(), scene), () -> surface.addTo(scene)));
+    }
+  }
+}

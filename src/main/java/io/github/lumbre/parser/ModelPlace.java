@@ -1,0 +1,84 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.parser.SceneFormatException.Kind;
+
+/** Where a model stands: its problems are reported there, and its parts have their places there. */
+interface ModelPlace {
+  /** Returns the place of problems that concern the whole model. */
+  Spot spot();
+
+  /**
+   * Returns the place of a part or material.
+   *
+   * @param location in the model's file
+   * @param name in the model's file; empty if there is none
+   */
+  Origin origin(String location, String name);
+
+  /** Adds a warning of the model's reader. */
+  void warn(String warning);
+
+  /** Adds the error of a model that cannot be used. */
+  void error(ModelFormatException e);
+
+  private static Kind kind(ModelFormatException e) {
+    return e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
+  }
+
+  private static Origin shown(String path, String name) {
+    return new Origin(Problems.shownPath(Problems.escaped(path)), Problems.shortened(name));
+  }
+
+  /** A model that is rendered by itself: all places are in its own file. */
+  record OfFile(Problems problems) implements ModelPlace {
+    @Override
+    public Spot spot() {
+      return new Spot(problems, () -> "");
+    }
+
+    @Override
+    public Origin origin(String location, String name) {
+      return shown(location, name);
+    }
+
+    @Override
+    public void warn(String warning) {
+      spot().warn(warning);
+    }
+
+    @Override
+    public void error(ModelFormatException e) {
+      problems.error(kind(e), () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
+    }
+  }
+
+  /**
+   * A model in a scene.
+   *
+   * @param object that names the file
+   * @param file name of the model, as the object states it
+   */
+  record OfObject(JsonNode object, String file) implements ModelPlace {
+    @Override
+    public Spot spot() {
+      return object.spot();
+    }
+
+    @Override
+    public Origin origin(String location, String name) {
+      return shown(object.path() + ": " + file + ": " + location, name);
+    }
+
+    @Override
+    public void warn(String warning) {
+      object.warn(AssetData.FILE_KEY, file + ": " + warning);
+    }
+
+    @Override
+    public void error(ModelFormatException e) {
+      String message = Problems.escaped(e.getMessage());
+      object.error(kind(e), AssetData.FILE_KEY, file + ": " + message);
+    }
+  }
+}

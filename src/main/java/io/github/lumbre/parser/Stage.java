@@ -1,0 +1,229 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.model.ModelOptions;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What is around a model that is rendered by itself: its camera, its light and its background.
+ * {@link SceneParser#parse(Path, Stage)} reads the model and builds the scene.
+ *
+ * @param camera name of a camera in the model; empty for {@code view}
+ * @param view the direction to look from; empty for the model's first camera, or {@link
+ *     View#DEFAULT} if it has none
+ * @param fov vertical angle of view in degrees, in (0, 180); not used with a camera of the model
+ * @param ground whether the model stands on an infinite gray floor, of which only the shadows are
+ *     visible if the background is transparent
+ * @param background color that the camera sees instead of the sky; empty for the sky
+ * @param transparent whether the background is transparent
+ * @param options what to read from the model
+ */
+public record Stage(
+    Optional<String> camera,
+    Optional<View> view,
+    double fov,
+    Sky sky,
+    boolean ground,
+    Optional<Rgb> background,
+    boolean transparent,
+    ModelOptions options) {
+  /** The default angle of view, in degrees. */
+  public static final double DEFAULT_FOV = 35;
+
+  /** A camera of the model or {@link View#DEFAULT}, in the studio, without a ground. */
+  public static final Stage DEFAULT =
+      new Stage(
+          Optional.empty(),
+          Optional.empty(),
+          DEFAULT_FOV,
+          Sky.STUDIO,
+          false,
+          Optional.empty(),
+          false,
+          ModelOptions.DEFAULT);
+
+  /** The default size of a picture of a model, in pixels. */
+  public static final int DEFAULT_WIDTH = 1024;
+
+  /** The height that belongs to {@link #DEFAULT_WIDTH}. */
+  public static final int DEFAULT_HEIGHT = 768;
+
+  /**
+   * The environment light.
+   *
+   * @param name {@code studio}, {@code white} or the path of a latitude-longitude picture
+   * @param intensity factor of its radiance, at least 0 and finite
+   * @param rotation about the vertical axis, in degrees, finite
+   */
+  public record Sky(String name, double intensity, double rotation) {
+    /** The lights of a photographer's studio. */
+    public static final Sky STUDIO = new Sky("studio");
+
+    public Sky {
+      Objects.requireNonNull(name, "name");
+      if (!(intensity >= 0 && intensity < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(
+            "intensity: expected a finite number of at least 0, found " + intensity);
+      }
+      if (!Double.isFinite(rotation)) {
+        throw new IllegalArgumentException("rotation: expected a finite number, found " + rotation);
+      }
+    }
+
+    /** Creates a sky of intensity 1 that is not turned. */
+    public Sky(String name) {
+      this(name, 1, 0);
+    }
+
+    /** Returns the absolute path of its picture; empty if it has none. */
+    Optional<Path> picture() {
+      return name.equals("studio") || name.equals("white")
+          ? Optional.empty()
+          : Optional.of(Path.of(name).toAbsolutePath().normalize());
+    }
+  }
+
+  /**
+   * A direction to look from.
+   *
+   * @param azimuth degrees around the vertical axis: 0 in front, 90 to the right of the picture's
+   *     front view
+   * @param elevation degrees above the horizon, in [-90, 90]
+   * @param isTurntable whether the camera keeps its distance to the axis at all azimuths; otherwise
+   *     it is as near as this azimuth allows, with the model in the middle of the frame
+   */
+  public record View(double azimuth, double elevation, boolean isTurntable) {
+    /** From the front, a little from the right and above. */
+    public static final View DEFAULT = new View(30, 20);
+
+    private static final double ISOMETRIC = 35.264389682754654;
+
+    private static final Map<String, View> STANDARD = new LinkedHashMap<>();
+
+    static {
+      STANDARD.put("front", new View(0, 0));
+      STANDARD.put("back", new View(180, 0));
+      STANDARD.put("left", new View(-90, 0));
+      STANDARD.put("right", new View(90, 0));
+      STANDARD.put("top", new View(0, 90));
+      STANDARD.put("bottom", new View(0, -90));
+      STANDARD.put("iso", new View(45, ISOMETRIC));
+    }
+
+    /**
+     * Returns the standard views by their names: front, back, left, right, top, bottom, iso, in
+     * this order. Their pictures are the same in all releases; see docs/models.md.
+     */
+    public static Map<String, View> standard() {
+      return Collections.unmodifiableMap(STANDARD);
+    }
+
+    /**
+     * Returns the view in a text: the name of a standard view, or an azimuth and an elevation such
+     * as {@code -40,15}.
+     *
+     * @throws IllegalArgumentException if the text is neither, or the elevation is not in [-90, 90]
+     */
+    public static View of(String text) {
+      if (STANDARD.containsKey(text)) {
+        return STANDARD.get(text);
+      }
+      String[] angles = text.split(",", -1);
+      if (angles.length != 2) {
+        throw new IllegalArgumentException(
+            "expected "
+                + String.join(", ", STANDARD.keySet())
+                + " or AZIMUTH,ELEVATION, found "
+                + text);
+      }
+      double elevation = angle(angles[1]);
+      if (Math.abs(elevation) > 90) {
+        throw new IllegalArgumentException(
+            "expected an elevation from -90 to 90, found " + angles[1]);
+      }
+      return new View(angle(angles[0]), elevation);
+    }
+
+    private static double angle(String text) {
+      try {
+        double angle = Double.parseDouble(text);
+        if (Double.isFinite(angle)) {
+          return angle;
+        }
+      } catch (NumberFormatException e) {
+        throw new IllegalArgumentException("expected a number, found " + text, e);
+      }
+      throw new IllegalArgumentException("expected a finite number, found " + text);
+    }
+
+    /** Creates a view that is framed for its own azimuth. */
+    public View(double azimuth, double elevation) {
+      this(azimuth, elevation, false);
+    }
+
+    /** Returns this direction, turned about the vertical axis as a picture of a turntable. */
+    public View turned(double degrees) {
+      return new View(azimuth + degrees, elevation, true);
+    }
+  }
+
+  public Stage {
+    Objects.requireNonNull(camera, "camera");
+    Objects.requireNonNull(view, "view");
+    Objects.requireNonNull(sky, "sky");
+    Objects.requireNonNull(background, "background");
+    Objects.requireNonNull(options, "options");
+    if (!(fov > 0 && fov < 180)) {
+      throw new IllegalArgumentException(
+          "fov: expected more than 0 and less than 180, found " + fov);
+    }
+  }
+
+  /** Returns this stage, seen from a direction instead of by a camera of the model. */
+  public Stage seenFrom(View newView) {
+    return new Stage(
+        Optional.empty(), Optional.of(newView), fov, sky, ground, background, transparent, options);
+  }
+
+  /** Returns this stage under another sky. */
+  public Stage under(Sky newSky) {
+    return new Stage(camera, view, fov, newSky, ground, background, transparent, options);
+  }
+
+  /** Returns this stage with a floor that the model stands on. */
+  public Stage onGround() {
+    return new Stage(camera, view, fov, sky, true, background, transparent, options);
+  }
+
+  /** Returns this stage with a transparent background. */
+  public Stage onTransparentBackground() {
+    return new Stage(camera, view, fov, sky, ground, Optional.empty(), true, options);
+  }
+
+  /** Returns this stage with other options for reading the model. */
+  public Stage reading(ModelOptions newOptions) {
+    return new Stage(camera, view, fov, sky, ground, background, transparent, newOptions);
+  }
+
+  /** Returns the nearest folder that contains both the model and the sky's picture. */
+  Path folderOf(Path model) {
+    Path folder = model.getParent();
+    Path picture = sky.picture().orElse(folder);
+    while (folder.getParent() != null && !picture.startsWith(folder)) {
+      folder = folder.getParent();
+    }
+    return folder;
+  }
+
+  /** Returns the absolute paths of the model and, if it has one, the sky's picture. */
+  public List<Path> files(Path model) {
+    Path absolute = model.toAbsolutePath().normalize();
+    return sky.picture().map(picture -> List.of(absolute, picture)).orElse(List.of(absolute));
+  }
+}

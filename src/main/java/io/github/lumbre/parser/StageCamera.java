@@ -1,0 +1,96 @@
+package io.github.lumbre.parser;
+
+import static java.util.stream.Collectors.joining;
+
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.Lens;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelCamera;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelScene;
+import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.text.Spelling;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * The camera of the scene around a model.
+ *
+ * @param name of the model's camera; empty if it has none, or the stage has its own
+ * @param aspect width over height of the frame; empty if the model does not state it
+ */
+record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspect) {
+  /**
+   * Returns the camera of the model that a stage names, or its first; a camera that has the whole
+   * model in its frame if the stage names a view or the model has no camera.
+   *
+   * @param frameAspect width of the frame over its height, for the latter
+   * @throws ModelFormatException if the model lacks the camera that the stage names
+   */
+  static StageCamera of(Stage stage, Model model, Framing framing, double frameAspect)
+      throws ModelFormatException {
+    Optional<ModelCamera> own = own(stage, model);
+    if (own.isPresent()) {
+      return of(own.get());
+    }
+    View from = stage.view().orElse(View.DEFAULT);
+    CameraPose pose =
+        new CameraPose(
+            framing.eye(from, stage.fov(), frameAspect),
+            new Vec3(from.elevation(), -from.azimuth(), 0));
+    return new StageCamera("", Lens.pinhole(stage.fov()), pose, OptionalDouble.empty());
+  }
+
+  private static Optional<ModelCamera> own(Stage stage, Model model) throws ModelFormatException {
+    if (stage.camera().isEmpty()) {
+      return stage.view().isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
+    }
+    List<String> names = ModelContents.cameraNames(model);
+    int index = names.indexOf(stage.camera().get());
+    if (index < 0) {
+      String wanted = Problems.quoted(stage.camera().get());
+      throw new ModelFormatException(
+          Kind.MALFORMED,
+          "cameras",
+          names.isEmpty()
+              ? "expected a camera " + wanted + ", found none in the model"
+              : "expected "
+                  + names.stream().limit(20).map(Problems::quoted).collect(joining(" or "))
+                  + ", found "
+                  + wanted
+                  + Spelling.suggestion(stage.camera().get(), names));
+    }
+    return Optional.of(model.cameras().get(index));
+  }
+
+  /** Returns the camera for a film of an aspect ratio. */
+  Camera placed(double filmAspect) {
+    return lens.camera(pose.position(), pose.axes(), filmAspect);
+  }
+
+  /** Returns the camera type's name in the scene format. */
+  String type() {
+    return lens instanceof Lens.Orthographic ? "Orthographic" : "Pinhole";
+  }
+
+  /** Returns a camera of a model; its angles are rounded, as a scene file states them. */
+  private static StageCamera of(ModelCamera camera) throws ModelFormatException {
+    Transform toWorld = ModelScene.TO_LEFT_HANDED.times(camera.toWorld());
+    CameraPose pose =
+        new CameraPose(toWorld.point(Vec3.ZERO), Rotations.degrees(ModelScene.axes(toWorld)));
+    try {
+      Lens lens =
+          camera.lens() instanceof ModelCamera.Parallel parallel
+              ? Lens.orthographic(2 * parallel.halfHeight() * toWorld.vector(Vec3.Y).length())
+              : Lens.pinhole(
+                  Math.toDegrees(((ModelCamera.Perspective) camera.lens()).verticalFov()));
+      return new StageCamera(camera.name(), lens, pose, camera.aspect());
+    } catch (IllegalArgumentException e) {
+      throw new ModelFormatException(Kind.MALFORMED, camera.location(), e.getMessage());
+    }
+  }
+}

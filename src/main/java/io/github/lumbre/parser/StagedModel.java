@@ -1,0 +1,232 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.geometry.Plane;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.ShadowCatcher;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.Model;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A model on its stage: the scene around it is built of the model that was read, once. Mutable;
+ * confined to one thread.
+ */
+final class StagedModel {
+  /** The name of the sky, and the place of its problems. */
+  static final String SKY = "sky";
+
+  /** The name of the ground and of its material. */
+  static final String GROUND = "ground";
+
+  /** The reflectance of the ground. */
+  static final double GROUND_GRAY = .6;
+
+  private static final int MAX_TRACE_DEPTH = 12;
+
+  private final Stage stage;
+  private final Path folder;
+  private final Path file;
+  private final Problems problems;
+  private final SceneHash hash = new SceneHash();
+  private final AssetData data;
+  private final ModelPlace place;
+  private final Model model;
+  private final Framing framing;
+
+  /**
+   * Reads a model.
+   *
+   * @param folder where asset paths start; contains the model and the sky's picture
+   * @param file absolute path of the model
+   * @param content of the file
+   * @param isAlone whether the model may name no other files
+   * @throws SceneFormatException if the model cannot be used
+   * @throws IOException if the thread is interrupted
+   */
+  StagedModel(Stage stage, Path folder, Path file, byte[] content, boolean isAlone, Limits limits)
+      throws SceneFormatException, IOException {
+    this.stage = stage;
+    this.folder = folder;
+    this.file = file;
+    problems = new Problems(String.valueOf(file.getFileName()), true);
+    place = new ModelPlace.OfFile(problems);
+    Allowance allowance = new Allowance(limits);
+    allowance.addBytes(content.length).ifPresent(e -> place.spot().error(Kind.LIMIT, e));
+    problems.throwIfAny();
+    String name = WrittenStage.slashed(folder.relativize(file));
+    data = new AssetData(folder.resolve(file.getFileName()), hash, allowance);
+    data.note(name, content);
+    model = read(name, content, isAlone ? ModelFolder.NONE : data.folderOf(name));
+    requireSky();
+    framing = Framing.of(model);
+    ShapeReader.isMeasurable(place.spot(), new Bounds3(framing.min(), framing.max()));
+    problems.throwIfAny();
+  }
+
+  private Model read(String name, byte[] content, ModelFolder others)
+      throws SceneFormatException, IOException {
+    try {
+      ModelOptions options = stage.options().limitedTo(data.allowance().left());
+      Model read = ModelReader.read(name, content, others, options);
+      read.requireSurface();
+      return read;
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
+  }
+
+  /** Requires the sky's picture, so that a problem names it as the stage does. */
+  private void requireSky() throws SceneFormatException {
+    Path picture = stage.sky().picture().orElse(file);
+    if (!Files.isRegularFile(picture) && stage.sky().picture().isPresent()) {
+      String found = Files.isDirectory(picture) ? "a folder" : "none";
+      problems.error(
+          Kind.ASSET,
+          () -> SKY,
+          "expected a file, found " + found + " at " + Problems.quoted(stage.sky().name()));
+      throw problems.exception();
+    }
+  }
+
+  /** Returns the scene. Call it once. */
+  SceneFile scene(SceneParser parser) throws SceneFormatException {
+    StageCamera camera = camera(stage, parser);
+    RenderSettings inFile = settings(camera, parser);
+    RenderSettings settings = parser.changed(inFile, "size", problems);
+    WrittenStage written = new WrittenStage(stage, camera, framing.min().y());
+    byte[] text = written.scene(folder, file, inFile).toString().getBytes(StandardCharsets.UTF_8);
+    hash.text(text);
+    SceneParts parts = new SceneParts();
+    if (stage.ground()) {
+      addGround(parts);
+    }
+    ModelParts models = new ModelParts(parts, data.allowance(), parser.kernel());
+    models.add(model, ModelParts.Placement.alone(place));
+    addSky(parts, parser);
+    problems.throwIfAny();
+    Scene scene =
+        parts.scene(
+            camera.placed(settings.aspect()),
+            stage.background(),
+            parser.kernel(),
+            Optional.empty());
+    return new SceneFile(
+        scene,
+        settings,
+        problems.warnings(),
+        hash.value(),
+        new FileHashes(Sha256.of(text), data.hashes()),
+        contents(camera, models),
+        parts.origins(List.of(), List.of()),
+        // One line, which the header of a checkpoint file can hold.
+        Optional.of(
+            new SceneText(
+                text,
+                folder.resolve(file.getFileName()),
+                Optional.of(ModelContents.of(model, framing)))));
+  }
+
+  /** Returns a scene of this model as it is seen from each of some directions. */
+  List<Scene> seenFrom(List<View> views, SceneFile scene, SceneParser parser)
+      throws SceneFormatException {
+    List<Scene> scenes = new ArrayList<>();
+    for (View view : views) {
+      StageCamera camera = camera(stage.seenFrom(view), parser);
+      scenes.add(scene.scene().seenBy(camera.placed(scene.settings().aspect())));
+    }
+    return scenes;
+  }
+
+  private StageCamera camera(Stage of, SceneParser parser) throws SceneFormatException {
+    try {
+      return StageCamera.of(of, model, framing, parser.frameAspect());
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
+  }
+
+  /** Returns the settings. The longer side of the picture is {@link Stage#DEFAULT_WIDTH}. */
+  private RenderSettings settings(StageCamera camera, SceneParser parser) {
+    double ratio = camera.aspect().orElse((double) Stage.DEFAULT_WIDTH / Stage.DEFAULT_HEIGHT);
+    double side = Stage.DEFAULT_WIDTH;
+    return parser.missing().toBuilder()
+        .size(
+            (int) Math.max(1, Math.round(side * Math.min(1, ratio))),
+            (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
+        .maxTraceDepth(MAX_TRACE_DEPTH)
+        .toneCurve(Setting.TONE_MAP.inModels().orElseThrow())
+        .transparent(stage.transparent())
+        .build();
+  }
+
+  private void addGround(SceneParts parts) {
+    Plane plane = new Plane(Transform.translation(new Vec3(0, framing.min().y(), 0)), false);
+    Texture<Rgb> gray = Texture.constant(Rgb.grey(GROUND_GRAY));
+    Material material = stage.transparent() ? new ShadowCatcher(gray) : new Matte(gray);
+    Origin origin = new Origin(GROUND, GROUND);
+    parts.add(origin, origin, "", scene -> scene.add(plane, material));
+  }
+
+  private void addSky(SceneParts parts, SceneParser parser) {
+    Spot spot = new Spot(problems, () -> SKY);
+    if (stage.sky().intensity() == 0) {
+      spot.warn("the light emits nothing");
+    }
+    Rgb radiance = Rgb.grey(stage.sky().intensity());
+    Frame axes = new CameraPose(Vec3.ZERO, new Vec3(0, stage.sky().rotation(), 0)).axes();
+    Optional<EnvironmentLight> sky =
+        stage.sky().picture().isPresent()
+            ? picture(spot, parser).map(picture -> parser.textures().dome(axes, radiance, picture))
+            : Optional.of(
+                stage.sky().name().equals("studio")
+                    ? parser.textures().studio(axes, radiance)
+                    : EnvironmentLight.uniform(radiance));
+    sky.ifPresent(
+        light -> parts.add(new Origin(SKY, SKY), Origin.NONE, "", scene -> scene.add(light)));
+  }
+
+  private Optional<Picture> picture(Spot spot, SceneParser parser) {
+    PictureDecoder decoder = new PictureDecoder(data.allowance(), parser.isLenient());
+    String name = WrittenStage.slashed(folder.relativize(stage.sky().picture().orElseThrow()));
+    Filter filter = parser.textures().filter(Filter.BILINEAR);
+    return data.file(spot, name).flatMap(content -> decoder.read(content, filter));
+  }
+
+  private SceneContents contents(StageCamera camera, ModelParts models) {
+    int ground = stage.ground() ? 1 : 0;
+    return new SceneContents(
+        camera.type(),
+        ground + models.count(),
+        models.meshes(),
+        models.triangles(),
+        1 + models.lights(),
+        ground + models.materials(),
+        models.pictures() + (stage.sky().picture().isPresent() ? 1 : 0));
+  }
+}
