@@ -130,7 +130,7 @@ class LayersTest {
           Map.entry("cli.output", List.of("com.google.gson..", "picocli..")),
           Map.entry("cli.option", List.of("picocli..")),
           Map.entry("cli.view", List.of("com.google.gson..", "com.sun.net.httpserver..")),
-          Map.entry("cli", List.of("com.google.gson..", "com.sun.management..", "picocli..")));
+          Map.entry("cli", List.of("com.google.gson..", "picocli..")));
 
   private static final Set<String> TRANSCENDENTAL =
       Set.of(

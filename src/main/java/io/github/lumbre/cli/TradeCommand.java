@@ -12,20 +12,24 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.trade.ExactRow;
+import io.github.lumbre.lab.trade.Knob;
 import io.github.lumbre.lab.trade.TradeBudget;
 import io.github.lumbre.lab.trade.TradeResult;
-import io.github.lumbre.lab.trade.TradeSweep;
 import io.github.lumbre.lab.trade.TradeTables;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.LinkedHashSet;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -185,15 +189,19 @@ final class TradeCommand implements Callable<Integer> {
         "--reference: expected 2 to " + RenderSettings.MAX_SAMPLES + ", found " + ofReference);
   }
 
-  private Set<String> knobs() {
-    List<String> wanted =
-        knobs.map(names -> List.of(names.split(",", -1))).orElse(TradeSweep.KNOBS);
+  private Set<Knob> knobs() {
+    Map<String, Knob> known = new LinkedHashMap<>();
+    EnumSet.allOf(Knob.class).forEach(knob -> known.put(SettingType.nameOf(knob), knob));
+    if (knobs.isEmpty()) {
+      return Set.copyOf(known.values());
+    }
+    List<String> wanted = List.of(knobs.get().split(",", -1));
     for (String name : wanted) {
       require(
-          TradeSweep.KNOBS.contains(name),
-          "--knobs: expected some of " + String.join(",", TradeSweep.KNOBS) + ", found " + name);
+          known.containsKey(name),
+          "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
     }
-    return new LinkedHashSet<>(wanted);
+    return wanted.stream().map(known::get).collect(Collectors.toSet());
   }
 
   private TradeBudget budget() {

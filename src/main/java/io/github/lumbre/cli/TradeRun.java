@@ -1,6 +1,5 @@
 package io.github.lumbre.cli;
 
-import com.sun.management.OperatingSystemMXBean;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.output.Messages;
@@ -10,6 +9,7 @@ import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.perf.SampleBudget;
+import io.github.lumbre.lab.trade.Knob;
 import io.github.lumbre.lab.trade.TradeBudget;
 import io.github.lumbre.lab.trade.TradePage;
 import io.github.lumbre.lab.trade.TradePlan;
@@ -29,7 +29,6 @@ import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Locale;
@@ -45,9 +44,6 @@ final class TradeRun {
 
   private static final double LEAST_PILOT_SECONDS = .1;
   private static final double MOST_PILOT_SECONDS = 1;
-
-  private static final OperatingSystemMXBean PROCESS =
-      ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
 
   private final SceneOptions options;
   private final KernelFlag kernel;
@@ -74,7 +70,7 @@ final class TradeRun {
   }
 
   /** Measures all settings and prints the progress. */
-  TradeResult run(Set<String> knobs)
+  TradeResult run(Set<Knob> knobs)
       throws SceneFormatException, TaskException, InterruptedException {
     SceneParser parser = kernel.over(options.parser()).inMode(Mode.PATH);
     file = options.load(parser, messages);
@@ -82,10 +78,10 @@ final class TradeRun {
     rate = pilot();
     RenderSettings settings = framed(file);
     TradeSweep sweep = new TradeSweep(counted(file, parser), settings, knobs);
-    if (knobs.contains("filter")) {
+    if (knobs.contains(Knob.FILTER)) {
       addFilters(sweep, parser);
     }
-    if (knobs.contains("mode")) {
+    if (knobs.contains(Knob.MODE)) {
       SceneParser ofRays = kernel.over(options.parser()).inMode(Mode.RAY);
       SceneFile rays = options.load(ofRays, quiet);
       sweep.addRays(counted(rays, ofRays), framed(rays));
@@ -93,7 +89,7 @@ final class TradeRun {
     int count = sweep.settings(TradeBudget.LARGEST).size();
     double before = spent();
     DoubleFunction<TradePlan> planner = r -> budget.plan(r, before, count, settings);
-    result = new TradeStudy(sweep, planner, TradeRun::cpuSeconds, messages::line).run(rate);
+    result = new TradeStudy(sweep, planner, messages::line).run(rate);
     tell(settings);
     return result;
   }
@@ -111,10 +107,6 @@ final class TradeRun {
 
   private double spent() {
     return System.nanoTime() * 1e-9 - start;
-  }
-
-  private static double cpuSeconds() {
-    return PROCESS.getProcessCpuTime() * 1e-9;
   }
 
   private RenderSettings framed(SceneFile read) {

@@ -1,6 +1,5 @@
 package io.github.lumbre.lab;
 
-import io.github.lumbre.image.Image;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -46,23 +45,23 @@ public record Pairs(List<Trial.Outcome> base, List<Trial.Outcome> other) {
 
   /** Returns the ratio of a cost of each pair, other over baseline. */
   public List<Double> ratios(ToDoubleFunction<Cost> cost) {
-    return IntStream.range(0, base.size())
-        .mapToObj(i -> value(other.get(i), cost) / value(base.get(i), cost))
-        .toList();
+    List<Double> over = others(cost);
+    List<Double> under = bases(cost);
+    return IntStream.range(0, under.size()).mapToObj(i -> over.get(i) / under.get(i)).toList();
   }
 
-  /** Returns a cost of each render of one setting. */
-  public static List<Double> values(List<Trial.Outcome> renders, ToDoubleFunction<Cost> cost) {
-    return renders.stream().map(render -> value(render, cost)).toList();
+  /** Returns a cost of each render of the baseline. */
+  public List<Double> bases(ToDoubleFunction<Cost> cost) {
+    return values(base, cost);
   }
 
-  private static double value(Trial.Outcome render, ToDoubleFunction<Cost> cost) {
-    return cost.applyAsDouble(render.cost());
+  /** Returns a cost of each render of the other setting. */
+  public List<Double> others(ToDoubleFunction<Cost> cost) {
+    return values(other, cost);
   }
 
-  /** Returns the pictures of one setting. */
-  public static List<Image> pictures(List<Trial.Outcome> renders) {
-    return renders.stream().map(Trial.Outcome::picture).toList();
+  private static List<Double> values(List<Trial.Outcome> renders, ToDoubleFunction<Cost> cost) {
+    return renders.stream().map(render -> cost.applyAsDouble(render.cost())).toList();
   }
 
   /** Returns whether the two pictures of each pair are bit-identical. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -54,16 +55,19 @@ public final class Table<T> {
     return columns.stream().map(column -> String.valueOf(column.cell.apply(row))).toList();
   }
 
-  /** Returns the values of a row by the names of their columns, in order. */
-  public Map<String, Object> members(T row) {
-    Map<String, Object> members = new LinkedHashMap<>();
-    columns.forEach(column -> members.put(column.name, column.cell.apply(row)));
-    return members;
-  }
-
-  /** Returns the values of rows by the names of their columns. */
+  /** Returns the values of rows by the names of their columns; an empty Optional is left out. */
   public List<Map<String, Object>> members(List<T> rows) {
     return rows.stream().map(this::members).toList();
+  }
+
+  private Map<String, Object> members(T row) {
+    Map<String, Object> members = new LinkedHashMap<>();
+    for (Column<T> column : columns) {
+      Object value = column.cell.apply(row);
+      Optional<?> known = value instanceof Optional<?> optional ? optional : Optional.of(value);
+      known.ifPresent(v -> members.put(column.name, v));
+    }
+    return members;
   }
 
   /** Returns lines of Markdown, followed by an empty line and the two header lines of the table. */

@@ -57,7 +57,8 @@ public record PairedRenders(PerfPlan plan, LabHost host) {
 
     private static List<Double> errors(List<Trial.Outcome> renders) {
       int even = renders.size() / 2 * 2;
-      return PictureNoise.of(Pairs.pictures(renders.subList(0, even))).relativeMses();
+      return PictureNoise.of(renders.subList(0, even).stream().map(Trial.Outcome::picture).toList())
+          .relativeMses();
     }
 
     /** Returns the ratios of time × squared error. */

@@ -1,6 +1,8 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.lab.Table;
 import java.util.List;
+import java.util.function.Function;
 
 /** Builds an HTML page, element by element. Mutable. */
 final class Html {
@@ -8,18 +10,6 @@ final class Html {
   private static final int WIDE = 4;
 
   private final StringBuilder text = new StringBuilder();
-
-  /**
-   * A table row.
-   *
-   * @param cells text of each column
-   * @param style CSS class of the row; may be empty
-   */
-  record Row(List<String> cells, String style) {
-    static Row of(String... cells) {
-      return new Row(List.of(cells), "");
-    }
-  }
 
   /** Returns a text escaped for HTML and SVG. */
   static String escaped(String text) {
@@ -45,29 +35,33 @@ final class Html {
     return raw("<p class=\"note\">" + escaped(content) + "</p>");
   }
 
-  /** Adds a table that scrolls sideways where the page is too narrow for it. */
-  Html table(List<String> head, List<Row> rows) {
-    return table("", head, rows);
-  }
-
   /**
-   * Adds a table.
+   * Adds a table that scrolls sideways where the page is too narrow for it.
    *
    * @param above an additional header row, as HTML; may be empty
+   * @param style returns the CSS class of a row; may be empty
    */
-  Html table(String above, List<String> head, List<Row> rows) {
-    if (head.size() >= WIDE) {
-      raw("<div class=\"hint\">Scroll sideways for all " + head.size() + " columns \u2192</div>");
+  <T> Html table(String above, Table<T> table, List<T> rows, Function<T, String> style) {
+    int columns = table.names().size();
+    if (columns >= WIDE) {
+      raw("<div class=\"hint\">Scroll sideways for all " + columns + " columns \u2192</div>");
     }
-    text.append("<div class=\"scroll\" tabindex=\"0\"><table><thead>").append(above).append("<tr>");
-    head.forEach(cell -> text.append("<th>").append(escaped(cell)).append("</th>"));
-    text.append("</tr></thead><tbody>\n");
-    for (Row row : rows) {
-      text.append(row.style.isEmpty() ? "<tr>" : "<tr class=\"" + row.style + "\">");
-      row.cells.forEach(cell -> text.append("<td>").append(escaped(cell)).append("</td>"));
-      text.append("</tr>\n");
+    text.append("<div class=\"scroll\" tabindex=\"0\"><table><thead>").append(above);
+    row("<tr>", "th", table.names()).raw("</thead><tbody>");
+    for (T row : rows) {
+      String name = style.apply(row);
+      String open = name.isEmpty() ? "<tr>" : "<tr class=\"" + name + "\">";
+      row(open, "td", table.cells(row)).raw("");
     }
-    text.append("</tbody></table></div>\n");
+    return raw("</tbody></table></div>");
+  }
+
+  private Html row(String open, String element, List<String> cells) {
+    text.append(open);
+    for (String cell : cells) {
+      text.append("<" + element + ">" + escaped(cell) + "</" + element + ">");
+    }
+    text.append("</tr>");
     return this;
   }
 

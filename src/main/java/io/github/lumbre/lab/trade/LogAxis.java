@@ -19,18 +19,8 @@ record LogAxis(double low, double high, double from, double to) {
   /** The margin at either end, as a share of the logarithmic range of the values. */
   private static final double MARGIN = .04;
 
-  private static final int[] COARSE = {1};
-  private static final int[] FINE = {1, 2, 5};
-  private static final int[] FINEST = {1, 2, 3, 4, 5, 7};
-
   /** The smallest ratio of the axis's ends, so that close values are drawn close together. */
   private static final double LEAST_SPAN = 3;
-
-  /** Axes whose ends have a larger ratio than this get coarse tick marks. */
-  private static final double MUCH = 150;
-
-  /** Axes whose ends have a larger ratio than this get fine tick marks; others get the finest. */
-  private static final double LITTLE = 5;
 
   /** A tick mark. */
   record Tick(double at, String text) {}
@@ -56,7 +46,8 @@ record LogAxis(double low, double high, double from, double to) {
   /** Returns the tick marks: powers of ten, and on short axes also multiples of them. */
   List<Tick> ticks() {
     double span = high / low;
-    int[] digits = span > MUCH ? COARSE : span > LITTLE ? FINE : FINEST;
+    List<Integer> digits =
+        span > 150 ? List.of(1) : span > 5 ? List.of(1, 2, 5) : List.of(1, 2, 3, 4, 5, 7);
     List<Tick> ticks = new ArrayList<>();
     int first = (int) Math.floor(Elementary.log(low) / Elementary.log(10));
     int last = (int) Math.ceil(Elementary.log(high) / Elementary.log(10));
@@ -64,14 +55,11 @@ record LogAxis(double low, double high, double from, double to) {
       for (int digit : digits) {
         BigDecimal value = BigDecimal.valueOf(digit).scaleByPowerOfTen(decade);
         if (value.doubleValue() >= low && value.doubleValue() <= high) {
-          ticks.add(new Tick(at(value.doubleValue()), text(value, decade)));
+          String text = Math.abs(decade) <= 4 ? value.toPlainString() : value.toString();
+          ticks.add(new Tick(at(value.doubleValue()), text));
         }
       }
     }
     return ticks;
-  }
-
-  private static String text(BigDecimal value, int decade) {
-    return Math.abs(decade) <= 4 ? value.toPlainString() : value.toString();
   }
 }

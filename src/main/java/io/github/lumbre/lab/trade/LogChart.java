@@ -13,10 +13,12 @@ final class LogChart {
   private static final int WIDTH = 460;
   private static final int PLOT_HEIGHT = 270;
   private static final int LEFT = 58;
-  private static final int RIGHT = 14;
   private static final int TOP = 34;
+  private static final double RIGHT = WIDTH - 14.0;
+  private static final double BOTTOM = TOP + (double) PLOT_HEIGHT;
   private static final int BELOW = 42;
   private static final int LEGEND_LINE = 18;
+  private static final String MIDDLE = "text-anchor=\"middle\"";
 
   /** The longest name, in letters, that fits into a legend of three columns. */
   private static final int SHORT_NAME = 17;
@@ -29,7 +31,6 @@ final class LogChart {
   private final String up;
   private final List<Series> series;
   private final int legendColumns;
-  private final int height;
   private final LogAxis x;
   private final LogAxis y;
   private final List<String> lines = new ArrayList<>();
@@ -52,7 +53,6 @@ final class LogChart {
   record Series(String name, List<Point> points, boolean isJoined) {}
 
   /**
-   * @param title title of the chart; may be empty
    * @param across label of the horizontal axis
    * @param up label of the vertical axis
    */
@@ -63,10 +63,8 @@ final class LogChart {
     this.series = List.copyOf(series);
     List<Point> all = series.stream().flatMap(s -> s.points.stream()).toList();
     legendColumns = series.stream().allMatch(s -> s.name.length() <= SHORT_NAME) ? 3 : 2;
-    int legend = (series.size() + legendColumns - 1) / legendColumns * LEGEND_LINE;
-    height = TOP + PLOT_HEIGHT + BELOW + legend;
-    x = LogAxis.over(all.stream().mapToDouble(Point::x), LEFT + 6.0, WIDTH - RIGHT - 6.0);
-    y = LogAxis.over(all.stream().flatMapToDouble(LogChart::heights), bottom() - 6.0, TOP + 12.0);
+    x = LogAxis.over(all.stream().mapToDouble(Point::x), LEFT + 6.0, RIGHT - 6);
+    y = LogAxis.over(all.stream().flatMapToDouble(LogChart::heights), BOTTOM - 6, TOP + 12.0);
   }
 
   private static DoubleStream heights(Point point) {
@@ -74,19 +72,15 @@ final class LogChart {
     return DoubleStream.of(point.y, point.high, Math.max(point.low, point.y / 3));
   }
 
-  private static double bottom() {
-    return TOP + (double) PLOT_HEIGHT;
-  }
-
   /** Returns the SVG for a page with a style sheet. */
   String svg() {
     lines.clear();
-    lines.add(
-        format(
-            "<svg viewBox=\"0 0 %d %d\" role=\"img\""
-                + " font-family=\"system-ui,sans-serif\"><title>%s</title>",
-            WIDTH, height, Html.escaped(title.isEmpty() ? up + ", " + across : title)));
-    grid();
+    int legend = (series.size() + legendColumns - 1) / legendColumns * LEGEND_LINE;
+    add(
+        "<svg viewBox=\"0 0 %d %d\" role=\"img\" font-family=\"system-ui,sans-serif\""
+            + " font-size=\"12\" fill=\"var(--ink)\"><title>%s</title>",
+        WIDTH, TOP + PLOT_HEIGHT + BELOW + legend, Html.escaped(title));
+    axes();
     for (int i = 0; i < series.size(); i++) {
       draw(series.get(i), i);
       legend(series.get(i), i);
@@ -95,35 +89,31 @@ final class LogChart {
     return String.join("\n", lines);
   }
 
-  private static String color(int number) {
-    return "var(--s" + number % COLORS + ")";
-  }
-
-  private void grid() {
-    text(LEFT, 20, "start", "var(--ink)", 14, title);
+  private void axes() {
+    text(LEFT, 20, "font-size=\"14\"", title);
     for (LogAxis.Tick tick : x.ticks()) {
-      line(tick.at(), TOP, tick.at(), bottom(), "var(--grid)", 1);
-      text(tick.at(), bottom() + 16, "middle", "var(--ink)", 12, tick.text());
+      line(tick.at(), TOP, tick.at(), BOTTOM, "var(--grid)", 1);
+      text(tick.at(), BOTTOM + 16, MIDDLE, tick.text());
     }
     for (LogAxis.Tick tick : y.ticks()) {
-      line(LEFT, tick.at(), WIDTH - (double) RIGHT, tick.at(), "var(--grid)", 1);
-      text(LEFT - 6.0, tick.at() + 4, "end", "var(--ink)", 12, tick.text());
+      line(LEFT, tick.at(), RIGHT, tick.at(), "var(--grid)", 1);
+      text(LEFT - 6, tick.at() + 4, "text-anchor=\"end\"", tick.text());
     }
-    text((LEFT + WIDTH - RIGHT) / 2.0, bottom() + 34, "middle", "var(--ink)", 12, across);
+    text((LEFT + RIGHT) / 2, BOTTOM + 34, MIDDLE, across);
     double middle = TOP + PLOT_HEIGHT / 2.0;
-    lines.add(
-        format(
-            "<text x=\"13\" y=\"%.1f\" text-anchor=\"middle\" fill=\"var(--ink)\" font-size=\"12\""
-                + " transform=\"rotate(-90 13 %.1f)\">%s</text>",
-            middle, middle, Html.escaped(up)));
+    text(13, middle, format(MIDDLE + " transform=\"rotate(-90 13 %.1f)\"", middle), up);
   }
 
   private void legend(Series s, int number) {
-    double left = LEFT + number % legendColumns * (WIDTH - LEFT - RIGHT) / (double) legendColumns;
-    double at = bottom() + BELOW + LEGEND_LINE * (number / legendColumns) + 8.0;
+    double left = LEFT + number % legendColumns * (RIGHT - LEFT) / legendColumns;
+    double base = BOTTOM + BELOW + LEGEND_LINE * (number / legendColumns) + 8;
     boolean isFaint = !s.points.isEmpty() && s.points.stream().allMatch(Point::isFaint);
-    lines.add(mark(left + 4, at - 4, number, isFaint ? "var(--faint)" : color(number)));
-    text(left + 14, at, "start", "var(--ink)", 12, s.name);
+    mark(left + 4, base - 4, number, shade(number, isFaint));
+    text(left + 14, base, "", s.name);
+  }
+
+  private static String shade(int number, boolean isFaint) {
+    return isFaint ? "var(--faint)" : "var(--s" + number % COLORS + ")";
   }
 
   private void draw(Series s, int number) {
@@ -133,57 +123,46 @@ final class LogChart {
         path.append(path.length() == 0 ? "M" : "L");
         path.append(format("%.1f %.1f", x.at(point.x), y.at(point.y)));
       }
-      lines.add(
-          "<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-opacity=\".6\"/>"
-              .formatted(path, color(number)));
+      add(
+          "<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-opacity=\".6\"/>",
+          path, shade(number, false));
     }
     for (Point point : s.points) {
       double px = x.at(point.x);
-      String shade = point.isFaint ? "var(--faint)" : color(number);
+      String shade = shade(number, point.isFaint);
       line(px, y.at(point.low), px, y.at(point.high), shade, 1.5);
-      lines.add(mark(px, y.at(point.y), number, shade));
-      label(px, y.at(point.high) - 5, shade, point.label);
+      mark(px, y.at(point.y), number, shade);
+      String style = format("class=\"point\" %s fill=\"%s\" font-size=\"11\"", MIDDLE, shade);
+      text(px, y.at(point.high) - 5, style, point.label);
     }
   }
 
-  /** Returns a marker whose shape identifies the series without color. */
-  private static String mark(double px, double py, int number, String color) {
-    return switch (number % 3) {
-      case 0 -> format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", px, py, color);
+  /** Draws a marker whose shape identifies the series without color. */
+  private void mark(double px, double py, int number, String color) {
+    switch (number % 3) {
+      case 0 -> add("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", px, py, color);
       case 1 ->
-          format(
+          add(
               "<rect x=\"%.1f\" y=\"%.1f\" width=\"6.4\" height=\"6.4\" fill=\"%s\"/>",
               px - 3.2, py - 3.2, color);
-      default -> format("<path d=\"M%.1f %.1fl4 7h-8z\" fill=\"%s\"/>", px, py - 4.2, color);
-    };
+      default -> add("<path d=\"M%.1f %.1fl4 7h-8z\" fill=\"%s\"/>", px, py - 4.2, color);
+    }
   }
 
   private void line(double x1, double y1, double x2, double y2, String color, double width) {
-    lines.add(
-        format(
-            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\""
-                + " stroke-width=\"%.1f\"/>",
-            x1, y1, x2, y2, color, width));
+    add(
+        "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\" stroke-width=\"%.1f\"/>",
+        x1, y1, x2, y2, color, width);
   }
 
-  private void text(double left, double base, String anchor, String color, int size, String text) {
-    if (!text.isEmpty()) {
-      lines.add(
-          format(
-              "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\" font-size=\"%d\">%s"
-                  + "</text>",
-              left, base, anchor, color, size, Html.escaped(text)));
+  private void text(double px, double py, String attributes, String content) {
+    if (!content.isEmpty()) {
+      add("<text x=\"%.1f\" y=\"%.1f\" %s>%s</text>", px, py, attributes, Html.escaped(content));
     }
   }
 
-  private void label(double middle, double base, String color, String text) {
-    if (!text.isEmpty()) {
-      lines.add(
-          format(
-              "<text class=\"point\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"%s\""
-                  + " font-size=\"11\">%s</text>",
-              middle, base, color, Html.escaped(text)));
-    }
+  private void add(String form, Object... values) {
+    lines.add(format(form, values));
   }
 
   private static String format(String form, Object... values) {

@@ -26,17 +26,7 @@ public record TimeToError(Interval samples, Interval cpuSeconds, boolean isExtra
    * @param cpuSeconds CPU time of all samples so far; 0 if it is too short for the CPU clock
    */
   public record Cost(int samples, List<Double> relativeMse, List<Double> cpuSeconds) {
-    /** The smallest share of an error that remains after subtraction, so that it stays positive. */
-    private static final double LEAST_SHARE = .1;
-
     private static final double LEAST_SECONDS = 1e-9;
-
-    /** Returns this cost with the reference's relative mean squared error subtracted. */
-    Cost less(double referenceNoise) {
-      List<Double> own =
-          relativeMse.stream().map(e -> Math.max(e - referenceNoise, LEAST_SHARE * e)).toList();
-      return new Cost(samples, own, cpuSeconds);
-    }
 
     /** Returns one seed's time, or an estimate if a time is too short for the CPU clock. */
     private double positiveSeconds(int seed, double secondsPerSample) {

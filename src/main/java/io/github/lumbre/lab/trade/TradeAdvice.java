@@ -1,48 +1,55 @@
 package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.lab.Markdown;
-import io.github.lumbre.lab.trade.Html.Row;
+import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** The section of a study's page that recommends settings for a target error. */
 final class TradeAdvice {
   /** Target errors of the table, relative root mean squared errors. */
-  private static final double[] TARGETS = {.5, .3, .2, .1, .05, .03, .02, .01};
+  private static final List<Double> TARGETS = List.of(.5, .3, .2, .1, .05, .03, .02, .01);
 
   private static final String GROUPS =
       "<tr><th></th><th class=\"group\" colspan=\"4\">bias not detected</th>"
           + "<th class=\"group\" colspan=\"4\">bias allowed</th></tr>";
 
+  private static final Choice NONE = new Choice("not reached", "", "", "");
+
+  private static final Table<Line> TABLE =
+      with(
+          Line::biased,
+          with(
+              Line::unbiased,
+              Table.<Line>empty().text("target error", line -> Markdown.percent(line.target))));
+
   private TradeAdvice() {}
+
+  /** A recommended setting, as text. */
+  private record Choice(String flags, String time, String rays, String bias) {}
+
+  private record Line(double target, Choice unbiased, Choice biased) {}
+
+  private static Table<Line> with(Function<Line, Choice> choice, Table<Line> table) {
+    return table
+        .text("flags", line -> choice.apply(line).flags)
+        .number("CPU time", line -> choice.apply(line).time)
+        .number("rays", line -> choice.apply(line).rays)
+        .number("bias", line -> choice.apply(line).bias);
+  }
 
   /** Adds the table to a page. */
   static void addTo(Html html, TradeResult result) {
-    html.element("h2", "Recommended settings for a target error");
-    List<Row> rows = new ArrayList<>();
-    for (double target : TARGETS) {
-      List<String> cells = new ArrayList<>(List.of(Markdown.percent(target)));
-      cells.addAll(unbiased(result, target));
-      cells.addAll(biased(result, target));
-      rows.add(new Row(cells, ""));
-    }
-    html.table(
-            GROUPS,
-            List.of(
-                "target error",
-                "flags",
-                "CPU time",
-                "rays",
-                "bias",
-                "flags",
-                "CPU time",
-                "rays",
-                "bias"),
-            rows)
+    List<Line> lines =
+        TARGETS.stream()
+            .map(t -> new Line(t, unbiased(result, t), biased(result, t).orElse(NONE)))
+            .toList();
+    html.element("h2", "Recommended settings for a target error")
+        .table(GROUPS, TABLE, lines, line -> "")
         .note(
             "Error: relative RMSE against the reference, including noise and bias, mean over the"
                 + " seeds. Each entry is the setting with the least CPU time among those with"
@@ -54,25 +61,24 @@ final class TradeAdvice {
                 + " with bias. Errors below the reference's own cannot be measured.");
   }
 
-  /** A setting and its cost of reaching an error. */
-  private record Choice(TradeRow most, TimeToError cost) {
+  /** A setting's row with the most samples, and its cost of reaching an error. */
+  private record Candidate(TradeRow most, TimeToError cost) {
     double cpuSeconds() {
       return cost.cpuSeconds().value();
     }
   }
 
-  /** Returns flags, time, rays and bias of the cheapest setting whose bias is not detected. */
-  private static List<String> unbiased(TradeResult result, double target) {
-    Choice best = cheapest(result, target);
+  /** Returns the cheapest setting whose bias is not detected. */
+  private static Choice unbiased(TradeResult result, double target) {
+    Candidate best = cheapest(result, target * target);
     TradeRow most = best.most;
     double samples = Math.max(1, best.cost.samples().value());
-    double raysOfOne = most.allRays() / most.samples();
-    return List.of(
+    return new Choice(
         "-s " + Math.round(Math.ceil(samples)) + " " + most.setting().flags(),
         (best.cost.isExtrapolated() ? "extrapolated " : "about ")
             + TradeText.seconds(best.cpuSeconds()),
-        TradeText.count(samples * raysOfOne),
-        most.setting().isUnbiased() ? "none" : "< " + TradeText.rootPercent(most.bias().high()));
+        TradeText.count(samples * most.allRays() / most.samples()),
+        most.setting().isUnbiased() ? "none" : TradeText.bias(most.bias(), ""));
   }
 
   /**
@@ -80,17 +86,16 @@ final class TradeAdvice {
    * most the target error. Settings that were measured to reach the error precede extrapolated
    * ones.
    */
-  private static Choice cheapest(TradeResult result, double target) {
-    double squared = target * target;
+  private static Candidate cheapest(TradeResult result, double squaredError) {
     return Stream.of(Kind.NOISE, Kind.BIAS)
         .flatMap(kind -> result.settings(kind).stream())
         .filter(setting -> !setting.flags().isEmpty())
         .map(result::most)
-        .filter(most -> most.setting().isUnbiased() || isWithin(most.bias(), squared))
-        .map(most -> new Choice(most, TimeToError.of(costs(result, most), squared)))
+        .filter(most -> most.setting().isUnbiased() || isWithin(most.bias(), squaredError))
+        .map(most -> new Candidate(most, TimeToError.of(costs(result, most), squaredError)))
         .min(
-            Comparator.comparing((Choice choice) -> choice.cost.isExtrapolated())
-                .thenComparingDouble(Choice::cpuSeconds))
+            Comparator.comparing((Candidate candidate) -> candidate.cost.isExtrapolated())
+                .thenComparingDouble(Candidate::cpuSeconds))
         .orElseThrow();
   }
 
@@ -102,22 +107,18 @@ final class TradeAdvice {
     return !bias.isDetected() && bias.high() <= squaredError;
   }
 
-  /** Returns flags, time, rays and bias of the cheapest measured row with bias. */
-  private static List<String> biased(TradeResult result, double target) {
-    Optional<TradeRow> best =
-        result.rows().stream()
-            .filter(row -> !row.setting().isUnbiased() && !row.setting().flags().isEmpty())
-            .filter(row -> row.relativeMse().value() <= target * target)
-            .min(Comparator.comparingDouble(row -> row.cpuTime().value()));
-    return best.map(
+  /** Returns the cheapest measured row with bias. */
+  private static Optional<Choice> biased(TradeResult result, double target) {
+    return result.rows().stream()
+        .filter(row -> !row.setting().isUnbiased() && !row.setting().flags().isEmpty())
+        .filter(row -> row.relativeMse().value() <= target * target)
+        .min(Comparator.comparingDouble(row -> row.cpuTime().value()))
+        .map(
             row ->
-                List.of(
+                new Choice(
                     "-s " + row.samples() + " " + row.setting().flags(),
                     TradeText.seconds(row.cpuTime().value()),
                     TradeText.count(row.allRays()),
-                    (row.bias().isDetected() ? "" : "< ")
-                        + TradeText.rootPercent(
-                            row.bias().isDetected() ? row.bias().squared() : row.bias().high())))
-        .orElse(List.of("not reached", "", "", ""));
+                    TradeText.bias(row.bias(), "")));
   }
 }

@@ -2,14 +2,15 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.lab.trade.Html.Row;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import io.github.lumbre.scene.SettingType;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 
 /**
  * The page of a study's results: a single self-contained HTML file. {@link TradeAdvice}, {@link
@@ -57,7 +58,9 @@ public final class TradePage {
     TradeAdvice.addTo(html, result);
     noise();
     bias();
-    denoised();
+    if (!result.settings(Kind.DENOISED).isEmpty()) {
+      denoised();
+    }
     exact();
     pictures.addTo(html);
     everything();
@@ -75,148 +78,131 @@ public final class TradePage {
             Markdown.percent(result.referenceNoise().relativeRmse()));
   }
 
+  private void section(String title, String lead, List<LogChart> charts) {
+    html.element("h2", title).element("p", lead).raw("<div class=\"charts\">");
+    charts.forEach(chart -> html.raw(chart.svg()));
+    html.raw("</div>");
+  }
+
+  private static Function<TradeRow, String> number(ToDoubleFunction<TradeRow> value) {
+    return row -> TradeText.number(value.applyAsDouble(row));
+  }
+
+  /** Returns a table with the cost of the settings' largest numbers of samples. */
+  private static Table<TradeRow> withWork(Table<TradeRow> table) {
+    return table
+        .number("CPU time", row -> TradeText.seconds(row.cpuTime()))
+        .number("rays", number(row -> row.work().allRays()))
+        .number("nodes", number(row -> row.work().nodes()))
+        .number("look-ups", number(row -> row.work().lookUps()));
+  }
+
+  /** Adds a table with the largest numbers of samples of all settings of a kind. */
+  private void most(Kind kind, Table<TradeRow> table) {
+    List<TradeRow> rows = result.settings(kind).stream().map(result::most).toList();
+    html.table("", table, rows, row -> isUsual(row) ? "best" : "");
+  }
+
+  private boolean isUsual(TradeRow row) {
+    return row.setting() == result.usual().get(0).setting();
+  }
+
+  private String slope(TradeRow row) {
+    return TradeText.slope(result.of(row.setting()).stream().map(TradeRow::cost).toList());
+  }
+
   private void noise() {
-    html.element("h2", "Unbiased settings: noise")
-        .element(
-            "p",
-            "These settings all converge to the same picture. Their error is only noise and falls"
-                + " with time; lower lines are better. Numbers at the points are samples per pixel;"
-                + " bars are 95 % intervals over the seeds.");
-    charts(TradeCharts.noise(result));
-    List<Row> rows = new ArrayList<>();
-    for (TradeSetting setting : result.settings(Kind.NOISE)) {
-      TradeRow most = result.most(setting);
-      TradeWork work = most.work();
-      boolean isUsual = setting == result.usual().get(0).setting();
-      rows.add(
-          new Row(
-              List.of(
-                  isUsual ? "baseline" : setting.label(),
-                  isUsual ? "1" : TradeText.ratio(result.gainByRays(setting)),
-                  isUsual ? "1" : result.gain(setting).map(TradeText::ratio).orElse(TOO_SHORT),
-                  TradeText.rootPercent(most.relativeMse().value()),
-                  TradeText.seconds(most.cpuTime()),
-                  TradeText.number(work.rays() + work.shadowRays()),
-                  TradeText.number(work.nodes()),
-                  TradeText.number(work.lookUps()),
-                  TradeText.slope(result.of(setting).stream().map(TradeRow::cost).toList())),
-              isUsual ? "best" : ""));
-    }
-    html.table(
-            List.of(
-                "setting",
-                "gain for the same rays",
-                "gain for the same time",
-                "error",
-                "CPU time",
-                "rays",
-                "nodes",
-                "look-ups",
-                "convergence exponent"),
-            rows)
-        .note(
-            "Gain: efficiency relative to the baseline, 1 / (squared error × rays) or 1 / (squared"
-                + " error × CPU time), at the largest number of samples; below 1 is worse. Rays,"
-                + " visited nodes of the bounding volume hierarchy and texture look-ups are per"
-                + " sample, and the same on every machine. Convergence exponent: the squared error"
-                + " is proportional to the samples to this power; -1 for independent samples, lower"
-                + " is better. Baseline: Sobol points, lights selected by their expected"
-                + " contribution, light and BSDF sampling combined by multiple importance sampling"
-                + " (MIS) with the power heuristic, Russian roulette from vertex 1. Settings named"
-                + " \"only\" use a single sampling technique.");
+    section(
+        "Unbiased settings: noise",
+        "These settings all converge to the same picture. Their error is only noise and falls"
+            + " with time; lower lines are better. Numbers at the points are samples per pixel;"
+            + " bars are 95 % intervals over the seeds.",
+        new TradeCharts(result).noise());
+    most(
+        Kind.NOISE,
+        withWork(
+                Table.<TradeRow>empty()
+                    .text("setting", row -> isUsual(row) ? "baseline" : row.setting().label())
+                    .number(
+                        "gain for the same rays",
+                        row -> isUsual(row) ? "1" : TradeText.ratio(result.gainByRays(row)))
+                    .number(
+                        "gain for the same time",
+                        row ->
+                            isUsual(row)
+                                ? "1"
+                                : result.gain(row).map(TradeText::ratio).orElse(TOO_SHORT))
+                    .number("error", row -> TradeText.rootPercent(row.relativeMse().value())))
+            .number("convergence exponent", this::slope));
+    html.note(
+        "Gain: efficiency relative to the baseline, 1 / (squared error × rays) or 1 / (squared"
+            + " error × CPU time), at the largest number of samples; below 1 is worse. Rays,"
+            + " visited nodes of the bounding volume hierarchy and texture look-ups are per"
+            + " sample, and the same on every machine. Convergence exponent: the squared error"
+            + " is proportional to the samples to this power; -1 for independent samples, lower"
+            + " is better. Baseline: Sobol points, lights selected by their expected"
+            + " contribution, light and BSDF sampling combined by multiple importance sampling"
+            + " (MIS) with the power heuristic, Russian roulette from vertex 1. Settings named"
+            + " \"only\" use a single sampling technique.");
   }
 
   private void bias() {
-    html.element("h2", "Biased settings")
-        .element(
-            "p",
-            "These settings converge to a different picture, so more samples do not reduce their"
-                + " error below their bias. Do not rank them with the unbiased settings: bias may"
-                + " matter more or less than noise.");
-    charts(TradeCharts.bias(result));
-    List<Row> rows = new ArrayList<>();
-    for (TradeSetting setting : result.settings(Kind.BIAS)) {
-      TradeRow most = result.most(setting);
-      TradeRow.Bias bias = most.bias();
-      TradeWork work = most.work();
-      rows.add(
-          Row.of(
-              setting.label(),
-              bias.isDetected()
-                  ? TradeText.rootPercent(bias.squared())
-                  : "not detected, < " + TradeText.rootPercent(bias.high()),
-              bias.isDetected()
-                  ? TradeText.rootPercent(bias.low()) + " to " + TradeText.rootPercent(bias.high())
-                  : "",
-              TradeText.number(most.signedError().value()),
-              TradeText.seconds(most.cpuTime()),
-              TradeText.number(work.rays() + work.shadowRays()),
-              TradeText.number(work.nodes()),
-              TradeText.number(work.lookUps())));
-    }
-    html.table(
-            List.of(
-                "setting",
-                "bias",
-                "95 % interval",
-                "mean signed error",
-                "CPU time",
-                "rays",
-                "nodes",
-                "look-ups"),
-            rows)
-        .note(
-            "Bias: relative RMS difference between the mean of all seeds' pictures and the"
-                + " reference, with the noise of both subtracted. More samples do not reduce it.");
+    section(
+        "Biased settings",
+        "These settings converge to a different picture, so more samples do not reduce their"
+            + " error below their bias. Do not rank them with the unbiased settings: bias may"
+            + " matter more or less than noise.",
+        new TradeCharts(result).bias());
+    most(
+        Kind.BIAS,
+        withWork(
+            Table.<TradeRow>empty()
+                .text("setting", row -> row.setting().label())
+                .number("bias", row -> TradeText.bias(row.bias(), "not detected, "))
+                .number("95 % interval", row -> row.bias().isDetected() ? range(row.bias()) : "")
+                .number("mean signed error", number(row -> row.signedError().value()))));
+    html.note(
+        "Bias: relative RMS difference between the mean of all seeds' pictures and the"
+            + " reference, with the noise of both subtracted. More samples do not reduce it.");
+  }
+
+  private static String range(TradeRow.Bias bias) {
+    return TradeText.rootPercent(bias.low()) + " to " + TradeText.rootPercent(bias.high());
+  }
+
+  private TradeRow noisy(TradeRow row) {
+    return result.usual(row.samples());
+  }
+
+  /** Returns how many times the samples the baseline needs for the error of a denoised picture. */
+  private String factor(TradeRow row) {
+    List<TimeToError.Cost> usual = result.usual().stream().map(TradeRow::cost).toList();
+    TimeToError same = TimeToError.of(usual, row.relativeMse().value());
+    return (same.isExtrapolated() ? "about " : "")
+        + TradeText.number(same.samples().value() / row.samples());
   }
 
   private void denoised() {
-    List<TradeSetting> settings = result.settings(Kind.DENOISED);
-    if (settings.isEmpty()) {
-      return;
-    }
-    html.element("h2", "Denoised pictures")
-        .element(
-            "p",
-            "A denoiser removes noise and adds bias. No bound on the error of a render holds for"
-                + " its denoised picture.");
-    charts(TradeCharts.denoised(result));
-    List<TimeToError.Cost> usual = result.usual().stream().map(TradeRow::cost).toList();
-    List<Row> rows = new ArrayList<>();
-    for (TradeSetting setting : settings) {
-      for (TradeRow row : result.of(setting)) {
-        TradeRow noisy = result.usual(row.samples());
-        TimeToError same = TimeToError.of(usual, row.relativeMse().value());
-        rows.add(
-            Row.of(
-                String.valueOf(row.samples()),
-                TradeText.rootPercent(noisy.relativeMse().value()),
-                TradeText.rootPercent(row.relativeMse().value()),
-                (same.isExtrapolated() ? "about " : "")
-                    + TradeText.number(same.samples().value() / row.samples()),
-                TradeText.number(noisy.flip().value()),
-                TradeText.number(row.flip().value()),
-                (row.bias().isDetected() ? "" : "not detected, < ")
-                    + TradeText.rootPercent(
-                        row.bias().isDetected() ? row.bias().squared() : row.bias().high()),
-                TradeText.number(row.signedError().value()),
-                TradeText.seconds(noisy.cpuTime()),
-                TradeText.seconds(row.cpuTime())));
-      }
-    }
-    html.table(
-            List.of(
-                "samples",
-                "noisy error",
-                "denoised error",
-                "as many times the samples",
-                "noisy FLIP",
-                "denoised FLIP",
-                "bias",
-                "mean signed error",
-                "noisy CPU time",
-                "denoised CPU time"),
-            rows)
+    section(
+        "Denoised pictures",
+        "A denoiser removes noise and adds bias. No bound on the error of a render holds for"
+            + " its denoised picture.",
+        new TradeCharts(result).denoised());
+    List<TradeRow> rows =
+        result.rows().stream().filter(row -> row.setting().kind() == Kind.DENOISED).toList();
+    Table<TradeRow> table =
+        Table.<TradeRow>empty()
+            .number("samples", TradeRow::samples)
+            .number("noisy error", row -> TradeText.rootPercent(noisy(row).relativeMse().value()))
+            .number("denoised error", row -> TradeText.rootPercent(row.relativeMse().value()))
+            .number("as many times the samples", this::factor)
+            .number("noisy FLIP", number(row -> noisy(row).flip().value()))
+            .number("denoised FLIP", number(row -> row.flip().value()))
+            .number("bias", row -> TradeText.bias(row.bias(), "not detected, "))
+            .number("mean signed error", number(row -> row.signedError().value()))
+            .number("noisy CPU time", row -> TradeText.seconds(noisy(row).cpuTime()))
+            .number("denoised CPU time", row -> TradeText.seconds(row.cpuTime()));
+    html.table("", table, rows, row -> "")
         .note(
             "As many times the samples: how many times the samples the baseline needs for the error"
                 + " of the denoised picture; \"about\": beyond the measured samples, where the"
@@ -226,80 +212,50 @@ public final class TradePage {
                 + " the guides and denoising.");
   }
 
-  private void charts(List<LogChart> charts) {
-    html.raw("<div class=\"charts\">");
-    charts.forEach(chart -> html.raw(chart.svg()));
-    html.raw("</div>");
-  }
-
   private void exact() {
+    Table<ExactRow> table =
+        Table.<ExactRow>empty()
+            .text("setting", ExactRow::setting)
+            .number(
+                "CPU time ratio (95 %)",
+                row -> row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT))
+            .number(
+                "time ratio (95 %)", row -> row.timeRatio().map(TradeText::ratio).orElse(TOO_SHORT))
+            .text("picture", row -> row.isSamePicture() ? "identical" : "DIFFERENT");
     html.element("h2", "Settings that change only the time")
-        .table(
-            List.of("setting", "CPU time ratio (95 %)", "time ratio (95 %)", "picture"),
-            result.exact().stream()
-                .map(
-                    row ->
-                        new Row(
-                            List.of(
-                                row.setting(),
-                                row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT),
-                                row.timeRatio().map(TradeText::ratio).orElse(TOO_SHORT),
-                                row.isSamePicture() ? "identical" : "DIFFERENT"),
-                            row.isSamePicture() ? "" : "bad"))
-                .toList())
+        .table("", table, result.exact(), row -> row.isSamePicture() ? "" : "bad")
         .note(
             "Five alternating pairs each. The first row compares a setting with itself and shows"
                 + " the effect of chance.");
   }
 
   private void everything() {
-    html.element("h2", "All measurements");
-    List<Row> rows = new ArrayList<>();
-    for (TradeRow row : result.rows()) {
-      Interval error = row.relativeMse();
-      rows.add(
-          new Row(
-              List.of(
-                  row.setting().label(),
-                  SettingType.nameOf(row.setting().kind()),
-                  String.valueOf(row.samples()),
-                  TradeText.seconds(row.time()),
-                  TradeText.seconds(row.cpuTime()),
-                  TradeText.count(row.allRays()),
-                  TradeText.number(error.value())
-                      + " ± "
-                      + TradeText.number(error.high() - error.value()),
-                  TradeText.number(row.signedError().value()),
-                  TradeText.number(row.largestError()),
-                  TradeText.number(row.flip().value())),
-              result.isDominated(row) ? "dominated" : ""));
-    }
-    html.table(
-            List.of(
-                "setting",
-                "kind",
-                "samples",
-                "time",
-                "CPU time",
-                "rays",
-                "relMSE",
-                "signed error",
-                "max error",
-                "FLIP"),
-            rows)
+    Table<TradeRow> table =
+        Table.<TradeRow>empty()
+            .text("setting", row -> row.setting().label())
+            .text("kind", row -> SettingType.nameOf(row.setting().kind()))
+            .number("samples", TradeRow::samples)
+            .number("time", row -> TradeText.seconds(row.time()))
+            .number("CPU time", row -> TradeText.seconds(row.cpuTime()))
+            .number("rays", row -> TradeText.count(row.allRays()))
+            .number("relMSE", row -> error(row.relativeMse()))
+            .number("signed error", number(row -> row.signedError().value()))
+            .number("max error", number(TradeRow::largestError))
+            .number("FLIP", number(row -> row.flip().value()));
+    html.element("h2", "All measurements")
+        .table("", table, result.rows(), row -> result.isDominated(row) ? "dominated" : "")
         .note("Gray: another row of the same kind takes less time and has less error.");
+  }
+
+  private static String error(Interval error) {
+    double half = error.high() - error.value();
+    return TradeText.number(error.value()) + " ± " + TradeText.number(half);
   }
 
   private void method() {
     html.element("h2", "How this was measured").raw("<table class=\"facts\">");
     facts.forEach(
-        (name, value) ->
-            html.raw(
-                "<tr><td>"
-                    + Html.escaped(name)
-                    + "</td><td>"
-                    + Html.escaped(value)
-                    + "</td></tr>"));
+        (name, value) -> html.raw("<tr>").element("td", name).element("td", value).raw("</tr>"));
     html.raw("</table>")
         .note(
             "Errors are relative: the root of the mean over pixels and channels of (x - r)² / (r² +"

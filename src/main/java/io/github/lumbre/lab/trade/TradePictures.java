@@ -3,27 +3,19 @@ package io.github.lumbre.lab.trade;
 import io.github.lumbre.compare.ErrorMap;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.Markdown;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Base64;
-import java.util.LinkedHashSet;
 import java.util.List;
 
-/** The section of a study's page that shows each picture beside its error map. */
-final class TradePictures {
-  private final TradeResult result;
-  private final ImageWriter.Options options;
-
-  /**
-   * @param options options for writing the pictures
-   */
-  TradePictures(TradeResult result, ImageWriter.Options options) {
-    this.result = result;
-    this.options = options;
-  }
-
+/**
+ * The section of a study's page that shows each picture beside its error map.
+ *
+ * @param options options for writing the pictures
+ */
+record TradePictures(TradeResult result, ImageWriter.Options options) {
   /** Adds the pictures to a page. */
   void addTo(Html html) throws IOException {
     html.element("h2", "Pictures and error maps")
@@ -34,20 +26,15 @@ final class TradePictures {
     scale(html);
     html.element("h3", "Baseline with increasing samples");
     pairs(html, result.usual());
-    List<TradeRow> others = new ArrayList<>();
-    for (TradeSetting setting : settings()) {
-      if (setting != result.usual().get(0).setting()) {
-        others.add(result.most(setting));
-      }
-    }
     html.element("h3", "Other settings");
-    pairs(html, others);
-  }
-
-  private LinkedHashSet<TradeSetting> settings() {
-    LinkedHashSet<TradeSetting> settings = new LinkedHashSet<>();
-    result.rows().forEach(row -> settings.add(row.setting()));
-    return settings;
+    pairs(
+        html,
+        result.rows().stream()
+            .map(TradeRow::setting)
+            .distinct()
+            .skip(1)
+            .map(result::most)
+            .toList());
   }
 
   /** Adds the color scale of the error maps. */
@@ -63,11 +50,7 @@ final class TradePictures {
   private void pairs(Html html, List<TradeRow> rows) throws IOException {
     html.raw("<div class=\"pictures\">");
     for (TradeRow row : rows) {
-      String name =
-          row.setting().label()
-              + ", "
-              + row.samples()
-              + (row.samples() == 1 ? " sample" : " samples");
+      String name = row.setting().label() + ", " + Markdown.count(row.samples(), "sample");
       String error = TradeText.rootPercent(row.errors().get(0).relativeMse());
       Image map = ErrorMap.of(row.picture(), result.reference());
       html.raw("<figure><div class=\"pair\">")

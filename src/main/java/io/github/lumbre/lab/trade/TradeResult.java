@@ -57,24 +57,21 @@ public record TradeResult(
   }
 
   /**
-   * Returns the efficiency of a setting relative to the baseline for the same CPU time. It is the
-   * ratio of squared error × time, at the setting's largest number of samples. Empty if renders are
-   * too short for the CPU clock.
+   * Returns the efficiency of a row's setting relative to the baseline for the same CPU time. It is
+   * the ratio of squared error × time. Empty if renders are too short for the CPU clock.
    */
-  public Optional<Interval> gain(TradeSetting setting) {
-    TradeRow most = most(setting);
-    TradeRow usual = usual(most.samples());
-    return usual.isTimed() && most.isTimed()
-        ? Optional.of(Interval.ofRatios(usual.costs(), most.costs()))
+  public Optional<Interval> gain(TradeRow row) {
+    TradeRow usual = usual(row.samples());
+    return usual.isTimed() && row.isTimed()
+        ? Optional.of(Interval.ofRatios(usual.costs(), row.costs()))
         : Optional.empty();
   }
 
   /**
    * Returns the relative efficiency for the same number of rays; it is independent of the machine.
    */
-  public Interval gainByRays(TradeSetting setting) {
-    TradeRow most = most(setting);
-    return Interval.ofRatios(usual(most.samples()).costsInRays(), most.costsInRays());
+  public Interval gainByRays(TradeRow row) {
+    return Interval.ofRatios(usual(row.samples()).costsInRays(), row.costsInRays());
   }
 
   /**

@@ -1,9 +1,10 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.compare.PictureError;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -55,7 +56,7 @@ public record TradeRow(
   /** Returns the number of rays and shadow rays of all samples. */
   public double allRays() {
     double pixels = (double) picture.width() * picture.height();
-    return (work.rays() + work.shadowRays()) * samples * pixels;
+    return work.allRays() * samples * pixels;
   }
 
   /** Returns whether every render was long enough for the CPU clock. */
@@ -72,13 +73,16 @@ public record TradeRow(
 
   /** Returns each seed's relative mean squared error × rays per sample. */
   List<Double> costsInRays() {
-    double rays = work.rays() + work.shadowRays();
-    return errors.stream().map(e -> Math.max(1e-30, e.relativeMse() * rays)).toList();
+    return errors.stream().map(e -> Math.max(1e-30, e.relativeMse() * work.allRays())).toList();
   }
 
   /** Returns the mean of the seeds' relative mean squared errors. */
   public Interval relativeMse() {
-    return Interval.ofMean(errors.stream().map(PictureError::relativeMse).toList());
+    return mean(PictureError::relativeMse);
+  }
+
+  private Interval mean(Function<PictureError, Double> value) {
+    return Interval.ofMean(errors.stream().map(value).toList());
   }
 
   /** Returns the mean wall-clock time. */
@@ -93,12 +97,12 @@ public record TradeRow(
 
   /** Returns the mean of the seeds' mean signed errors. */
   public Interval signedError() {
-    return Interval.ofMean(errors.stream().map(PictureError::bias).toList());
+    return mean(PictureError::bias);
   }
 
   /** Returns the mean of the seeds' FLIP. */
   public Interval flip() {
-    return Interval.ofMean(errors.stream().map(PictureError::flip).toList());
+    return mean(PictureError::flip);
   }
 
   /** Returns the largest error of any seed. */

@@ -4,32 +4,25 @@ import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.integrator.PathOptions;
-import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Setting;
 import java.util.function.Function;
 import java.util.function.LongFunction;
 
 /**
  * A setting that a study measures at several numbers of samples.
  *
- * @param knob varied parameter: {@code depth}, {@code mode}, ...
  * @param value value of the parameter, as on the command line if it has a flag
- * @param kind whether the setting changes the noise or the bias
  * @param flags command line flags of the setting; empty if there are none
  * @param scene scene, read for the mode of the settings
  * @param method creates the integrator of a scene
  * @param samplers creates the sampler of a seed
  */
 public record TradeSetting(
-    String knob,
+    Knob knob,
     String value,
     Kind kind,
     String flags,
@@ -48,52 +41,6 @@ public record TradeSetting(
     BIAS,
     /** The pictures are denoised; their bias falls with the noise. */
     DENOISED
-  }
-
-  /** Returns a setting for path tracing with Sobol points. */
-  static TradeSetting ofPaths(
-      String knob,
-      String value,
-      Kind kind,
-      String flags,
-      TradeScene scene,
-      RenderSettings settings,
-      PathOptions options) {
-    return new TradeSetting(
-        knob,
-        value,
-        kind,
-        flags,
-        scene,
-        settings,
-        s -> new PathTracer(s, options.transparent(settings.transparent())),
-        SobolSampler::new);
-  }
-
-  /** Returns the setting for ray mode with the depths of its settings. */
-  static TradeSetting ofRays(TradeScene scene, RenderSettings settings) {
-    return new TradeSetting(
-        "mode",
-        "ray",
-        Kind.BIAS,
-        "--mode ray",
-        scene,
-        settings,
-        s -> Integrator.of(s, settings.toBuilder().mode(RenderSettings.Mode.RAY).build()),
-        SobolSampler::new);
-  }
-
-  /** Returns the setting that denoises the pictures of path tracing. */
-  static TradeSetting ofDenoised(
-      TradeScene scene, RenderSettings settings, String flags, PathOptions options) {
-    return ofPaths(
-        "denoise",
-        "builtin",
-        Kind.DENOISED,
-        "--denoise " + flags,
-        scene,
-        settings.toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build(),
-        options);
   }
 
   /** Returns the smallest number of samples per pixel from which a picture can be made. */
@@ -118,7 +65,7 @@ public record TradeSetting(
 
   /** Returns the setting's display name. */
   public String label() {
-    return TradeText.label(knob, value);
+    return knob.label(value);
   }
 
   /** Returns a renderer of the setting with a seed. */

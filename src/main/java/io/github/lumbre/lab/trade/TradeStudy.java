@@ -1,11 +1,12 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Trial;
 import io.github.lumbre.lab.metrics.StudentT;
-import io.github.lumbre.render.Film;
-import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Budget;
@@ -13,9 +14,11 @@ import io.github.lumbre.stopping.NoiseEstimate;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
-import java.util.function.DoubleSupplier;
+import java.util.stream.Collectors;
 
 /**
  * Measures the time and error of settings: renders a reference, and each setting with several seeds
@@ -33,31 +36,34 @@ public final class TradeStudy {
 
   private final TradeSweep sweep;
   private final DoubleFunction<TradePlan> planner;
-  private final DoubleSupplier cpuSeconds;
   private final Consumer<String> log;
-  private final List<TradeTrial> trials = new ArrayList<>();
+  private final List<Shot> shots = new ArrayList<>();
 
-  /** The baseline's films, one for each seed. */
-  private final List<TradeClimb> usual = new ArrayList<>();
+  /** The baseline's trials, one for each seed. */
+  private final List<Trial> usual = new ArrayList<>();
 
   private TradePlan plan;
   private List<TradeSetting> settings;
-  private double start;
+  private Cost start;
+
+  /**
+   * The picture of one setting with one seed at one number of samples.
+   *
+   * @param samples samples per pixel
+   * @param cost cost of all samples so far and of developing and denoising this picture
+   * @param error error against the reference
+   */
+  private record Shot(
+      TradeSetting setting, int samples, Cost cost, PictureError error, Image picture) {}
 
   /**
    * @param sweep settings to measure
    * @param planner returns the plan for a rate in samples per second
-   * @param cpuSeconds supplies the CPU time of the process so far
    * @param log receives progress messages
    */
-  public TradeStudy(
-      TradeSweep sweep,
-      DoubleFunction<TradePlan> planner,
-      DoubleSupplier cpuSeconds,
-      Consumer<String> log) {
+  public TradeStudy(TradeSweep sweep, DoubleFunction<TradePlan> planner, Consumer<String> log) {
     this.sweep = sweep;
     this.planner = planner;
-    this.cpuSeconds = cpuSeconds;
     this.log = log;
   }
 
@@ -68,14 +74,14 @@ public final class TradeStudy {
    * @throws InterruptedException if the calling thread is interrupted
    */
   public TradeResult run(double rate) throws InterruptedException {
-    start = TradeClimb.clock();
+    start = Cost.now();
     planFor(rate);
-    TradeClimb reference = renderReference();
+    Trial reference = renderReference();
     planAgain(reference);
     Image truth = reference.film().develop();
     NoiseEstimate noise = noise(reference);
     log.accept("settings that change only the time");
-    List<ExactRow> exact = new ExactPairs(reference(), plan.exactSamples(), cpuSeconds).rows();
+    List<ExactRow> exact = ExactRow.all(reference(), plan.exactSamples());
     renderSeeds(truth);
     reachTarget(truth, noise.relativeMse());
     log.accept("counting BVH nodes and texture look-ups");
@@ -91,9 +97,9 @@ public final class TradeStudy {
   /**
    * Plans again by the reference's rate, and adds samples to the reference if the plan has more.
    */
-  private void planAgain(TradeClimb reference) throws InterruptedException {
-    Film film = reference.film();
-    planFor(film.totalSamples() / Math.max(1e-9, reference.seconds()));
+  private void planAgain(Trial reference) throws InterruptedException {
+    double seconds = Math.max(1e-9, reference.cost().seconds());
+    planFor(reference.film().totalSamples() / seconds);
     if (plan.referenceSamples() > reference.samples()) {
       log.accept("reference: " + Markdown.count(plan.referenceSamples(), "sample") + " per pixel");
       reference.to(plan.referenceSamples());
@@ -104,15 +110,24 @@ public final class TradeStudy {
     List<TradeRow> rows = new ArrayList<>();
     for (TradeSetting setting : settings) {
       TradeWork work = work(setting);
-      int[] ladder =
-          trials.stream()
-              .filter(t -> t.setting() == setting)
-              .mapToInt(TradeTrial::samples)
-              .distinct()
-              .toArray();
-      for (int samples : ladder) {
-        rows.add(row(setting, samples, work, truth, truthNoise));
-      }
+      Map<Integer, List<Shot>> bySamples =
+          shots.stream()
+              .filter(shot -> shot.setting == setting)
+              .collect(Collectors.groupingBy(Shot::samples, TreeMap::new, Collectors.toList()));
+      bySamples.forEach(
+          (samples, seeds) -> {
+            List<Image> pictures = seeds.stream().map(Shot::picture).toList();
+            rows.add(
+                new TradeRow(
+                    setting,
+                    samples,
+                    seeds.stream().map(shot -> shot.cost.seconds()).toList(),
+                    seeds.stream().map(shot -> shot.cost.cpuSeconds()).toList(),
+                    seeds.stream().map(Shot::error).toList(),
+                    work,
+                    bias(pictures, truth, truthNoise),
+                    pictures.get(0)));
+          });
     }
     return rows;
   }
@@ -121,27 +136,27 @@ public final class TradeStudy {
     return settings.get(0);
   }
 
-  private static NoiseEstimate noise(TradeClimb climb) {
-    return NoiseEstimate.of(climb.film(), Budget.CONFIDENCE).orElseThrow();
+  private static NoiseEstimate noise(Trial trial) {
+    return NoiseEstimate.of(trial.film(), Budget.CONFIDENCE).orElseThrow();
   }
 
   /**
    * Renders the reference. With a target error, adds samples until the reference's own error is
    * small enough, or half of the time is used.
    */
-  private TradeClimb renderReference() throws InterruptedException {
-    TradeClimb climb = new TradeClimb(reference(), REFERENCE_SEED, cpuSeconds);
+  private Trial renderReference() throws InterruptedException {
+    Trial trial = new Trial(reference().renderer(REFERENCE_SEED), Progress.NONE);
     double wanted = plan.targetRelativeMse() / TradePlan.REFERENCE_MARGIN;
     for (int goal = plan.referenceSamples(); ; goal = afterwards(goal)) {
       log.accept("reference: " + Markdown.count(goal, "sample") + " per pixel");
-      climb.to(goal);
+      trial.to(goal);
       int next = afterwards(goal);
-      double further = climb.seconds() * (next - goal) / goal;
+      double further = trial.cost().seconds() * (next - goal) / goal;
       if (!plan.hasTarget()
-          || noise(climb).upperRelativeMse() <= wanted
+          || noise(trial).upperRelativeMse() <= wanted
           || next > TradePlan.LIMIT
           || !fits(further, REFERENCE_SHARE)) {
-        return climb;
+        return trial;
       }
     }
   }
@@ -154,14 +169,14 @@ public final class TradeStudy {
 
   /** Returns whether work of a given duration ends within a share of the time. */
   private boolean fits(double seconds, double share) {
-    return TradeClimb.clock() + seconds - start <= share * plan.seconds();
+    return Cost.since(start).seconds() + seconds <= share * plan.seconds();
   }
 
   /** Renders as many seeds as the time allows. */
   private void renderSeeds(Image truth) throws InterruptedException {
     double longest = 0;
     for (int seed = 0; seed < plan.mostSeeds(); seed++) {
-      double begin = TradeClimb.clock();
+      Cost begin = Cost.now();
       if (seed >= plan.leastSeeds() && !fits(longest, 1)) {
         break;
       }
@@ -169,21 +184,29 @@ public final class TradeStudy {
       for (TradeSetting setting : settings) {
         render(setting, seed, truth);
       }
-      longest = Math.max(longest, TradeClimb.clock() - begin);
+      longest = Math.max(longest, Cost.since(begin).seconds());
     }
   }
 
   private void render(TradeSetting setting, int seed, Image truth) throws InterruptedException {
-    TradeClimb climb = new TradeClimb(setting, 1L + seed, cpuSeconds);
+    Trial trial = new Trial(setting.renderer(1L + seed), Progress.NONE);
     for (int samples : plan.ladder()) {
       if (samples >= setting.leastSamples()) {
-        climb.to(samples);
-        trials.add(climb.against(truth));
+        trial.to(samples);
+        shots.add(shot(setting, trial, truth));
       }
     }
     if (setting == reference() && plan.hasTarget()) {
-      usual.add(climb);
+      usual.add(trial);
     }
+  }
+
+  private static Shot shot(TradeSetting setting, Trial trial, Image truth)
+      throws InterruptedException {
+    Cost begin = Cost.now();
+    Image picture = setting.develop(trial.film());
+    Cost cost = trial.cost().plus(Cost.since(begin));
+    return new Shot(setting, trial.samples(), cost, PictureError.of(picture, truth), picture);
   }
 
   /**
@@ -194,24 +217,24 @@ public final class TradeStudy {
     for (int samples = 2 * plan.mostSamples();
         plan.hasTarget() && samples <= TradePlan.LIMIT && !isReached(truthNoise);
         samples *= 2) {
-      if (!fits(usual.stream().mapToDouble(TradeClimb::seconds).sum(), 1)) {
+      if (!fits(usual.stream().mapToDouble(t -> t.cost().seconds()).sum(), 1)) {
         log.accept("no time for " + Markdown.count(samples, "sample") + " per pixel");
         return;
       }
       log.accept("baseline: " + Markdown.count(samples, "sample") + " per pixel");
-      for (TradeClimb climb : usual) {
-        climb.to(samples);
-        trials.add(climb.against(truth));
+      for (Trial trial : usual) {
+        trial.to(samples);
+        shots.add(shot(reference(), trial, truth));
       }
     }
   }
 
-  /** Returns whether the last trials of the baseline all reach the target error. */
+  /** Returns whether the last pictures of the baseline all reach the target error. */
   private boolean isReached(double truthNoise) {
     int samples = usual.get(0).samples();
-    return trials.stream()
-        .filter(t -> t.setting() == reference() && t.samples() == samples)
-        .allMatch(t -> t.error().relativeMse() - truthNoise <= plan.targetRelativeMse());
+    return shots.stream()
+        .filter(shot -> shot.setting == reference() && shot.samples == samples)
+        .allMatch(shot -> shot.error.relativeMse() - truthNoise <= plan.targetRelativeMse());
   }
 
   /** Counts the work per sample, with one sample per pixel, or more for small frames. */
@@ -220,33 +243,18 @@ public final class TradeStudy {
     RenderSettings frame = setting.settings().toBuilder().seed(1).build();
     int pixels = frame.window().width() * frame.window().height();
     int samples = Math.max(1, FRAME_FOR_COUNTERS / pixels);
-    FilmRenderer renderer = setting.renderer(scene.counting(), frame);
-    Film film = renderer.newFilm();
+    Trial trial = new Trial(setting.renderer(scene.counting(), frame), Progress.NONE);
     // Environment lights read their textures when they are created; do not count these look-ups.
     scene.nodes().reset();
     scene.lookUps().reset();
-    RenderStatistics statistics = TradeClimb.climb(renderer, film, samples);
+    trial.to(samples);
+    RenderStatistics statistics = trial.statistics();
     double all = (double) samples * pixels;
     return new TradeWork(
         statistics.rays() / all,
         statistics.shadowRays() / all,
         scene.nodes().sum() / all,
         scene.lookUps().sum() / all);
-  }
-
-  private TradeRow row(
-      TradeSetting setting, int samples, TradeWork work, Image truth, double truthNoise) {
-    List<TradeTrial> own =
-        trials.stream().filter(t -> t.setting() == setting && t.samples() == samples).toList();
-    return new TradeRow(
-        setting,
-        samples,
-        own.stream().map(TradeTrial::seconds).toList(),
-        own.stream().map(TradeTrial::cpu).toList(),
-        own.stream().map(TradeTrial::error).toList(),
-        work,
-        bias(own.stream().map(TradeTrial::picture).toList(), truth, truthNoise),
-        own.get(0).picture());
   }
 
   /** Returns the bias of pictures of independent seeds, with its interval by the jackknife. */

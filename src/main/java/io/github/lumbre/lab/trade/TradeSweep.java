@@ -1,80 +1,66 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.LightSamplerKind;
 import io.github.lumbre.integrator.MisHeuristic;
 import io.github.lumbre.integrator.PathOptions;
 import io.github.lumbre.integrator.PathTracer;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.function.LongFunction;
 
 /** The settings that a study compares: each differs from the baseline in one parameter. */
 public final class TradeSweep {
-  /** The names of all parameters, in the order of the page. */
-  public static final List<String> KNOBS =
-      List.of(
-          "sampler",
-          "lights",
-          "strategy",
-          "roulette",
-          "split",
-          "depth",
-          "mode",
-          "filter",
-          "clamp",
-          "adaptive",
-          "denoise");
-
-  private static final String ADAPTIVE = "adaptive";
-
   /** Twice the samples per pixel after which adaptive sampling starts. */
   private static final int ADAPTIVE_SAMPLES = 64;
-
-  private static final int[] DEPTHS = {1, 2, 3, 5, 8, 16};
-  private static final int[] ROULETTE = {2, 4, 8, 32};
-  private static final int[] SPLITS = {2, 4, 8};
-  private static final int[] CLAMPS = {1, 10, 100};
 
   /** A depth that Russian roulette hardly ever lets a path reach. */
   private static final int DEEP = 1000;
 
+  private static final String DEEP_FLAG = "--depth " + DEEP;
   private static final PathOptions USUAL = PathOptions.toDepth(DEEP);
 
   private final TradeScene scene;
-  private final RenderSettings settings;
-  private final Set<String> knobs;
+  private final RenderSettings usual;
+  private final Set<Knob> knobs;
   private final List<TradeSetting> all = new ArrayList<>();
 
   /**
    * @param scene scene, read for path tracing
    * @param settings settings for path tracing; their depth is ignored
-   * @param knobs names of the parameters to vary
+   * @param knobs parameters to vary
    */
-  public TradeSweep(TradeScene scene, RenderSettings settings, Set<String> knobs) {
+  public TradeSweep(TradeScene scene, RenderSettings settings, Set<Knob> knobs) {
     this.scene = scene;
-    this.settings = usual(settings);
+    this.usual = usual(settings);
     this.knobs = Set.copyOf(knobs);
-    all.add(paths("depth", DEEP, Kind.NOISE, "--depth " + DEEP, USUAL));
-    addWaysToTheSameLight();
-    if (knobs.contains("depth")) {
-      for (int depth : DEPTHS) {
-        String flags = "--depth " + depth;
-        all.add(paths("depth", depth, Kind.BIAS, flags, PathOptions.toDepth(depth)));
-      }
+    all.add(setting(Knob.DEPTH, DEEP, Kind.NOISE, DEEP_FLAG, usual, USUAL));
+    addUnbiased();
+    for (int depth : new int[] {1, 2, 3, 5, 8, 16}) {
+      String flag = "--depth " + depth;
+      add(setting(Knob.DEPTH, depth, Kind.BIAS, flag, usual, PathOptions.toDepth(depth)));
     }
-    if (knobs.contains("clamp")) {
-      addClamps();
+    for (int clamp : new int[] {1, 10, 100}) {
+      String flags = "--clamp " + clamp + " " + DEEP_FLAG;
+      RenderSettings clamped = usual.toBuilder().clamp(clamp).build();
+      add(setting(Knob.CLAMP, clamp, Kind.BIAS, flags, clamped, USUAL));
     }
-    if (knobs.contains(ADAPTIVE)) {
-      addAdaptive();
-    }
-    if (knobs.contains("denoise")) {
-      all.add(TradeSetting.ofDenoised(scene, this.settings, "--depth " + DEEP, USUAL));
-    }
+    RenderSettings adaptive = usual.toBuilder().adaptive(true).build();
+    add(setting(Knob.ADAPTIVE, "on", Kind.BIAS, "--adaptive " + DEEP_FLAG, adaptive, USUAL));
+    RenderSettings layered = usual.toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build();
+    String denoise = "--denoise " + DEEP_FLAG;
+    add(setting(Knob.DENOISE, "builtin", Kind.DENOISED, denoise, layered, USUAL));
   }
 
   /** Returns the baseline's settings for path tracing. */
@@ -87,89 +73,67 @@ public final class TradeSweep {
         .build();
   }
 
-  private void addClamps() {
-    for (int clamp : CLAMPS) {
-      all.add(
-          TradeSetting.ofPaths(
-              "clamp",
-              String.valueOf(clamp),
-              Kind.BIAS,
-              "--clamp " + clamp + " --depth " + DEEP,
-              scene,
-              settings.toBuilder().clamp(clamp).build(),
-              USUAL));
-    }
-  }
-
-  private void addAdaptive() {
-    all.add(
-        TradeSetting.ofPaths(
-            ADAPTIVE,
-            "on",
-            Kind.BIAS,
-            "--adaptive --depth " + DEEP,
-            scene,
-            settings.toBuilder().adaptive(true).build(),
-            USUAL));
-  }
-
-  private void addWaysToTheSameLight() {
-    if (knobs.contains("sampler")) {
-      all.add(
-          new TradeSetting(
-              "sampler",
-              "independent",
-              Kind.NOISE,
-              "",
-              scene,
-              settings,
-              s -> new PathTracer(s, USUAL.transparent(settings.transparent())),
-              IndependentSampler::new));
-    }
-    if (knobs.contains("lights") && scene.scene().emitters().size() > 1) {
-      addNoise("lights", LightSamplerKind.POWER, USUAL.by(LightSamplerKind.POWER));
-      addNoise("lights", LightSamplerKind.UNIFORM, USUAL.by(LightSamplerKind.UNIFORM));
-    }
-    if (knobs.contains("strategy")) {
-      addNoise("strategy", MisHeuristic.BALANCE, USUAL.by(MisHeuristic.BALANCE));
-      addNoise("strategy", MisHeuristic.LIGHT, USUAL.by(MisHeuristic.LIGHT));
-      addNoise("strategy", MisHeuristic.BSDF, USUAL.by(MisHeuristic.BSDF));
-    }
-    if (knobs.contains("roulette")) {
-      for (int vertex : ROULETTE) {
-        addNoise("roulette", "from " + vertex, USUAL.rouletteFrom(vertex));
+  private void addUnbiased() {
+    LongFunction<Sampler> independent = IndependentSampler::new;
+    add(
+        new TradeSetting(
+            Knob.SAMPLER, "independent", Kind.NOISE, "", scene, usual, paths(USUAL), independent));
+    if (scene.scene().emitters().size() > 1) {
+      for (LightSamplerKind kind : List.of(LightSamplerKind.POWER, LightSamplerKind.UNIFORM)) {
+        add(setting(Knob.LIGHTS, kind, Kind.NOISE, "", usual, USUAL.by(kind)));
       }
     }
-    if (knobs.contains("split")) {
-      for (int ways : SPLITS) {
-        String flags = "--split " + ways + " --depth " + DEEP;
-        all.add(paths("split", ways, Kind.NOISE, flags, USUAL.splitInto(ways)));
-      }
+    for (MisHeuristic heuristic :
+        List.of(MisHeuristic.BALANCE, MisHeuristic.LIGHT, MisHeuristic.BSDF)) {
+      add(setting(Knob.STRATEGY, heuristic, Kind.NOISE, "", usual, USUAL.by(heuristic)));
+    }
+    for (int vertex : new int[] {2, 4, 8, 32}) {
+      PathOptions options = USUAL.rouletteFrom(vertex);
+      add(setting(Knob.ROULETTE, "from " + vertex, Kind.NOISE, "", usual, options));
+    }
+    for (int ways : new int[] {2, 4, 8}) {
+      String flags = "--split " + ways + " " + DEEP_FLAG;
+      add(setting(Knob.SPLIT, ways, Kind.NOISE, flags, usual, USUAL.splitInto(ways)));
     }
   }
 
-  private void addNoise(String knob, Object value, PathOptions options) {
-    all.add(paths(knob, value, Kind.NOISE, "", options));
+  /** Adds a setting if its parameter is to be varied. */
+  private void add(TradeSetting setting) {
+    if (knobs.contains(setting.knob())) {
+      all.add(setting);
+    }
   }
 
-  private TradeSetting paths(
-      String knob, Object value, Kind kind, String flags, PathOptions options) {
+  private TradeSetting setting(
+      Knob knob,
+      Object value,
+      Kind kind,
+      String flags,
+      RenderSettings settings,
+      PathOptions options) {
     String name = value.toString().toLowerCase(Locale.ROOT);
-    return TradeSetting.ofPaths(knob, name, kind, flags, scene, settings, options);
+    return new TradeSetting(
+        knob, name, kind, flags, scene, settings, paths(options), SobolSampler::new);
   }
 
-  /** Adds ray mode, with the scene read for it, if modes are compared. */
+  private Function<Scene, Integrator> paths(PathOptions options) {
+    return s -> new PathTracer(s, options.transparent(usual.transparent()));
+  }
+
+  /** Adds ray mode with the depths of its settings, if modes are compared. */
   public void addRays(TradeScene read, RenderSettings ofRays) {
-    if (knobs.contains("mode")) {
-      all.add(TradeSetting.ofRays(read, ofRays));
-    }
+    RenderSettings rays = ofRays.toBuilder().mode(RenderSettings.Mode.RAY).build();
+    Function<Scene, Integrator> method = s -> Integrator.of(s, rays);
+    add(
+        new TradeSetting(
+            Knob.MODE, "ray", Kind.BIAS, "--mode ray", read, ofRays, method, SobolSampler::new));
   }
 
   /** Adds the scene read with another texture filter, if filters are compared. */
   public void addFilter(String name, TradeScene read) {
-    if (knobs.contains("filter")) {
-      all.add(TradeSetting.ofPaths("filter", name, Kind.BIAS, "", read, settings, USUAL));
-    }
+    add(
+        new TradeSetting(
+            Knob.FILTER, name, Kind.BIAS, "", read, usual, paths(USUAL), SobolSampler::new));
   }
 
   /**
@@ -180,7 +144,7 @@ public final class TradeSweep {
    */
   public List<TradeSetting> settings(int mostSamples) {
     return all.stream()
-        .filter(setting -> mostSamples >= ADAPTIVE_SAMPLES || !setting.knob().equals(ADAPTIVE))
+        .filter(setting -> mostSamples >= ADAPTIVE_SAMPLES || setting.knob() != Knob.ADAPTIVE)
         .filter(setting -> mostSamples >= setting.leastSamples())
         .toList();
   }

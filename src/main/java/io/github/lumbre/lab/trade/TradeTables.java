@@ -3,12 +3,11 @@ package io.github.lumbre.lab.trade;
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.compare.PictureError;
-import io.github.lumbre.lab.Csv;
+import io.github.lumbre.lab.Table;
 import io.github.lumbre.scene.SettingType;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /** Formats the results of a study as CSV and JSON, with each seed of each setting. */
 public final class TradeTables {
@@ -18,33 +17,55 @@ public final class TradeTables {
   private static final Gson GSON =
       new GsonBuilder().setPrettyPrinting().serializeSpecialFloatingPointValues().create();
 
+  private static final Table<TradeRow> JSON =
+      Table.<TradeRow>empty()
+          .text("knob", row -> SettingType.nameOf(row.setting().knob()))
+          .text("value", row -> row.setting().value())
+          .number("samples", TradeRow::samples)
+          .text("kind", row -> SettingType.nameOf(row.setting().kind()))
+          .number("rays_per_sample", row -> row.work().rays())
+          .number("shadow_rays_per_sample", row -> row.work().shadowRays())
+          .number("nodes_per_sample", row -> row.work().nodes())
+          .number("texture_look_ups_per_sample", row -> row.work().lookUps())
+          .number("pixels", row -> row.picture().width() * row.picture().height())
+          .text("relative_mse", TradeRow::relativeMse)
+          .text("seconds", TradeRow::time)
+          .text("cpu_seconds", TradeRow::cpuTime)
+          .text("cpu_seconds_of_seeds", TradeRow::cpuSeconds)
+          .text("flip", TradeRow::flip)
+          .text("signed_error", TradeRow::signedError)
+          .text("squared_bias", TradeRow::bias)
+          .text("errors", row -> row.errors().stream().map(PictureError::byName).toList());
+
+  private static final Table<ExactRow> EXACT =
+      Table.<ExactRow>empty()
+          .text("setting", ExactRow::setting)
+          .number("time_ratio", ExactRow::timeRatio)
+          .number("cpu_ratio", ExactRow::cpuRatio)
+          .text("same_picture", ExactRow::isSamePicture);
+
   private TradeTables() {}
+
+  private record Seed(TradeRow row, int index) {}
 
   /** Returns a line for each seed of each setting at each number of samples. */
   public static String csv(TradeResult result) {
-    List<String> lines = new ArrayList<>();
-    List<Object> head =
-        new ArrayList<>(
-            List.of("knob", "value", "kind", "samples", "seed", "seconds", "cpu_seconds"));
-    head.addAll(result.rows().get(0).errors().get(0).byName().keySet());
-    lines.add(Csv.line(head));
-    for (TradeRow row : result.rows()) {
-      for (int seed = 0; seed < row.errors().size(); seed++) {
-        List<Object> values =
-            new ArrayList<>(
-                List.of(
-                    row.setting().knob(),
-                    row.setting().value(),
-                    SettingType.nameOf(row.setting().kind()),
-                    row.samples(),
-                    seed + 1,
-                    row.seconds().get(seed),
-                    row.cpuSeconds().get(seed)));
-        values.addAll(row.errors().get(seed).byName().values());
-        lines.add(Csv.line(values));
-      }
+    Table<Seed> table =
+        Table.<Seed>empty()
+            .text("knob", seed -> SettingType.nameOf(seed.row.setting().knob()))
+            .text("value", seed -> seed.row.setting().value())
+            .text("kind", seed -> SettingType.nameOf(seed.row.setting().kind()))
+            .number("samples", seed -> seed.row.samples())
+            .number("seed", seed -> seed.index + 1)
+            .number("seconds", seed -> seed.row.seconds().get(seed.index))
+            .number("cpu_seconds", seed -> seed.row.cpuSeconds().get(seed.index));
+    for (String name : result.rows().get(0).errors().get(0).byName().keySet()) {
+      table = table.number(name, seed -> seed.row.errors().get(seed.index).byName().get(name));
     }
-    return String.join("\n", lines) + "\n";
+    return table.csv(
+        result.rows().stream()
+            .flatMap(row -> IntStream.range(0, row.errors().size()).mapToObj(i -> new Seed(row, i)))
+            .toList());
   }
 
   /** Returns the whole study as a JSON object. */
@@ -54,39 +75,8 @@ public final class TradeTables {
     values.put("facts", facts);
     values.put("reference_samples", result.referenceSamples());
     values.put("reference_noise", result.referenceNoise());
-    values.put("rows", result.rows().stream().map(TradeTables::row).toList());
-    values.put("exact", result.exact().stream().map(TradeTables::exact).toList());
+    values.put("rows", JSON.members(result.rows()));
+    values.put("exact", EXACT.members(result.exact()));
     return GSON.toJson(values) + "\n";
-  }
-
-  private static Map<String, Object> row(TradeRow row) {
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("knob", row.setting().knob());
-    values.put("value", row.setting().value());
-    values.put("samples", row.samples());
-    values.put("kind", SettingType.nameOf(row.setting().kind()));
-    values.put("rays_per_sample", row.work().rays());
-    values.put("shadow_rays_per_sample", row.work().shadowRays());
-    values.put("nodes_per_sample", row.work().nodes());
-    values.put("texture_look_ups_per_sample", row.work().lookUps());
-    values.put("pixels", row.picture().width() * row.picture().height());
-    values.put("relative_mse", row.relativeMse());
-    values.put("seconds", row.time());
-    values.put("cpu_seconds", row.cpuTime());
-    values.put("cpu_seconds_of_seeds", row.cpuSeconds());
-    values.put("flip", row.flip());
-    values.put("signed_error", row.signedError());
-    values.put("squared_bias", row.bias());
-    values.put("errors", row.errors().stream().map(PictureError::byName).toList());
-    return values;
-  }
-
-  private static Map<String, Object> exact(ExactRow row) {
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("setting", row.setting());
-    row.timeRatio().ifPresent(ratio -> values.put("time_ratio", ratio));
-    row.cpuRatio().ifPresent(ratio -> values.put("cpu_ratio", ratio));
-    values.put("same_picture", row.isSamePicture());
-    return values;
   }
 }

@@ -3,37 +3,13 @@ package io.github.lumbre.lab.trade;
 import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.math.internal.Elementary;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
 /** Formats the numbers of a study for its page and tables. */
 final class TradeText {
   private TradeText() {}
-
-  /** Returns a setting's display name. */
-  static String label(String knob, String value) {
-    return switch (knob) {
-      case "sampler" -> value + " samples";
-      case "lights" -> "light selection: " + value;
-      case "strategy" -> technique(value);
-      case "roulette" -> "Russian roulette " + value.replace("from", "from vertex");
-      case "split" -> "path split into " + value;
-      case "mode" -> value + " tracing";
-      case "filter" -> "texture filter: " + value;
-      case "clamp" -> "samples clamped to " + value;
-      case "adaptive" -> "adaptive sampling";
-      case "denoise" -> "denoised (" + value + ")";
-      default -> knob + " " + value;
-    };
-  }
-
-  private static String technique(String value) {
-    return switch (value) {
-      case "light" -> "light sampling only";
-      case "bsdf" -> "BSDF sampling only";
-      default -> "MIS: " + value + " heuristic";
-    };
-  }
 
   /** Returns the root of a squared error as a percentage; negative values count as 0. */
   static String rootPercent(double squared) {
@@ -71,24 +47,27 @@ final class TradeText {
             : String.format(Locale.ROOT, "%.0f", value);
   }
 
+  /** Returns a bias that was detected, or the bound of one that was not. */
+  static String bias(TradeRow.Bias bias, String ifNotDetected) {
+    return bias.isDetected()
+        ? rootPercent(bias.squared())
+        : ifNotDetected + "< " + rootPercent(bias.high());
+  }
+
   /** Returns the convergence exponent of rows as text; empty with fewer than two rows. */
   static String slope(List<TimeToError.Cost> rows) {
     if (rows.size() < 2) {
       return "";
     }
-    double n = rows.size();
-    double sx = 0;
-    double sy = 0;
-    double sxx = 0;
-    double sxy = 0;
-    for (TimeToError.Cost row : rows) {
-      double lx = Elementary.log(row.samples());
-      double ly = Elementary.log(Interval.ofMean(row.relativeMse()).value());
-      sx += lx;
-      sy += ly;
-      sxx += lx * lx;
-      sxy += lx * ly;
+    double[] x = rows.stream().mapToDouble(row -> Elementary.log(row.samples())).toArray();
+    double mean = Arrays.stream(x).sum() / x.length;
+    double products = 0;
+    double squares = 0;
+    for (int i = 0; i < x.length; i++) {
+      double error = Interval.ofMean(rows.get(i).relativeMse()).value();
+      products += (x[i] - mean) * Elementary.log(error);
+      squares += (x[i] - mean) * (x[i] - mean);
     }
-    return String.format(Locale.ROOT, "%.2f", (n * sxy - sx * sy) / (n * sxx - sx * sx));
+    return String.format(Locale.ROOT, "%.2f", products / squares);
   }
 }

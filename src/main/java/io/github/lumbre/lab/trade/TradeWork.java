@@ -9,4 +9,9 @@ package io.github.lumbre.lab.trade;
  *     meshes
  * @param lookUps texture look-ups
  */
-public record TradeWork(double rays, double shadowRays, double nodes, double lookUps) {}
+public record TradeWork(double rays, double shadowRays, double nodes, double lookUps) {
+  /** Returns the number of all rays. */
+  double allRays() {
+    return rays + shadowRays;
+  }
+}

@@ -62,13 +62,6 @@ class TimeToErrorTest {
   }
 
   @Test
-  void theReferencesNoiseIsTakenOffButForATenth() {
-    TimeToError.Cost cost = new TimeToError.Cost(4, List.of(.5, .1), List.of(1., 1.));
-    assertThat(cost.less(.1).relativeMse().get(0)).isCloseTo(.4, within(1e-12));
-    assertThat(cost.less(.1).relativeMse().get(1)).isCloseTo(.01, within(1e-12));
-  }
-
-  @Test
   void gainsAreRatiosOfErrorTimesTime() {
     List<Double> two = List.of(2.0, 4.0, 8.0);
     List<Double> one = List.of(1.0, 2.0, 4.0);

@@ -2,9 +2,9 @@ package io.github.lumbre.lab.trade;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.compare.TestPictures;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.trade.TradeRow.Bias;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import java.util.Collections;
@@ -17,7 +17,7 @@ class TradeAdviceTest {
   private static final Bias NONE = new Bias(0, -1e-5, 2e-5);
 
   private static TradeSetting setting(Kind kind, String flags) {
-    return new TradeSetting("knob", flags, kind, flags, null, null, null, null);
+    return new TradeSetting(Knob.DEPTH, flags, kind, flags, null, null, null, null);
   }
 
   private static TradeRow row(

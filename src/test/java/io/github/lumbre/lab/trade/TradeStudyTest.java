@@ -3,10 +3,10 @@ package io.github.lumbre.lab.trade;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.compare.TestPictures;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.metrics.Interval;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -76,7 +76,7 @@ class TradeStudyTest {
 
   private static TradeRow row(String value, Double... cpuSeconds) {
     TradeSetting setting =
-        new TradeSetting("sampler", value, TradeSetting.Kind.NOISE, "", null, null, null, null);
+        new TradeSetting(Knob.SAMPLER, value, TradeSetting.Kind.NOISE, "", null, null, null, null);
     PictureError error = new PictureError(.1, .01, 0, .3, .4, .9, .1);
     List<Double> times = List.of(cpuSeconds);
     List<PictureError> errors = times.stream().map(time -> error).toList();
@@ -91,8 +91,8 @@ class TradeStudyTest {
     TradeRow slow = row("independent", .04, .04);
     TradeRow brief = row("other", .01, 0.);
     TradeResult result = new TradeResult(TRUTH, 64, null, List.of(usual, slow, brief), List.of());
-    assertThat(result.gain(slow.setting()).orElseThrow().value()).isCloseTo(.5, within(1e-12));
-    assertThat(result.gain(brief.setting())).isEmpty();
+    assertThat(result.gain(slow).orElseThrow().value()).isCloseTo(.5, within(1e-12));
+    assertThat(result.gain(brief)).isEmpty();
   }
 
   @Test
