@@ -52,12 +52,12 @@ final class SelfTestCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
-  public Integer call() {
+  public Integer call() throws InterruptedException {
     return run(Invariants.all(), markdown, new Messages(spec.commandLine().getOut()));
   }
 
   /** Checks invariants and prints a line for each as soon as its result is known. */
-  static int run(List<Invariant> laws, boolean markdown, Messages out) {
+  static int run(List<Invariant> laws, boolean markdown, Messages out) throws InterruptedException {
     List<Invariant.Outcome> outcomes = new ArrayList<>();
     if (markdown) {
       StabilityPage.HEAD.lines().forEach(out::line);

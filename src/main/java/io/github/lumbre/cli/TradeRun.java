@@ -21,7 +21,6 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.BucketRenderer;
-import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
@@ -102,7 +101,7 @@ final class TradeRun {
     RenderSettings usual = TradeSweep.usual(file.settings()).toBuilder().threads(threads).build();
     double wanted =
         Math.max(LEAST_PILOT_SECONDS, Math.min(PILOT_SHARE * budget.seconds(), MOST_PILOT_SECONDS));
-    return SampleBudget.rate(file.scene(), usual, wanted, Progress.NONE).orElse(1);
+    return SampleBudget.rate(file.scene(), usual, wanted);
   }
 
   private double spent() {

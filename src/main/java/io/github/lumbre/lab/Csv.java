@@ -1,7 +1,10 @@
 package io.github.lumbre.lab;
 
+import io.github.lumbre.lab.TaskException.Kind;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /** Lines of comma-separated values by RFC 4180, without values that span several lines. */
@@ -16,6 +19,37 @@ public final class Csv {
   private static String quoted(String value) {
     boolean plain = value.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
     return plain ? value : '"' + value.replace("\"", "\"\"") + '"';
+  }
+
+  /**
+   * Returns the rows of a file whose first line is a header.
+   *
+   * @param reader makes a row from as many values as the header has; it may throw an {@link
+   *     IllegalArgumentException}
+   * @throws TaskException that names the line, with the exit code of an invalid command line, if
+   *     the file cannot be read or a line is invalid
+   */
+  public static <T> List<T> read(Path file, String header, Function<List<String>, T> reader)
+      throws TaskException {
+    List<String> lines = TextFile.lines(file);
+    if (lines.isEmpty() || !lines.get(0).equals(header)) {
+      throw new TaskException(Kind.USAGE, file + ": line 1: expected " + header);
+    }
+    int columns = values(header).size();
+    List<T> rows = new ArrayList<>();
+    for (int i = 1; i < lines.size(); i++) {
+      try {
+        List<String> values = values(lines.get(i));
+        if (values.size() != columns) {
+          throw new IllegalArgumentException(
+              "expected " + columns + " values, found " + values.size());
+        }
+        rows.add(reader.apply(values));
+      } catch (IllegalArgumentException e) {
+        throw new TaskException(Kind.USAGE, file + ": line " + (i + 1) + ": " + e.getMessage(), e);
+      }
+    }
+    return rows;
   }
 
   /**

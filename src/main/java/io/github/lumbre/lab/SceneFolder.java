@@ -6,34 +6,11 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.stream.Stream;
 
 /** A folder of scene files. */
 public record SceneFolder(Path directory) {
   private static final String ENDING = ".json";
-
-  /**
-   * Returns the names of all scenes without their file extension, in order.
-   *
-   * @throws TaskException if the folder cannot be read
-   */
-  public List<String> names() throws TaskException {
-    try (Stream<Path> files = Files.list(directory)) {
-      return files
-          .filter(file -> file.getFileName().toString().endsWith(ENDING))
-          .map(SceneFolder::name)
-          .sorted()
-          .toList();
-    } catch (IOException e) {
-      throw new TaskException(
-          Kind.USAGE,
-          directory + ": cannot be read as a folder of scenes: " + FileFailure.reason(e),
-          e);
-    }
-  }
 
   /** Returns the name of a scene file without its extension. */
   public static String name(Path file) {

@@ -3,14 +3,12 @@ package io.github.lumbre.lab;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
-import io.github.lumbre.render.SampleTarget;
-import io.github.lumbre.render.Schedule;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import java.util.Optional;
 
 /**
  * A render of one scene with one setting and one seed, with its cost so far. Samples can be added.
@@ -65,15 +63,10 @@ public final class Trial {
    */
   public void to(int goal) throws InterruptedException {
     Cost start = Cost.now();
-    Schedule schedule = renderer.schedule(goal);
-    for (Optional<SampleTarget> target = schedule.next(film);
-        target.isPresent();
-        target = schedule.next(film)) {
-      PassResult pass = renderer.addSamples(film, target.get(), meter);
-      statistics = statistics.plus(pass.statistics());
-      if (!pass.complete()) {
-        throw new InterruptedException("the render was cancelled");
-      }
+    PassResult result = new PassLoop(renderer, film, renderer.schedule(goal)).run(meter);
+    statistics = statistics.plus(result.statistics());
+    if (!result.complete()) {
+      throw new InterruptedException("the render was cancelled");
     }
     time = time.plus(Cost.since(start));
     samples = goal;

@@ -21,7 +21,7 @@ class SelfTestCommandTest {
       new Invariant("one", "share", "everywhere", 1e-3, tries -> 2e-4);
   private static final Invariant BROKEN = new Invariant("two", "leaks", "1 to 2", 0, tries -> 3);
 
-  private static Outcome run(boolean markdown, Invariant... laws) {
+  private static Outcome run(boolean markdown, Invariant... laws) throws InterruptedException {
     StringWriter out = new StringWriter();
     int code =
         SelfTestCommand.run(List.of(laws), markdown, new Messages(new PrintWriter(out, true)));
@@ -29,7 +29,7 @@ class SelfTestCommandTest {
   }
 
   @Test
-  void eachLawHasItsLine() {
+  void eachLawHasItsLine() throws InterruptedException {
     Outcome outcome = run(false, HOLDING, BROKEN);
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
     assertThat(outcome.out().lines())
@@ -42,7 +42,7 @@ class SelfTestCommandTest {
 
   /** The published table lists exactly these checks, as written by the command. */
   @Test
-  void publishedTableIsThatOfTheLaws() throws IOException {
+  void publishedTableIsThatOfTheLaws() throws IOException, InterruptedException {
     List<String> page = Files.readAllLines(Path.of("docs", "stability.md"));
     String head = StabilityPage.HEAD.stripTrailing();
     assertThat(String.join("\n", page)).startsWith(head);

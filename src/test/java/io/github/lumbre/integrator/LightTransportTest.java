@@ -140,6 +140,7 @@ class LightTransportTest {
     "1, 2, 90, .0905860737060795",
     "1, 1.000001, 0, 3.14158637041391",
     "1e-3, 1, 0, 3.14159265358979e-6",
+    "1e-6, 1, 60, 1.5707963267949e-12",
   })
   void sphereLightsAPlane(double radius, double distance, double tilt, double irradiance) {
     Vec3 centre = turned(tilt, 0, 0).vector(new Vec3(0, distance, 0));

@@ -1,7 +1,6 @@
 package io.github.lumbre.lab.checks;
 
 import java.util.Objects;
-import java.util.function.ToDoubleFunction;
 
 /**
  * A property that must hold for every scene, however extreme, with a measure of its worst
@@ -14,14 +13,16 @@ import java.util.function.ToDoubleFunction;
  * @param measurement measures the worst case; NaN or infinite after an invalid result
  */
 public record Invariant(
-    String name,
-    String statement,
-    String range,
-    double limit,
-    ToDoubleFunction<Tries> measurement) {
+    String name, String statement, String range, double limit, Measurement measurement) {
   public Invariant {
     Objects.requireNonNull(name, "name");
     Objects.requireNonNull(measurement, "measurement");
+  }
+
+  /** Measures a worst case. */
+  public interface Measurement {
+    /** Returns the worst case. */
+    double worst(Tries tries) throws InterruptedException;
   }
 
   /** The result of measuring an invariant. */
@@ -32,8 +33,12 @@ public record Invariant(
     }
   }
 
-  /** Measures the invariant; takes at most a few seconds times the number of tries. */
-  public Outcome measure(Tries tries) {
-    return new Outcome(this, measurement.applyAsDouble(tries));
+  /**
+   * Measures the invariant; takes at most a few seconds times the number of tries.
+   *
+   * @throws InterruptedException if the calling thread is interrupted
+   */
+  public Outcome measure(Tries tries) throws InterruptedException {
+    return new Outcome(this, measurement.worst(tries));
   }
 }

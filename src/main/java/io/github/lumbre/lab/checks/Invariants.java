@@ -14,9 +14,8 @@ public final class Invariants {
   public static List<Invariant> all() {
     return Stream.of(
             GeometryInvariants.all(),
-            NumberInvariants.all(),
+            TransformInvariants.all(),
             MaterialInvariants.all(),
-            LightInvariants.all(),
             PictureInvariants.all())
         .flatMap(List::stream)
         .toList();

@@ -13,7 +13,6 @@ import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
-import io.github.lumbre.material.Fresnel;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
@@ -53,16 +52,6 @@ final class MaterialInvariants {
 
   private static final double MOST_WIDE_EXPONENT = 52;
 
-  /** Index of refraction; reflectance at 0°, 60° and 80° by the exact Fresnel equations. */
-  private static final double[][] FRESNEL = {
-    {1.1, .0022675736961451, .0130699669001, .193562762457},
-    {1.33, .020059312199525, .0591255992474, .346916096262},
-    {1.5, .04, .0891867128022, .387704354691},
-    {2.4, .16955017301038, .209351260771, .433236034108},
-    {3.0504, .25626031614535, .276636121267, .432822279413},
-    {1e6, .999996000008, .999995000017, .999988135295}
-  };
-
   private MaterialInvariants() {}
 
   static List<Invariant> all() {
@@ -95,13 +84,7 @@ final class MaterialInvariants {
             "excess over 1 of the integral of the pdf over all directions",
             "lobes wide enough for a quadrature: exponents to 52, roughness from 0.3",
             2e-3,
-            tries -> integrals()),
-        new Invariant(
-            "fresnel",
-            "relative difference from the Fresnel equations",
-            "indices 1.1 to 1e6, at 0°, 60° and 80°",
-            1e-11,
-            tries -> fresnel()));
+            tries -> integrals()));
   }
 
   private static List<Bsdf> all(List<Material> materials) {
@@ -294,17 +277,5 @@ final class MaterialInvariants {
       }
     }
     return sum * 4 * Math.PI / (ROWS * COLUMNS);
-  }
-
-  private static double fresnel() {
-    double worst = 0;
-    double[] cosines = {1, .5, Elementary.cosDegrees(80)};
-    for (double[] row : FRESNEL) {
-      for (int i = 0; i < cosines.length; i++) {
-        double found = Fresnel.dielectric(cosines[i], row[0]);
-        worst = Math.max(worst, Math.abs(found / row[i + 1] - 1));
-      }
-    }
-    return worst;
   }
 }

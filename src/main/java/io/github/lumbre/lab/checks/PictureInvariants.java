@@ -7,51 +7,34 @@ import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.integrator.PathTracer;
-import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.math.Frame;
-import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.Progress;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
 
-/** Invariants of light transport and whole pictures. */
+/** Invariants of whole pictures. */
 final class PictureInvariants {
   private static final int WIDTH = 32;
   private static final int HEIGHT = 24;
   private static final int SAMPLES = 8;
-  private static final int REPLICATES = 256;
-  private static final int SAMPLES_EACH = 64;
-
-  /** The relative tolerance where the standard error is 0 except for rounding. */
-  private static final double ROUNDING = 1e-11;
 
   private PictureInvariants() {}
 
   static List<Invariant> all() {
     return List.of(
-        new Invariant(
-            "enclosure-series",
-            "deviation of radiance in an enclosure from ρ (1 - ρ^N) / (1 - ρ), in standard errors",
-            "reflectances 0.2 to 0.95, depths 1 to 100, with Russian roulette",
-            4.8916,
-            tries -> enclosures()),
         new Invariant(
             "scale-invariance",
             "pixels that change when the scene is scaled by a power of two",
@@ -70,55 +53,6 @@ final class PictureInvariants {
             "8 samples as 1+7, 3+5, 7+1 and one by one; films added in both orders",
             0,
             tries -> passDifferences()));
-  }
-
-  private static double enclosures() {
-    double worst = 0;
-    for (double reflectance : new double[] {.2, .5, .8, .95}) {
-      for (int depth : new int[] {1, 2, 5, 10, 100}) {
-        worst = Math.max(worst, enclosure(reflectance, depth));
-      }
-    }
-    return worst;
-  }
-
-  /**
-   * Returns the deviation in standard errors. Each vertex adds an ambient irradiance of π, and a
-   * path has at most {@code depth} vertices that reflect.
-   */
-  private static double enclosure(double reflectance, int depth) {
-    Scene scene =
-        Scene.builder()
-            .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
-            .add(
-                new Sphere(Transform.IDENTITY, 1),
-                new Matte(Texture.constant(Rgb.grey(reflectance))))
-            .addAmbient(Rgb.grey(Math.PI))
-            .build();
-    Integrator integrator = new PathTracer(scene, depth);
-    Sampler sampler = new SobolSampler(41);
-    RenderContext scratch = new RenderContext();
-    double sum = 0;
-    double squares = 0;
-    for (int replicate = 0; replicate < REPLICATES; replicate++) {
-      double mean = 0;
-      for (int sample = 0; sample < SAMPLES_EACH; sample++) {
-        sampler.startSample(replicate, 0, sample);
-        Ray ray = new Ray(Vec3.ZERO, Vec3.Z);
-        mean += integrator.radiance(ray, sampler, scratch).g() / SAMPLES_EACH;
-      }
-      sum += mean;
-      squares += mean * mean;
-    }
-    double power = 1;
-    for (int i = 0; i < depth; i++) {
-      power *= reflectance;
-    }
-    double expected = reflectance * (1 - power) / (1 - reflectance);
-    double mean = sum / REPLICATES;
-    double distance = Math.abs(mean - expected);
-    double variance = Math.max(0, squares / REPLICATES - mean * mean) / (REPLICATES - 1);
-    return distance <= ROUNDING * expected ? 0 : distance / Math.sqrt(variance);
   }
 
   /** Returns a scene with many features, scaled about the origin. */
@@ -154,17 +88,8 @@ final class PictureInvariants {
         .seed(42);
   }
 
-  private static Image render(Scene scene, RenderSettings settings) {
-    try {
-      return new BucketRenderer(settings).render(scene);
-    } catch (InterruptedException e) {
-      throw interrupted(e);
-    }
-  }
-
-  private static IllegalStateException interrupted(InterruptedException e) {
-    Thread.currentThread().interrupt();
-    return new IllegalStateException("interrupted while an invariant was measured", e);
+  private static Image render(Scene scene, RenderSettings settings) throws InterruptedException {
+    return new BucketRenderer(settings).render(scene);
   }
 
   /**
@@ -180,7 +105,7 @@ final class PictureInvariants {
     return count;
   }
 
-  private static double scaledDifferences() {
+  private static double scaledDifferences() throws InterruptedException {
     Image expected = render(scene(1), settings().build());
     int count = 0;
     for (int exponent = -30; exponent <= 30; exponent += 6) {
@@ -190,7 +115,7 @@ final class PictureInvariants {
     return count;
   }
 
-  private static double scheduleDifferences() {
+  private static double scheduleDifferences() throws InterruptedException {
     Scene scene = scene(1);
     Image expected = render(scene, settings().threads(1).build());
     int count = 0;
@@ -207,7 +132,7 @@ final class PictureInvariants {
     return count;
   }
 
-  private static double passDifferences() {
+  private static double passDifferences() throws InterruptedException {
     RenderSettings settings = settings().build();
     Scene scene = scene(1);
     Image expected = render(scene, settings);
@@ -216,12 +141,8 @@ final class PictureInvariants {
         List.of(List.of(1, 8), List.of(3, 8), List.of(7, 8), List.of(1, 2, 3, 4, 5, 6, 7, 8))) {
       FilmRenderer renderer = new FilmRenderer(settings, scene);
       Film film = renderer.newFilm();
-      try {
-        for (int samples : passes) {
-          renderer.addSamples(film, samples, Progress.NONE);
-        }
-      } catch (InterruptedException e) {
-        throw interrupted(e);
+      for (int samples : passes) {
+        renderer.addSamples(film, samples, Progress.NONE);
       }
       count += differences(expected, film.develop(), 0, 0);
     }
@@ -238,17 +159,14 @@ final class PictureInvariants {
    * @param first index of the first sample of the film that receives the sum
    * @param second index of the first sample of the other film; one of the two is 0
    */
-  private static Image added(RenderSettings settings, Scene scene, int first, int second) {
+  private static Image added(RenderSettings settings, Scene scene, int first, int second)
+      throws InterruptedException {
     int split = Math.max(first, second);
     FilmRenderer renderer = new FilmRenderer(settings, scene);
     Film sum = renderer.newFilm(first);
     Film other = renderer.newFilm(second);
-    try {
-      renderer.addSamples(sum, first == 0 ? split : SAMPLES - split, Progress.NONE);
-      renderer.addSamples(other, second == 0 ? split : SAMPLES - split, Progress.NONE);
-    } catch (InterruptedException e) {
-      throw interrupted(e);
-    }
+    renderer.addSamples(sum, first == 0 ? split : SAMPLES - split, Progress.NONE);
+    renderer.addSamples(other, second == 0 ? split : SAMPLES - split, Progress.NONE);
     sum.addAll(other);
     return sum.develop();
   }

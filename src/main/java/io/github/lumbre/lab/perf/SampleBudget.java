@@ -1,10 +1,10 @@
 package io.github.lumbre.lab.perf;
 
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.lab.Trial;
+import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import java.util.OptionalDouble;
 
 /** Estimates the speed of a render by a short pilot render of the scene. */
 public final class SampleBudget {
@@ -14,25 +14,20 @@ public final class SampleBudget {
   private SampleBudget() {}
 
   /**
-   * Returns the number of samples per second of a scene on this machine; empty if stopped. Renders
-   * small pictures, each with twice the samples of the previous one, until one takes long enough.
+   * Returns the number of samples per second of a scene on this machine. Renders small pictures,
+   * each with twice the samples of the previous one, until one takes long enough.
    *
    * @param seconds minimum time of the last picture
    */
-  public static OptionalDouble rate(
-      Scene scene, RenderSettings settings, double seconds, Progress progress)
+  public static double rate(Scene scene, RenderSettings settings, double seconds)
       throws InterruptedException {
     RenderSettings small = shrunk(settings, PILOT_SIDE);
     for (int samples = 1; ; samples *= 2) {
-      BucketRenderer renderer = new BucketRenderer(small.toBuilder().samples(samples).build());
-      long start = System.nanoTime();
-      boolean complete = renderer.render(scene, progress).complete();
-      double taken = (System.nanoTime() - start) * 1e-9;
-      if (!complete) {
-        return OptionalDouble.empty();
-      }
+      Trial trial = new Trial(new FilmRenderer(small, scene), Progress.NONE);
+      trial.to(samples);
+      double taken = trial.cost().seconds();
       if (taken >= seconds || samples > RenderSettings.MAX_SAMPLES / 2) {
-        return OptionalDouble.of(samples * (double) small.width() * small.height() / taken);
+        return trial.film().totalSamples() / taken;
       }
     }
   }

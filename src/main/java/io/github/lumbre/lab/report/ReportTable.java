@@ -2,12 +2,9 @@ package io.github.lumbre.lab.report;
 
 import io.github.lumbre.lab.Csv;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.lab.TextFile;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
@@ -19,7 +16,6 @@ public final class ReportTable {
 
   private static final String HEADER =
       "row,name,scene,size,mode,samples,bucket,depth,threads,hardware,time,note";
-  private static final int COLUMNS = Csv.values(HEADER).size();
 
   private ReportTable() {}
 
@@ -29,27 +25,10 @@ public final class ReportTable {
    * @throws TaskException if the file is missing or a line is invalid; it names the line
    */
   public static List<ReportRow> load(Path directory) throws TaskException {
-    Path file = directory.resolve(FILE);
-    List<String> lines = TextFile.lines(file);
-    if (lines.isEmpty() || !lines.get(0).equals(HEADER)) {
-      throw new TaskException(Kind.USAGE, file + ": line 1: expected " + HEADER);
-    }
-    List<ReportRow> rows = new ArrayList<>();
-    for (int i = 1; i < lines.size(); i++) {
-      try {
-        rows.add(row(lines.get(i)));
-      } catch (IllegalArgumentException e) {
-        throw new TaskException(Kind.USAGE, file + ": line " + (i + 1) + ": " + e.getMessage(), e);
-      }
-    }
-    return rows;
+    return Csv.read(directory.resolve(FILE), HEADER, ReportTable::row);
   }
 
-  private static ReportRow row(String line) {
-    List<String> values = Csv.values(line);
-    if (values.size() != COLUMNS) {
-      throw new IllegalArgumentException("expected " + COLUMNS + " values, found " + values.size());
-    }
+  private static ReportRow row(List<String> values) {
     Size size = Size.of(values.get(3));
     return new ReportRow(
         Integer.parseInt(values.get(0)),

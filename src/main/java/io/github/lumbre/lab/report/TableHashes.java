@@ -1,45 +1,52 @@
 package io.github.lumbre.lab.report;
 
 import io.github.lumbre.lab.Csv;
+import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.TextFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
-import java.util.stream.Collectors;
 
 /** The expected hashes of the table's pictures, stored in the folder of scenes. Mutable. */
 public final class TableHashes {
   /** The file's name. */
   public static final String FILE = "table-hashes.csv";
 
-  private static final String HEADER = "row,scene,size,samples,sha256";
-  private static final int COLUMNS = 5;
+  private static final Table<Stored> TABLE =
+      Table.<Stored>empty()
+          .number("row", Stored::row)
+          .text("scene", Stored::scene)
+          .text("size", Stored::size)
+          .number("samples", Stored::samples)
+          .text("sha256", Stored::hash);
 
   private final Path file;
-  private final Map<Key, String> hashes = new TreeMap<>(Key.ORDER);
+  private final List<Stored> hashes = new ArrayList<>();
 
-  /** The render that a hash belongs to. */
-  private record Key(int row, String scene, String size, int samples) {
-    private static final Comparator<Key> ORDER =
-        Comparator.comparingInt(Key::row)
-            .thenComparing(Key::scene)
-            .thenComparing(Key::size)
-            .thenComparingInt(Key::samples);
-
-    static Key of(BenchmarkResult result) {
+  /** A picture's hash, and the render that it belongs to. */
+  private record Stored(int row, String scene, String size, int samples, String hash) {
+    static Stored of(BenchmarkResult result) {
       ReportRow row = result.row();
-      return new Key(row.number(), row.scene(), row.size(), result.samples());
+      String hash = result.renders().imageHash();
+      return new Stored(row.number(), row.scene(), row.size(), result.samples(), hash);
     }
 
-    /** Returns whether both belong to the same row but to a different scene or size. */
-    boolean contradicts(Key o) {
-      return row == o.row && !(scene.equals(o.scene) && size.equals(o.size));
+    static Stored of(List<String> values) {
+      int row = Integer.parseInt(values.get(0));
+      int samples = Integer.parseInt(values.get(3));
+      return new Stored(row, values.get(1), values.get(2), samples, values.get(4));
+    }
+
+    boolean isOfSameScene(Stored o) {
+      return row == o.row && scene.equals(o.scene) && size.equals(o.size);
+    }
+
+    boolean isOfSameRender(Stored o) {
+      return isOfSameScene(o) && samples == o.samples;
     }
   }
 
@@ -55,52 +62,33 @@ public final class TableHashes {
   public static TableHashes load(Path directory) throws TaskException {
     TableHashes hashes = new TableHashes(directory.resolve(FILE));
     if (Files.exists(hashes.file)) {
-      List<String> lines = TextFile.lines(hashes.file);
-      for (int i = 1; i < lines.size(); i++) {
-        hashes.read(lines.get(i), i + 1);
-      }
+      hashes.hashes.addAll(Csv.read(hashes.file, Csv.line(TABLE.names()), Stored::of));
     }
     return hashes;
   }
 
-  private void read(String line, int number) throws TaskException {
-    try {
-      List<String> values = Csv.values(line);
-      if (values.size() != COLUMNS) {
-        throw new IllegalArgumentException("expected " + HEADER);
-      }
-      Key key =
-          new Key(
-              Integer.parseInt(values.get(0)),
-              values.get(1),
-              values.get(2),
-              Integer.parseInt(values.get(3)));
-      hashes.put(key, values.get(4));
-    } catch (IllegalArgumentException e) {
-      throw new TaskException(Kind.USAGE, file + ": line " + number + ": " + e.getMessage(), e);
-    }
-  }
-
   /** Returns an error message if a result's hash differs or is not stored; otherwise empty. */
   public Optional<String> complaint(BenchmarkResult result) {
-    Key key = Key.of(result);
+    Stored found = Stored.of(result);
     String what =
-        "row " + key.row + ": " + key.scene + ", " + key.size + ", " + key.samples + " samples: ";
-    String found = result.renders().imageHash();
-    if (!hashes.containsKey(key)) {
-      return Optional.of(what + "no hash is stored, found " + found);
+        "row %d: %s, %s, %d samples: ".formatted(found.row, found.scene, found.size, found.samples);
+    Optional<Stored> expected = hashes.stream().filter(found::isOfSameRender).findFirst();
+    if (expected.isEmpty()) {
+      return Optional.of(what + "no hash is stored, found " + found.hash);
     }
-    String stored = hashes.get(key);
-    return stored.equals(found)
+    String stored = expected.get().hash;
+    return stored.equals(found.hash)
         ? Optional.empty()
-        : Optional.of(what + "the picture differs: expected " + stored + ", found " + found);
+        : Optional.of(what + "the picture differs: expected " + stored + ", found " + found.hash);
   }
 
   /** Stores the hash of a result, and removes hashes of the row's previous scene or size. */
   public void put(BenchmarkResult result) {
-    Key key = Key.of(result);
-    hashes.keySet().removeIf(key::contradicts);
-    hashes.put(key, result.renders().imageHash());
+    Stored stored = Stored.of(result);
+    hashes.removeIf(old -> old.row == stored.row && !old.isOfSameScene(stored));
+    hashes.removeIf(stored::isOfSameRender);
+    hashes.add(stored);
+    hashes.sort(Comparator.comparingInt(Stored::row).thenComparingInt(Stored::samples));
   }
 
   /**
@@ -109,14 +97,6 @@ public final class TableHashes {
    * @throws TaskException if that fails
    */
   public void save() throws TaskException {
-    String lines =
-        hashes.entrySet().stream()
-            .map(e -> line(e.getKey(), e.getValue()) + "\n")
-            .collect(Collectors.joining());
-    TextFile.write(file, HEADER + "\n" + lines);
-  }
-
-  private static String line(Key key, String hash) {
-    return Csv.line(List.of(key.row, key.scene, key.size, key.samples, hash));
+    TextFile.write(file, TABLE.csv(hashes));
   }
 }

@@ -26,7 +26,7 @@ class InvariantsTest {
 
   @ParameterizedTest
   @MethodSource("laws")
-  void lawHolds(Invariant law) {
+  void lawHolds(Invariant law) throws InterruptedException {
     assertThat(law.measure(TRIES).worst()).as(law.name()).isBetween(0.0, law.limit());
   }
 
@@ -74,7 +74,7 @@ class InvariantsTest {
   }
 
   @Test
-  void whatIsNoNumberDoesNotHold() {
+  void whatIsNoNumberDoesNotHold() throws InterruptedException {
     assertThat(law(.9).measure(TRIES).holds()).isTrue();
     assertThat(law(1.1).measure(TRIES).holds()).isFalse();
     assertThat(law(Double.NaN).measure(TRIES).holds()).isFalse();
