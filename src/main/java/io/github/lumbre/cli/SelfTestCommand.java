@@ -60,12 +60,12 @@ final class SelfTestCommand implements Callable<Integer> {
   static int run(List<Invariant> laws, boolean markdown, Messages out) throws InterruptedException {
     List<Invariant.Outcome> outcomes = new ArrayList<>();
     if (markdown) {
-      StabilityPage.HEAD.lines().forEach(out::line);
+      StabilityPage.head().forEach(out::line);
     }
     for (Invariant law : laws) {
       Invariant.Outcome outcome = law.measure(TRIES);
       outcomes.add(outcome);
-      out.line(markdown ? StabilityPage.row(outcome) : line(outcome));
+      out.line(markdown ? StabilityPage.line(outcome) : line(outcome));
     }
     boolean allHold = outcomes.stream().allMatch(Invariant.Outcome::holds);
     if (!markdown) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
@@ -34,7 +35,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** {@code lumbre trade}: measures the time and error of each setting, for one scene. */
@@ -150,7 +150,8 @@ final class TradeCommand implements Callable<Integer> {
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
-    require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
+    new FlagChecks(spec)
+        .require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
     options
         .guardedBy(overwrite.guard())
         .writes("-o", page, OutputContent.TRADE_PAGE)
@@ -177,16 +178,11 @@ final class TradeCommand implements Callable<Integer> {
   }
 
   private void checkFlags() {
-    require(seeds.orElse(4) >= 3 && seeds.orElse(4) <= 1000, "--seeds: expected 3 to 1000");
-    require(threads >= 0 && threads <= RenderSettings.MAX_THREADS, "--threads: expected 0 to 1024");
-    int most = samples.orElse(1);
-    require(
-        most >= 1 && most <= TradeBudget.LARGEST,
-        "--samples: expected 1 to " + TradeBudget.LARGEST + ", found " + most);
-    int ofReference = reference.orElse(2);
-    require(
-        ofReference >= 2 && ofReference <= RenderSettings.MAX_SAMPLES,
-        "--reference: expected 2 to " + RenderSettings.MAX_SAMPLES + ", found " + ofReference);
+    FlagChecks checks = new FlagChecks(spec);
+    seeds.ifPresent(n -> checks.requireIn("--seeds", 3, 1000, n));
+    checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
+    samples.ifPresent(n -> checks.requireIn("--samples", 1, TradeBudget.LARGEST, n));
+    reference.ifPresent(n -> checks.requireIn("--reference", 2, RenderSettings.MAX_SAMPLES, n));
   }
 
   private Set<Knob> knobs() {
@@ -197,9 +193,10 @@ final class TradeCommand implements Callable<Integer> {
     }
     List<String> wanted = List.of(knobs.get().split(",", -1));
     for (String name : wanted) {
-      require(
-          known.containsKey(name),
-          "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
+      new FlagChecks(spec)
+          .require(
+              known.containsKey(name),
+              "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
     }
     return wanted.stream().map(known::get).collect(Collectors.toSet());
   }
@@ -211,12 +208,6 @@ final class TradeCommand implements Callable<Integer> {
     }
     Optional<Integer> most = target.isPresent() ? samples.or(() -> Optional.of(FEW)) : samples;
     return new TradeBudget(wanted, most, target, reference, seeds, size, quick);
-  }
-
-  private void require(boolean condition, String message) {
-    if (!condition) {
-      throw new ParameterException(spec.commandLine(), message);
-    }
   }
 
   private static String baseName(Path scene) {

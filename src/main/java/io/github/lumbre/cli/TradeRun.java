@@ -7,7 +7,6 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.lab.trade.Knob;
 import io.github.lumbre.lab.trade.TradeBudget;
@@ -25,7 +24,6 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.Arrays;
@@ -161,14 +159,10 @@ final class TradeRun {
   }
 
   /** Returns the page; call after {@link #run}. */
-  String page() throws TaskException {
+  String page() {
     ImageWriter.Options visible =
         new ImageWriter.Options(
             file.settings().exposure(), file.settings().toneCurve(), 8, Map.of());
-    try {
-      return TradePage.of(facts.get("scene"), facts, result, visible);
-    } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
-    }
+    return TradePage.of(facts.get("scene"), facts, result, visible);
   }
 }

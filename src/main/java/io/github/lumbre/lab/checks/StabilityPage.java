@@ -1,11 +1,13 @@
 package io.github.lumbre.lab.checks;
 
+import io.github.lumbre.lab.Table;
+import java.util.List;
 import java.util.Locale;
 
 /** Formats the results of all invariants as the page docs/stability.md. */
 public final class StabilityPage {
-  public static final String HEAD =
-      """
+  private static final String ABOVE =
+"""
 # Stable at the extremes
 
 The renderer's invariants at extreme scales, distances and roughnesses, with measured worst cases.
@@ -16,26 +18,27 @@ and closed rooms with their closed forms. Fixed random keys give the same test c
 machine.
 
 The invariants hold while the largest coordinate is at most 1e9 times the smallest visible feature.
-Absolute size does not matter. `lumbre audit` warns about scenes beyond this ratio.
-
-| invariant | measured quantity | range | worst | limit |
-|---|---|---|---|---|
+Absolute size does not matter. `lumbre audit` warns about scenes beyond this ratio.\
 """;
+
+  private static final Table<Invariant.Outcome> TABLE =
+      Table.<Invariant.Outcome>empty()
+          .text("invariant", outcome -> outcome.law().name())
+          .text("measured quantity", outcome -> outcome.law().statement())
+          .text("range", outcome -> outcome.law().range())
+          .text("worst", outcome -> figure(outcome.worst()))
+          .text("limit", outcome -> figure(outcome.law().limit()));
 
   private StabilityPage() {}
 
+  /** Returns the lines above the rows. */
+  public static List<String> head() {
+    return TABLE.head(ABOVE.split("\n"));
+  }
+
   /** Returns the table row of an invariant. */
-  public static String row(Invariant.Outcome outcome) {
-    Invariant law = outcome.law();
-    return "| "
-        + String.join(
-            " | ",
-            law.name(),
-            law.statement(),
-            law.range(),
-            figure(outcome.worst()),
-            figure(law.limit()))
-        + " |";
+  public static String line(Invariant.Outcome outcome) {
+    return TABLE.line(outcome);
   }
 
   /** Returns a number with three significant digits; integers below 1e6 in full. */

@@ -3,6 +3,7 @@ package io.github.lumbre.lab.metrics;
 import io.github.lumbre.math.internal.Elementary;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
@@ -121,5 +122,12 @@ public record Interval(double value, double low, double high) {
     }
     double log = mean(logs(over)) - mean(logs(under));
     return new Interval(log, log - half, log + half).exp();
+  }
+
+  /** Returns the estimate and its interval as text: {@code 0.98 (0.97 to 1.01)}. */
+  public String text(int digits) {
+    String number = "%." + digits + "f";
+    return String.format(
+        Locale.ROOT, number + " (" + number + " to " + number + ")", value, low, high);
   }
 }

@@ -13,7 +13,6 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
@@ -105,10 +104,7 @@ public record PairedRenders(PerfPlan plan, LabHost host) {
     return settings.toBuilder().seed(settings.seed() + pair).build();
   }
 
-  /** Returns the median of values: {@code 0.980 (0.970 to 1.010)}. */
   private static String median(List<Double> values) {
-    Interval interval = Interval.ofMedian(values);
-    return String.format(
-        Locale.ROOT, "%.3f (%.3f to %.3f)", interval.value(), interval.low(), interval.high());
+    return Interval.ofMedian(values).text(3);
   }
 }

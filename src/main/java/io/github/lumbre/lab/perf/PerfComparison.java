@@ -12,8 +12,13 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Compares two measurements of the same work. */
-public final class PerfComparison {
+/**
+ * The comparison of two measurements.
+ *
+ * @param rows work that both measured
+ */
+public record PerfComparison(
+    PerfTimes first, PerfTimes second, Clock clock, List<PerfComparison.Row> rows) {
   private static final Table<Row> TABLE =
       Table.<Row>empty()
           .text("scene", row -> row.first.work().scene())
@@ -26,11 +31,6 @@ public final class PerfComparison {
           .text("95 %", row -> row.cpuTime.map(PerfComparison::range).orElse("-"))
           .text("B is", row -> row.verdict().text)
           .text("pictures", Row::pictures);
-
-  private final PerfTimes first;
-  private final PerfTimes second;
-  private final Clock clock;
-  private final List<Row> rows;
 
   /** The time that decides which measurement is faster. */
   public enum Clock {
@@ -67,8 +67,7 @@ public final class PerfComparison {
    *
    * @param cpuTime ratio of CPU times; empty if a render was too short for the CPU clock
    */
-  private record Row(
-      Series first, Series second, Interval time, Optional<Interval> cpuTime, Clock clock) {
+  record Row(Series first, Series second, Interval time, Optional<Interval> cpuTime, Clock clock) {
     static Row of(Series a, Series b, Clock clock) {
       boolean isCounted =
           Stream.of(a, b).flatMap(s -> s.cpuSeconds().stream()).allMatch(seconds -> seconds > 0);
@@ -89,13 +88,6 @@ public final class PerfComparison {
       boolean sameScene = first.sceneHash().equals(second.sceneHash());
       return isSamePicture() ? "same" : sameScene ? "differ" : "differ, as do the scenes";
     }
-  }
-
-  private PerfComparison(PerfTimes first, PerfTimes second, Clock clock, List<Row> rows) {
-    this.first = first;
-    this.second = second;
-    this.clock = clock;
-    this.rows = List.copyOf(rows);
   }
 
   /**

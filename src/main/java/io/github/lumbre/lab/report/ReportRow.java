@@ -2,6 +2,7 @@ package io.github.lumbre.lab.report;
 
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.RenderSettings.Size;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.OptionalInt;
@@ -20,8 +21,7 @@ public record ReportRow(
     int number,
     String name,
     String scene,
-    int width,
-    int height,
+    Size size,
     Mode mode,
     int samples,
     int bucket,
@@ -34,12 +34,7 @@ public record ReportRow(
    * @throws IllegalArgumentException if a setting is out of its range
    */
   public ReportRow {
-    settings(RenderSettings.DEFAULT, width, height, mode, samples, bucket, depth);
-  }
-
-  /** Returns {@code 1280x720}. */
-  String size() {
-    return width + "x" + height;
+    settings(RenderSettings.DEFAULT, size, mode, samples, bucket, depth);
   }
 
   /**
@@ -58,19 +53,17 @@ public record ReportRow(
 
   /** Returns a scene's settings, overridden by those of the row. */
   RenderSettings over(RenderSettings inScene) {
-    return settings(inScene, width, height, mode, samples, bucket, depth);
+    return settings(inScene, size, mode, samples, bucket, depth);
   }
 
   private static RenderSettings settings(
-      RenderSettings inScene,
-      int width,
-      int height,
-      Mode mode,
-      int samples,
-      int bucket,
-      OptionalInt depth) {
+      RenderSettings inScene, Size size, Mode mode, int samples, int bucket, OptionalInt depth) {
     RenderSettings.Builder builder =
-        inScene.toBuilder().size(width, height).mode(mode).samples(samples).bucketSize(bucket);
+        inScene.toBuilder()
+            .size(size.width(), size.height())
+            .mode(mode)
+            .samples(samples)
+            .bucketSize(bucket);
     depth.ifPresent(
         n -> {
           if (mode == Mode.PATH) {

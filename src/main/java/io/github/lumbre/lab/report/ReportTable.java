@@ -29,13 +29,11 @@ public final class ReportTable {
   }
 
   private static ReportRow row(List<String> values) {
-    Size size = Size.of(values.get(3));
     return new ReportRow(
         Integer.parseInt(values.get(0)),
         values.get(1),
         values.get(2),
-        size.width(),
-        size.height(),
+        Size.of(values.get(3)),
         Setting.MODE.type().parse(values.get(4)),
         Integer.parseInt(values.get(5)),
         Integer.parseInt(values.get(6)),

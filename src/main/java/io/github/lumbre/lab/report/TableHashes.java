@@ -32,7 +32,7 @@ public final class TableHashes {
     static Stored of(BenchmarkResult result) {
       ReportRow row = result.row();
       String hash = result.renders().imageHash();
-      return new Stored(row.number(), row.scene(), row.size(), result.samples(), hash);
+      return new Stored(row.number(), row.scene(), row.size().toString(), result.samples(), hash);
     }
 
     static Stored of(List<String> values) {

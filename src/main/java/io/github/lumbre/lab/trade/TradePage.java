@@ -6,9 +6,9 @@ import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import io.github.lumbre.scene.SettingType;
-import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
@@ -17,9 +17,6 @@ import java.util.function.ToDoubleFunction;
  * TradeCharts} and {@link TradePictures} produce its sections.
  */
 public final class TradePage {
-  /** Shown instead of a time ratio if the times are too short. */
-  private static final String TOO_SHORT = "too short to measure";
-
   private final Map<String, String> facts;
   private final TradeResult result;
   private final Html html = new Html();
@@ -35,17 +32,15 @@ public final class TradePage {
    * @param scene name of the scene
    * @param facts facts about the run, by name: machine, seeds, command line
    * @param options options for writing the pictures
-   * @throws IOException if pictures cannot be written to the directory for temporary files
    */
   public static String of(
-      String scene, Map<String, String> facts, TradeResult result, ImageWriter.Options options)
-      throws IOException {
+      String scene, Map<String, String> facts, TradeResult result, ImageWriter.Options options) {
     TradePage page = new TradePage(facts, result);
     page.write(scene, new TradePictures(result, options));
     return page.html.toString();
   }
 
-  private void write(String scene, TradePictures pictures) throws IOException {
+  private void write(String scene, TradePictures pictures) {
     String title = "Speed for accuracy: " + scene;
     html.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">")
         .raw("<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">")
@@ -82,6 +77,10 @@ public final class TradePage {
     html.element("h2", title).element("p", lead).raw("<div class=\"charts\">");
     charts.forEach(chart -> html.raw(chart.svg()));
     html.raw("</div>");
+  }
+
+  private static String ratio(Optional<Interval> ratio) {
+    return ratio.map(interval -> interval.text(2)).orElse("too short to measure");
   }
 
   private static Function<TradeRow, String> number(ToDoubleFunction<TradeRow> value) {
@@ -125,13 +124,10 @@ public final class TradePage {
                     .text("setting", row -> isUsual(row) ? "baseline" : row.setting().label())
                     .number(
                         "gain for the same rays",
-                        row -> isUsual(row) ? "1" : TradeText.ratio(result.gainByRays(row)))
+                        row -> isUsual(row) ? "1" : result.gainByRays(row).text(2))
                     .number(
                         "gain for the same time",
-                        row ->
-                            isUsual(row)
-                                ? "1"
-                                : result.gain(row).map(TradeText::ratio).orElse(TOO_SHORT))
+                        row -> isUsual(row) ? "1" : ratio(result.gain(row)))
                     .number("error", row -> TradeText.rootPercent(row.relativeMse().value())))
             .number("convergence exponent", this::slope));
     html.note(
@@ -216,11 +212,8 @@ public final class TradePage {
     Table<ExactRow> table =
         Table.<ExactRow>empty()
             .text("setting", ExactRow::setting)
-            .number(
-                "CPU time ratio (95 %)",
-                row -> row.cpuRatio().map(TradeText::ratio).orElse(TOO_SHORT))
-            .number(
-                "time ratio (95 %)", row -> row.timeRatio().map(TradeText::ratio).orElse(TOO_SHORT))
+            .number("CPU time ratio (95 %)", row -> ratio(row.cpuRatio()))
+            .number("time ratio (95 %)", row -> ratio(row.timeRatio()))
             .text("picture", row -> row.isSamePicture() ? "identical" : "DIFFERENT");
     html.element("h2", "Settings that change only the time")
         .table("", table, result.exact(), row -> row.isSamePicture() ? "" : "bad")

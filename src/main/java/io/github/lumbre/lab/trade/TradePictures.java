@@ -4,9 +4,6 @@ import io.github.lumbre.compare.ErrorMap;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Markdown;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
 
@@ -17,7 +14,7 @@ import java.util.List;
  */
 record TradePictures(TradeResult result, ImageWriter.Options options) {
   /** Adds the pictures to a page. */
-  void addTo(Html html) throws IOException {
+  void addTo(Html html) {
     html.element("h2", "Pictures and error maps")
         .raw("<div class=\"pictures\"><figure>")
         .raw(image(result.reference(), options, "reference"))
@@ -47,7 +44,7 @@ record TradePictures(TradeResult result, ImageWriter.Options options) {
             + " pixels.</p>");
   }
 
-  private void pairs(Html html, List<TradeRow> rows) throws IOException {
+  private void pairs(Html html, List<TradeRow> rows) {
     html.raw("<div class=\"pictures\">");
     for (TradeRow row : rows) {
       String name = row.setting().label() + ", " + Markdown.count(row.samples(), "sample");
@@ -62,16 +59,9 @@ record TradePictures(TradeResult result, ImageWriter.Options options) {
     html.raw("</div>");
   }
 
-  private static String image(Image image, ImageWriter.Options how, String name)
-      throws IOException {
-    Path file = Files.createTempFile("lumbre-", ".png");
-    try {
-      ImageWriter.write(image, file, how);
-      String data = Base64.getEncoder().encodeToString(Files.readAllBytes(file));
-      return "<img width=\"%d\" height=\"%d\" alt=\"%s\" src=\"data:image/png;base64,%s\">"
-          .formatted(image.width(), image.height(), Html.escaped(name), data);
-    } finally {
-      Files.deleteIfExists(file);
-    }
+  private static String image(Image image, ImageWriter.Options how, String name) {
+    String data = Base64.getEncoder().encodeToString(image.toPng(how));
+    return "<img width=\"%d\" height=\"%d\" alt=\"%s\" src=\"data:image/png;base64,%s\">"
+        .formatted(image.width(), image.height(), Html.escaped(name), data);
   }
 }

@@ -63,7 +63,9 @@ public record TradeResult(
   public Optional<Interval> gain(TradeRow row) {
     TradeRow usual = usual(row.samples());
     return usual.isTimed() && row.isTimed()
-        ? Optional.of(Interval.ofRatios(usual.costs(), row.costs()))
+        ? Optional.of(
+            Interval.ofRatios(
+                usual.times(usual.cpuSeconds()::get), row.times(row.cpuSeconds()::get)))
         : Optional.empty();
   }
 
@@ -71,7 +73,9 @@ public record TradeResult(
    * Returns the relative efficiency for the same number of rays; it is independent of the machine.
    */
   public Interval gainByRays(TradeRow row) {
-    return Interval.ofRatios(usual(row.samples()).costsInRays(), row.costsInRays());
+    TradeRow usual = usual(row.samples());
+    return Interval.ofRatios(
+        usual.times(seed -> usual.work().allRays()), row.times(seed -> row.work().allRays()));
   }
 
   /**

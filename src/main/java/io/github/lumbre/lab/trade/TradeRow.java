@@ -5,6 +5,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.metrics.Interval;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -64,16 +65,11 @@ public record TradeRow(
     return cpuSeconds.stream().allMatch(time -> time > 0);
   }
 
-  /** Returns each seed's relative mean squared error × CPU time. */
-  List<Double> costs() {
+  /** Returns each seed's relative mean squared error × a cost. */
+  List<Double> times(IntToDoubleFunction cost) {
     return IntStream.range(0, errors.size())
-        .mapToObj(i -> Math.max(1e-30, errors.get(i).relativeMse() * cpuSeconds.get(i)))
+        .mapToObj(i -> Math.max(1e-30, errors.get(i).relativeMse() * cost.applyAsDouble(i)))
         .toList();
-  }
-
-  /** Returns each seed's relative mean squared error × rays per sample. */
-  List<Double> costsInRays() {
-    return errors.stream().map(e -> Math.max(1e-30, e.relativeMse() * work.allRays())).toList();
   }
 
   /** Returns the mean of the seeds' relative mean squared errors. */

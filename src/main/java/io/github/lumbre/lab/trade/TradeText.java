@@ -33,12 +33,6 @@ final class TradeText {
     return String.format(Locale.ROOT, "%.3g s ± %.2g", time.value(), time.high() - time.value());
   }
 
-  /** Returns a ratio with its interval. */
-  static String ratio(Interval ratio) {
-    return String.format(
-        Locale.ROOT, "%.2f (%.2f to %.2f)", ratio.value(), ratio.low(), ratio.high());
-  }
-
   static String count(double value) {
     return value >= 1e9
         ? String.format(Locale.ROOT, "%.3g G", value / 1e9)

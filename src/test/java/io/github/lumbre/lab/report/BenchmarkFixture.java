@@ -6,6 +6,7 @@ import io.github.lumbre.lab.perf.Measurement;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scene.RenderSettings.Size;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.OptionalInt;
@@ -21,12 +22,34 @@ public final class BenchmarkFixture {
 
   static ReportRow row(int samples) {
     return new ReportRow(
-        5, "Hearts", "hearts", 8, 4, Mode.PATH, samples, 32, OptionalInt.of(5), 8, "i7", "1h", "");
+        5,
+        "Hearts",
+        "hearts",
+        new Size(8, 4),
+        Mode.PATH,
+        samples,
+        32,
+        OptionalInt.of(5),
+        8,
+        "i7",
+        "1h",
+        "");
   }
 
   static ReportRow rayRow(String note) {
     return new ReportRow(
-        9, "Grey", "grey", 8, 4, Mode.RAY, 4, 30, OptionalInt.empty(), 8, "i5", "16s", note);
+        9,
+        "Grey",
+        "grey",
+        new Size(8, 4),
+        Mode.RAY,
+        4,
+        30,
+        OptionalInt.empty(),
+        8,
+        "i5",
+        "16s",
+        note);
   }
 
   static BenchmarkPlan plan(String share) {
