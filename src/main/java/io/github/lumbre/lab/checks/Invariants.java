@@ -12,11 +12,7 @@ public final class Invariants {
 
   /** Returns all invariants in the order in which they are printed. */
   public static List<Invariant> all() {
-    return Stream.of(
-            GeometryInvariants.all(),
-            TransformInvariants.all(),
-            MaterialInvariants.all(),
-            PictureInvariants.all())
+    return Stream.of(GeometryInvariants.all(), MaterialInvariants.all(), PictureInvariants.all())
         .flatMap(List::stream)
         .toList();
   }

@@ -70,15 +70,10 @@ public record PerfPlan(
   /** Returns the plan as sentences. */
   String sentences() {
     String counts = threads.stream().map(String::valueOf).collect(Collectors.joining(", "));
-    return "Threads: "
-        + counts
-        + ". Warm-up renders of 1 sample per pixel: "
-        + warmup
-        + ". Timed renders: "
-        + repeat
-        + " (median reported). Pairs of seeds for the noise: "
-        + pairs
-        + "."
+    return String.format(
+            "Threads: %s. Warm-up renders of 1 sample per pixel: %d. Timed renders: %d (median"
+                + " reported). Pairs of seeds for the noise: %d.",
+            counts, warmup, repeat, pairs)
         + (without.isEmpty() ? "" : " Without the specializations " + new TreeSet<>(without) + ".")
         + (adaptive ? " Adaptive sampling." : "")
         + (split > 1 ? " Paths split into " + split + "." : "");

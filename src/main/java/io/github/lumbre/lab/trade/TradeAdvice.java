@@ -20,36 +20,18 @@ final class TradeAdvice {
 
   private static final Choice NONE = new Choice("not reached", "", "", "");
 
-  private static final Table<Line> TABLE =
-      with(
-          Line::biased,
-          with(
-              Line::unbiased,
-              Table.<Line>empty().text("target error", line -> Markdown.percent(line.target))));
-
   private TradeAdvice() {}
 
   /** A recommended setting, as text. */
   private record Choice(String flags, String time, String rays, String bias) {}
 
-  private record Line(double target, Choice unbiased, Choice biased) {}
-
-  private static Table<Line> with(Function<Line, Choice> choice, Table<Line> table) {
-    return table
-        .text("flags", line -> choice.apply(line).flags)
-        .number("CPU time", line -> choice.apply(line).time)
-        .number("rays", line -> choice.apply(line).rays)
-        .number("bias", line -> choice.apply(line).bias);
-  }
-
   /** Adds the table to a page. */
   static void addTo(Html html, TradeResult result) {
-    List<Line> lines =
-        TARGETS.stream()
-            .map(t -> new Line(t, unbiased(result, t), biased(result, t).orElse(NONE)))
-            .toList();
+    Table<Double> table = Table.<Double>empty().text("target error", Markdown::percent);
+    table = with(table, target -> unbiased(result, target));
+    table = with(table, target -> biased(result, target).orElse(NONE));
     html.element("h2", "Recommended settings for a target error")
-        .table(GROUPS, TABLE, lines, line -> "")
+        .table(GROUPS, table, TARGETS, target -> "")
         .note(
             "Error: relative RMSE against the reference, including noise and bias, mean over the"
                 + " seeds. Each entry is the setting with the least CPU time among those with"
@@ -59,6 +41,14 @@ final class TradeAdvice {
                 + " Extrapolated: no measured setting reaches the error; the squared error is"
                 + " assumed inversely proportional to the samples. Right: the measured settings"
                 + " with bias. Errors below the reference's own cannot be measured.");
+  }
+
+  private static Table<Double> with(Table<Double> table, Function<Double, Choice> choice) {
+    return table
+        .text("flags", target -> choice.apply(target).flags)
+        .number("CPU time", target -> choice.apply(target).time)
+        .number("rays", target -> choice.apply(target).rays)
+        .number("bias", target -> choice.apply(target).bias);
   }
 
   /** A setting's row with the most samples, and its cost of reaching an error. */

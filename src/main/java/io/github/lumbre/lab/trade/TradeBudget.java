@@ -97,19 +97,16 @@ public record TradeBudget(
    * @param settings number of settings
    */
   public TradePlan plan(double rate, double spent, int settings, RenderSettings frame) {
-    if (samples.isPresent()) {
-      int exact = powerOfTwo(samples.get() / (double) STEP, MOST_EXACT_SAMPLES);
-      int least = target.isPresent() ? PLANNED_SEEDS : MOST_SEEDS / 2;
-      double time = target.isPresent() ? RENDERING * seconds - spent : Double.POSITIVE_INFINITY;
-      return plan(samples.get(), seeds.orElse(least), exact, time);
+    double time = RENDERING * seconds - spent;
+    if (samples.isEmpty()) {
+      int processors = Runtime.getRuntime().availableProcessors();
+      double exact = EXACT_SHARE * affordable(rate, spent, frame) / EXACT_RENDERS / processors;
+      return plan(mostSamples(rate, spent, settings, frame), LEAST_SEEDS, exact, time);
     }
-    int processors = Runtime.getRuntime().availableProcessors();
-    double exact = EXACT_SHARE * affordable(rate, spent, frame) / EXACT_RENDERS / processors;
-    return plan(
-        mostSamples(rate, spent, settings, frame),
-        LEAST_SEEDS,
-        powerOfTwo(exact, MOST_EXACT_SAMPLES),
-        RENDERING * seconds - spent);
+    double exact = samples.get() / (double) STEP;
+    return target.isPresent()
+        ? plan(samples.get(), PLANNED_SEEDS, exact, time)
+        : plan(samples.get(), MOST_SEEDS / 2, exact, Double.POSITIVE_INFINITY);
   }
 
   private int mostSamples(double rate, double spent, int settings, RenderSettings frame) {
@@ -127,7 +124,7 @@ public record TradeBudget(
     return Integer.highestOneBit((int) Math.max(1, Math.min(number, limit)));
   }
 
-  private TradePlan plan(int most, int leastSeeds, int exactSamples, double time) {
+  private TradePlan plan(int most, int leastSeeds, double exactSamples, double time) {
     List<Integer> ladder = new ArrayList<>();
     for (int at = most; at >= 1; at /= STEP) {
       ladder.add(at);
@@ -140,7 +137,7 @@ public record TradeBudget(
         least,
         seeds.orElse(mostSeeds),
         reference.orElse(REFERENCE_FACTOR * most),
-        exactSamples,
+        powerOfTwo(exactSamples, MOST_EXACT_SAMPLES),
         time,
         target.map(error -> error * error).orElse(0.));
   }
