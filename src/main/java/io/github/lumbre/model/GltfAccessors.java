@@ -37,7 +37,15 @@ final class GltfAccessors {
    */
   double[] finiteNumbers(GltfAccessor accessor) throws ModelFormatException {
     double[] numbers = numbers(accessor);
-    requireFinite(accessor, numbers);
+    int bad = indexOfInfinite(numbers);
+    if (bad >= 0) {
+      throw accessor.error(
+          "",
+          "expected finite numbers, found "
+              + numbers[bad]
+              + " in element "
+              + bad / accessor.components());
+    }
     return numbers;
   }
 
@@ -62,19 +70,6 @@ final class GltfAccessors {
     // MAX_COUNT elements of a 4×4 matrix would not fit into an array.
     GltfBudget.require(accessor.location(), "numbers", 4 * GltfBudget.MAX_COUNT, length);
     return new double[(int) length];
-  }
-
-  /** Checks that numbers of an accessor are finite. */
-  static void requireFinite(GltfAccessor accessor, double[] numbers) throws ModelFormatException {
-    int bad = indexOfInfinite(numbers);
-    if (bad >= 0) {
-      throw accessor.error(
-          "",
-          "expected finite numbers, found "
-              + numbers[bad]
-              + " in element "
-              + bad / accessor.components());
-    }
   }
 
   /** Returns the index of the first number that is not finite; -1 if there is none. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import java.io.IOException;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -10,6 +11,7 @@ import java.util.Map;
 final class GltfAttributes {
   private final GltfDocument document;
   private final GltfAccessors accessors;
+  private final Map<GltfAccessor, BitSet> broken = new HashMap<>();
   private final Map<Key, double[]> arrays = new HashMap<>();
   private final Map<GltfAccessor, float[]> colors = new HashMap<>();
 
@@ -35,19 +37,21 @@ final class GltfAttributes {
     this.accessors = accessors;
   }
 
-  /**
-   * Returns positions.
-   *
-   * @throws ModelFormatException if one is not finite
-   */
+  /** Returns positions; those of {@link #broken} vertices are 0. */
   double[] positions(GltfAccessor accessor) throws ModelFormatException {
     double[] array = arrays.get(new Key(accessor, Role.POSITION));
     if (array == null) {
       document.budget().addVertices(accessor.location(), accessor.count());
-      array = accessors.finiteNumbers(accessor.requireComponents(3));
+      array = accessors.numbers(accessor.requireComponents(3));
+      broken.put(accessor, GltfVectors.removeBroken(array));
       arrays.put(new Key(accessor, Role.POSITION), array);
     }
     return array;
+  }
+
+  /** Returns the vertices of positions, already read, that are not finite. */
+  BitSet broken(GltfAccessor accessor) {
+    return broken.get(accessor);
   }
 
   /** Returns unit normals; none if one is not finite. */

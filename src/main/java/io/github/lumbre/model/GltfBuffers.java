@@ -16,6 +16,7 @@ final class GltfBuffers {
   private final Optional<ByteBuffer> binary;
   private final ModelFiles folder;
   private final Map<Integer, ByteBuffer> buffers = new HashMap<>();
+  private final Map<Integer, ModelFormatException> unreadable = new HashMap<>();
   private final Map<Integer, View> views = new HashMap<>();
   private final Map<String, byte[]> files = new HashMap<>();
 
@@ -56,9 +57,17 @@ final class GltfBuffers {
   }
 
   private ByteBuffer buffer(int index) throws ModelFormatException, IOException {
+    if (unreadable.containsKey(index)) {
+      throw unreadable.get(index);
+    }
     ByteBuffer buffer = buffers.get(index);
     if (buffer == null) {
-      buffer = readBuffer(index, document.section("buffers").get(index));
+      try {
+        buffer = readBuffer(index, document.section("buffers").get(index));
+      } catch (ModelFormatException e) {
+        unreadable.put(index, e);
+        throw e;
+      }
       buffers.put(index, buffer);
     }
     return buffer;
@@ -99,7 +108,7 @@ final class GltfBuffers {
     String name = GltfUri.fileName(uri, location);
     if (name.isEmpty()) {
       throw new ModelFormatException(
-          Kind.MALFORMED, location, "expected the name of a file, found nothing");
+          Kind.ASSET, location, "expected the name of a file, found nothing");
     }
     byte[] file = files.get(name);
     if (file == null) {

@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -53,7 +54,10 @@ final class GltfInfluences {
       indices[i] = (int) numbers[i];
     }
     double[] fractions = accessors.fractions(weights);
-    GltfAccessors.requireFinite(weights, fractions);
+    if (GltfAccessors.indexOfInfinite(fractions) >= 0) {
+      document.warnings().add(weights.location(), "NaN or infinite weights are taken as 0");
+      Arrays.setAll(fractions, i -> Double.isFinite(fractions[i]) ? fractions[i] : 0);
+    }
     return new Set(indices, fractions);
   }
 }

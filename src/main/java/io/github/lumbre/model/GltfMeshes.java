@@ -78,6 +78,7 @@ final class GltfMeshes {
     Optional<ModelGeometry> rest = geometry(primitive);
     return rest.isPresent()
         ? Optional.of(morph.applied(primitive, rest.get(), weights))
+            .filter(moved -> moved.triangleCount() > 0)
         : Optional.empty();
   }
 
@@ -96,9 +97,11 @@ final class GltfMeshes {
                   : "a mesh without positions is left out");
       return Optional.empty();
     }
-    double[] positions = attributes.positions(accessors.require(json, "POSITION"));
+    GltfAccessor position = accessors.require(json, "POSITION");
+    double[] positions = attributes.positions(position);
     int vertices = positions.length / 3;
-    int[] indices = indices(primitive, mode, vertices);
+    int[] all = indices(primitive, mode, vertices);
+    int[] indices = GltfTriangles.whole(document, primitive, attributes.broken(position), all);
     if (indices.length == 0) {
       warn(primitive, "a mesh without triangles is left out");
       return Optional.empty();

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import java.io.IOException;
+import java.util.BitSet;
 import java.util.List;
 
 /** Moves the vertices of a mesh by weighted morph targets (glTF 2.0, section 3.7.2.2). */
@@ -14,7 +15,8 @@ final class GltfMorph {
   }
 
   /**
-   * Returns the moved mesh. Its normals and tangents have unit length.
+   * Returns the moved mesh, without triangles whose vertices are not finite. Its normals and
+   * tangents have unit length.
    *
    * @param weights of the targets, some of them not 0
    */
@@ -32,10 +34,12 @@ final class GltfMorph {
         add(targets.get(i), "TANGENT", weights[i], delta, tangents, 4);
       }
     }
+    BitSet broken = GltfVectors.removeBroken(positions);
+    int[] indices = GltfTriangles.whole(document, primitive, broken, rest.indices());
     return GltfVectors.checked(
         primitive,
         new ModelGeometry(
-            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), rest.indices()));
+            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
   }
 
   private double[] copy(GltfJson primitive, double... numbers) throws ModelFormatException {
@@ -52,7 +56,12 @@ final class GltfMorph {
     GltfInterrupts.check();
     GltfAccessor accessor = attributes.of(target, name, delta.length / 3).requireComponents(3);
     accessor.read(delta);
-    GltfAccessors.requireFinite(accessor, delta);
+    if (!name.equals("POSITION") && GltfAccessors.indexOfInfinite(delta) >= 0) {
+      document
+          .warnings()
+          .add(accessor.location(), "NaN or infinite numbers; " + name + " is ignored");
+      return;
+    }
     for (int from = 0, to = 0; from < delta.length; from += 3, to += stride) {
       sum[to] += weight * delta[from];
       sum[to + 1] += weight * delta[from + 1];

@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -30,6 +31,8 @@ final class GltfReader {
   private final GltfCameras cameras;
   private final GltfNodes nodes;
   private final GltfPose pose;
+  private final boolean lenient;
+  private Optional<ModelFormatException> unreadable = Optional.empty();
   private final Map<Integer, GltfSkin> skins = new HashMap<>();
   private final List<ModelPart> parts = new ArrayList<>();
   private final List<ModelCamera> placedCameras = new ArrayList<>();
@@ -41,6 +44,7 @@ final class GltfReader {
   private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
       throws ModelFormatException, IOException {
     this.document = document;
+    lenient = options.lenient();
     accessors = new GltfAccessors(document, buffers);
     GltfAttributes attributes = new GltfAttributes(document, accessors);
     influences = new GltfInfluences(document, accessors, attributes);
@@ -89,6 +93,9 @@ final class GltfReader {
       if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
         add(index, node, nodes.toWorld(index));
       }
+    }
+    if (parts.isEmpty() && unreadable.isPresent()) {
+      throw unreadable.get();
     }
     if (parts.isEmpty()) {
       warnOfUnusedMeshes();
@@ -153,7 +160,18 @@ final class GltfReader {
     Placement placement = new Placement(node, name, matrix, weights(index, node, mesh));
     List<GltfJson> primitives = mesh.objects("primitives");
     for (int i = 0; i < primitives.size(); i++) {
-      addPrimitive(placement, primitives.get(i), node.location() + ".mesh.primitives[" + i + "]");
+      String location = node.location() + ".mesh.primitives[" + i + "]";
+      try {
+        addPrimitive(placement, primitives.get(i), location);
+      } catch (ModelFormatException e) {
+        if (!lenient || e.kind() != Kind.ASSET) {
+          throw e;
+        }
+        unreadable = unreadable.or(() -> Optional.of(e));
+        document
+            .warnings()
+            .add("a mesh is left out", location, e.getMessage() + "; the mesh is left out");
+      }
     }
   }
 

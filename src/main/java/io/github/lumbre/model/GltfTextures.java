@@ -20,10 +20,10 @@ final class GltfTextures {
   private final GltfDocument document;
   private final GltfBuffers buffers;
   private final boolean lenient;
-  private final Map<Integer, ModelImage> images = new HashMap<>();
+  private final Map<Integer, Optional<ModelImage>> images = new HashMap<>();
 
   /**
-   * @param lenient whether a texture whose image is missing is left out with a warning
+   * @param lenient whether a texture whose image cannot be read is left out with a warning
    */
   GltfTextures(GltfDocument document, GltfBuffers buffers, boolean lenient) {
     this.document = document;
@@ -126,10 +126,19 @@ final class GltfTextures {
         1 - offset[1] - cos * scale[1]);
   }
 
-  /** Returns an image; empty, with a warning, if it is missing and need not exist. */
+  /** Returns an image; empty, with a warning, if it cannot be read and need not exist. */
   private Optional<ModelImage> usable(int index) throws ModelFormatException, IOException {
+    Optional<ModelImage> image = images.get(index);
+    if (image == null) {
+      image = image(document.section("images").get(index));
+      images.put(index, image);
+    }
+    return image;
+  }
+
+  private Optional<ModelImage> image(GltfJson json) throws ModelFormatException, IOException {
     try {
-      return Optional.of(image(index));
+      return Optional.of(new ModelImage(json.location(), encoded(json)));
     } catch (ModelFormatException e) {
       if (!lenient || e.kind() != Kind.ASSET) {
         throw e;
@@ -139,16 +148,6 @@ final class GltfTextures {
           .add("a picture is left out", e.location(), e.detail() + "; the picture is left out");
       return Optional.empty();
     }
-  }
-
-  private ModelImage image(int index) throws ModelFormatException, IOException {
-    ModelImage image = images.get(index);
-    if (image == null) {
-      GltfJson json = document.section("images").get(index);
-      image = new ModelImage(json.location(), encoded(json));
-      images.put(index, image);
-    }
-    return image;
   }
 
   private byte[] encoded(GltfJson json) throws ModelFormatException, IOException {

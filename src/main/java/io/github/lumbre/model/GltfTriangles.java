@@ -1,5 +1,8 @@
 package io.github.lumbre.model;
 
+import java.util.BitSet;
+import java.util.stream.IntStream;
+
 /** Makes triangle lists of the other triangle modes (glTF 2.0, section 3.7.2.1). */
 final class GltfTriangles {
   /** The mode of triangle lists. */
@@ -37,6 +40,24 @@ final class GltfTriangles {
       }
     }
     return list;
+  }
+
+  /** Returns the triangles of a list without broken vertices; warns if there are others. */
+  static int[] whole(GltfDocument document, GltfJson primitive, BitSet broken, int... list)
+      throws ModelFormatException {
+    if (broken.isEmpty() || IntStream.of(list).noneMatch(broken::get)) {
+      return list;
+    }
+    document.budget().allocate(primitive.location(), (long) Integer.BYTES * list.length);
+    TriangleList kept = new TriangleList(list.length / 3);
+    for (int i = 0; i < list.length; i += 3) {
+      if (!broken.get(list[i]) && !broken.get(list[i + 1]) && !broken.get(list[i + 2])) {
+        kept.add(list[i], list[i + 1], list[i + 2]);
+      }
+    }
+    int lost = list.length / 3 - kept.count();
+    document.warnings().add(Tally.BROKEN, primitive.location(), Tally.BROKEN + ": " + lost);
+    return kept.toArray();
   }
 
   /** Returns triangles with the opposite winding. */

@@ -27,7 +27,7 @@ final class GltfUri {
   static byte[] data(String uri, String location) throws ModelFormatException {
     int comma = uri.indexOf(',');
     if (comma < 0) {
-      throw malformed(location, "expected a comma in a data URI, found none");
+      throw damaged(location, "expected a comma in a data URI, found none");
     }
     if (!uri.substring(0, comma).endsWith(";base64")) {
       return unescaped(uri.substring(comma + 1), location);
@@ -36,7 +36,7 @@ final class GltfUri {
     try {
       return Base64.getDecoder().decode(text);
     } catch (IllegalArgumentException e) {
-      throw malformed(location, "expected base64, found other characters");
+      throw damaged(location, "expected base64, found other characters");
     }
   }
 
@@ -47,10 +47,8 @@ final class GltfUri {
    */
   static String fileName(String uri, String location) throws ModelFormatException {
     if (SCHEME.matcher(uri).matches()) {
-      throw new ModelFormatException(
-          Kind.ASSET,
-          location,
-          "expected a relative path or a data URI, found " + PrintableText.quoted(uri));
+      throw damaged(
+          location, "expected a relative path or a data URI, found " + PrintableText.quoted(uri));
     }
     try {
       return StandardCharsets.UTF_8
@@ -58,7 +56,7 @@ final class GltfUri {
           .decode(ByteBuffer.wrap(unescaped(uri, location)))
           .toString();
     } catch (CharacterCodingException e) {
-      throw malformed(location, "expected UTF-8, found " + PrintableText.quoted(uri));
+      throw damaged(location, "expected UTF-8, found " + PrintableText.quoted(uri));
     }
   }
 
@@ -73,7 +71,7 @@ final class GltfUri {
       int high = i + 2 <= text.length - 1 ? Character.digit(text[i + 1], 16) : -1;
       int low = i + 2 <= text.length - 1 ? Character.digit(text[i + 2], 16) : -1;
       if (high < 0 || low < 0) {
-        throw malformed(
+        throw damaged(
             location,
             "expected two hexadecimal digits after %, found " + PrintableText.quoted(uri));
       }
@@ -83,7 +81,7 @@ final class GltfUri {
     return out.toByteArray();
   }
 
-  private static ModelFormatException malformed(String location, String message) {
-    return new ModelFormatException(Kind.MALFORMED, location, message);
+  private static ModelFormatException damaged(String location, String message) {
+    return new ModelFormatException(Kind.ASSET, location, message);
   }
 }

@@ -1,6 +1,8 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.model.ModelFormatException.Kind;
+import java.util.Arrays;
+import java.util.BitSet;
 
 /** Vectors in arrays: three numbers each, which further numbers may follow. */
 final class GltfVectors {
@@ -26,6 +28,18 @@ final class GltfVectors {
         vectors[i + 2] = z / length;
       }
     }
+  }
+
+  /** Sets positions that are not finite to 0, and returns the numbers of their vertices. */
+  static BitSet removeBroken(double[] positions) {
+    BitSet broken = new BitSet();
+    for (int i = 0; i < positions.length; i += 3) {
+      if (!Double.isFinite(positions[i] + positions[i + 1] + positions[i + 2])) {
+        broken.set(i / 3);
+        Arrays.fill(positions, i, i + 3, 0);
+      }
+    }
+    return broken;
   }
 
   /**

@@ -14,7 +14,7 @@ public final class ModelFormatException extends Exception {
     UNSUPPORTED,
     /** The file exceeds a limit. */
     TOO_LARGE,
-    /** A file that the model names cannot be read. */
+    /** A file that the model names, or data in one of its URIs, cannot be read. */
     ASSET
   }
 

@@ -14,9 +14,9 @@ import java.util.Optional;
  * @param up the up axis of formats that state none: STL, PLY and OBJ
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
  * @param limits for the model, its textures and its other files
- * @param lenient whether a missing picture of a glTF file is left out with a warning, instead of an
- *     error; missing pictures of OBJ files always are, and those of a model that is rendered by
- *     itself
+ * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
+ *     with a warning, instead of an error; missing pictures of OBJ files always are, and those of a
+ *     model that is rendered by itself
  */
 public record ModelOptions(
     Optional<Pose> pose,
