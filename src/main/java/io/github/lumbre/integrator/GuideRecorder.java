@@ -8,7 +8,6 @@ import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.Source;
 
 /**
@@ -70,11 +69,6 @@ public final class GuideRecorder implements PathListener {
     red = r;
     green = g;
     blue = b;
-  }
-
-  @Override
-  public void surfaceHit(int primitive, SurfaceHit surface) {
-    // Only surfaces that scatter are vertices.
   }
 
   @Override
@@ -143,11 +137,6 @@ public final class GuideRecorder implements PathListener {
   }
 
   @Override
-  public void lightAdded(double r, double g, double b) {
-    // It has been recorded where it was sampled or found.
-  }
-
-  @Override
   public void lightSampled(
       Source source,
       int emitter,
@@ -197,10 +186,5 @@ public final class GuideRecorder implements PathListener {
   @Override
   public void branchStarted(int branch) {
     throw new IllegalStateException("paths must not be split");
-  }
-
-  @Override
-  public void pathEnded(End end) {
-    // The caller ends the path.
   }
 }

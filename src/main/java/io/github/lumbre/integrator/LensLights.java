@@ -30,7 +30,7 @@ import java.util.Optional;
  * <p>A grid over the plane of focus lists the lights whose blurred image covers each cell, so that
  * other lights are not selected. What the grid leaves out is left to random lens points.
  */
-final class LensLights {
+final class LensLights implements LightTechnique {
   /** Cells along each side of the grid. */
   private static final int SIDE = 64;
 
@@ -56,16 +56,11 @@ final class LensLights {
   /** The probabilities of {@link #listed}, summed up to each one and including it. */
   private final double[][] cumulative;
 
-  private LensLights(
-      Scene scene,
-      ThinLensCamera camera,
-      Light[] emitters,
-      MisHeuristic heuristic,
-      List<Image> images) {
-    this.scene = scene;
+  private LensLights(LightSampling shared, ThinLensCamera camera, List<Image> images) {
+    scene = shared.scene;
     this.camera = camera;
-    this.emitters = emitters;
-    this.heuristic = heuristic;
+    emitters = shared.emitters;
+    heuristic = shared.heuristic;
     Point2 half = camera.focusedHalfSize();
     halfWidth = half.x();
     halfHeight = half.y();
@@ -77,27 +72,25 @@ final class LensLights {
 
   /**
    * Returns the lights of a scene that are worth sampling through the lens; empty if there are
-   * none, or no lens, or rays pass through surfaces.
-   *
-   * @param emitters the scene's
-   * @param heuristic weights samples and random lens points
+   * none, or no lens, or rays pass through surfaces, or the background is transparent.
    */
-  static Optional<LensLights> of(Scene scene, Light[] emitters, MisHeuristic heuristic) {
-    if (!(scene.camera() instanceof ThinLensCamera camera)
+  static Optional<LensLights> of(LightSampling shared) {
+    if (shared.options.transparent()
+        || !(shared.scene.camera() instanceof ThinLensCamera camera)
         || !camera.isBlurring()
         || !isUsable(camera.focusDistance() * camera.focusDistance() / area(camera))
-        || Passing.isNeeded(scene)) {
+        || Passing.isNeeded(shared.scene)) {
       return Optional.empty();
     }
     List<Image> images = new ArrayList<>();
-    for (int i = 0; i < emitters.length; i++) {
-      if (emitters[i] instanceof AreaLight light) {
+    for (int i = 0; i < shared.emitters.length; i++) {
+      if (shared.emitters[i] instanceof AreaLight light) {
         Image.of(i, light.bounds().orElseThrow(), camera).ifPresent(images::add);
       }
     }
     return images.isEmpty()
         ? Optional.empty()
-        : Optional.of(new LensLights(scene, camera, emitters, heuristic, images));
+        : Optional.of(new LensLights(shared, camera, images));
   }
 
   private static double area(ThinLensCamera camera) {
@@ -194,7 +187,7 @@ final class LensLights {
    * reuses one instance.
    */
   static final class Crossing {
-    /** Whether lights are sampled here. */
+    /** Whether the path's first ray is one of the camera. */
     boolean isUsed;
 
     /** The point in world space. */
@@ -210,11 +203,6 @@ final class LensLights {
 
     /** The lens point from which a light is seen, in world space. */
     private Vec3 lens = Vec3.ZERO;
-
-    /** Returns the density of the camera ray per solid angle. */
-    double rayPdf() {
-      return rayPdf;
-    }
   }
 
   /**
@@ -235,9 +223,15 @@ final class LensLights {
     crossing.rayPdf = pdf(cosine);
   }
 
-  /** Samples one light through the lens of a camera ray, and adds its light that the film receives. */
-  void addLight(Sampler sampler, RenderContext context) {
+  /**
+   * Samples one light through the lens of a camera ray, and adds its light that the film receives.
+   */
+  @Override
+  public void add(int depth, Sampler sampler, RenderContext context) {
     Crossing crossing = context.crossing;
+    if (!crossing.isUsed) {
+      return;
+    }
     LightSample light = context.light;
     cross(context.hit, crossing);
     double u = sampler.get1d(Sampler.THROUGH_LENS);
@@ -248,13 +242,11 @@ final class LensLights {
     boolean isBlocked = context.isOccluded(scene, crossing.lens);
     double lightPdf = crossing.probability * light.pdf();
     double misWeight = heuristic.lightWeight(lightPdf, lensPdf);
-    if (context.isRecorded) {
-      // The density of lens points takes the place of the BSDF.
-      BsdfValue value = context.value;
-      value.set(Rgb.grey(lensPdf), lensPdf);
-      context.listener.lightSampled(
-          Source.LENS, crossing.emitter, light, value, lightPdf, misWeight, isBlocked);
-    }
+    // The density of lens points takes the place of the BSDF.
+    BsdfValue value = context.value;
+    value.set(Rgb.grey(lensPdf), lensPdf);
+    context.listener.lightSampled(
+        Source.LENS, crossing.emitter, light, value, lightPdf, misWeight, isBlocked);
     if (!isBlocked) {
       double weight = lensPdf * misWeight / lightPdf;
       context.add(light.r() * weight, light.g() * weight, light.b() * weight);
@@ -307,11 +299,20 @@ final class LensLights {
     return camera.aperture().contains(local.x() / size, local.y() / size) ? pdf(cosine) : 0;
   }
 
-  /**
-   * Returns the density per solid angle with which {@link #sample} draws the hit of a camera ray on
-   * a light.
-   */
-  double pdf(int emitter, SurfaceHit hit, Crossing crossing) {
+  /** Camera rays have a density only because they come from random points of the lens. */
+  @Override
+  public boolean mightFind(int depth, RenderContext context) {
+    return depth == 0 && context.crossing.isUsed;
+  }
+
+  @Override
+  public double rayPdf(RenderContext context) {
+    return context.crossing.rayPdf;
+  }
+
+  @Override
+  public double pdf(int emitter, SurfaceHit hit, RenderContext context) {
+    Crossing crossing = context.crossing;
     int place = Arrays.binarySearch(listed[crossing.cell], emitter);
     if (place < 0) {
       return 0;

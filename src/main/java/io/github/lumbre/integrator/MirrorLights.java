@@ -4,13 +4,10 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.SphereMirror;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
-import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
-import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.internal.LightChoice;
-import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -18,7 +15,6 @@ import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Specialization;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -33,7 +29,7 @@ import java.util.Optional;
  * weights both ways, with densities per solid angle at the surface (Veach 1997, ch. 9). It is
  * manifold next-event estimation (Hanika et al. 2015) where the only solution is known. Immutable.
  */
-final class MirrorLights {
+final class MirrorLights implements LightTechnique {
   /** The largest number of mirrors; smaller spheres are left to scattered rays. */
   private static final int MOST_MIRRORS = 16;
 
@@ -49,37 +45,18 @@ final class MirrorLights {
   private static final TexturePoint NO_TEXTURE = new TexturePoint(0, 0);
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
-  private final Scene scene;
-  private final Light[] emitters;
-  private final LightSampler selector;
-  private final MisHeuristic heuristic;
-  private final Guide guide;
-
-  /** Whether there is more than one light to select from. */
-  private final boolean selects;
-
+  private final LightSampling shared;
   private final SphereMirror[] mirrors;
   private final Rgb[] reflectances;
 
   /** The index among the mirrors of each primitive; -1 if it is none. */
   private final int[] mirrorOfPrimitive;
 
-  private MirrorLights(
-      Scene scene,
-      Light[] emitters,
-      LightSampler selector,
-      MisHeuristic heuristic,
-      Guide guide,
-      List<Mirror> found) {
-    this.scene = scene;
-    this.emitters = emitters;
-    this.selector = selector;
-    this.heuristic = heuristic;
-    this.guide = guide;
-    selects = !scene.takes(Specialization.ONE_EMITTER);
+  private MirrorLights(LightSampling shared, List<Mirror> found) {
+    this.shared = shared;
     mirrors = found.stream().map(Mirror::sphere).toArray(SphereMirror[]::new);
     reflectances = found.stream().map(Mirror::reflectance).toArray(Rgb[]::new);
-    mirrorOfPrimitive = new int[scene.primitives().size()];
+    mirrorOfPrimitive = new int[shared.scene.primitives().size()];
     Arrays.fill(mirrorOfPrimitive, -1);
     for (int i = 0; i < found.size(); i++) {
       mirrorOfPrimitive[found.get(i).primitive] = i;
@@ -102,15 +79,12 @@ final class MirrorLights {
   /**
    * Returns the lamps that are sampled in a scene's mirrors; empty if there are no lamps or no
    * mirrors, or rays pass through surfaces.
-   *
-   * @param emitters the scene's
-   * @param selector selects among them
-   * @param heuristic weights scattered rays and samples of reflections
-   * @param guide the one that scattered rays follow
    */
-  static Optional<MirrorLights> of(
-      Scene scene, Light[] emitters, LightSampler selector, MisHeuristic heuristic, Guide guide) {
-    if (Arrays.stream(emitters).noneMatch(AreaLight.class::isInstance) || Passing.isNeeded(scene)) {
+  static Optional<MirrorLights> of(LightSampling shared) {
+    Scene scene = shared.scene;
+    if (!shared.options.bySpecular()
+        || Arrays.stream(shared.emitters).noneMatch(AreaLight.class::isInstance)
+        || Passing.isNeeded(scene)) {
       return Optional.empty();
     }
     List<Mirror> found = new ArrayList<>();
@@ -122,7 +96,7 @@ final class MirrorLights {
     }
     found.sort(Comparator.comparingDouble((Mirror mirror) -> mirror.sphere.radius()).reversed());
     List<Mirror> largest = found.subList(0, Math.min(MOST_MIRRORS, found.size()));
-    return Optional.of(new MirrorLights(scene, emitters, selector, heuristic, guide, largest));
+    return Optional.of(new MirrorLights(shared, largest));
   }
 
   /** A reflection that is sampled. Mutable; each thread reuses one instance. */
@@ -138,38 +112,26 @@ final class MirrorLights {
 
   /**
    * Samples the reflection of one light in one mirror, and adds its light that a vertex scatters.
-   *
-   * @param depth number of the vertex
    */
-  void addReflection(Vertex vertex, int depth, Sampler sampler, RenderContext context) {
+  @Override
+  public void add(int depth, Sampler sampler, RenderContext context) {
+    Vertex vertex = context.vertex;
     Reflection reflection = context.reflection;
     LightSample light = context.light;
-    if (!sample(sampler, Sampler.mirror(depth), vertex, reflection, light)) {
+    if (depth + 2 > shared.options.maxDepth()
+        || !sample(sampler, Sampler.mirror(depth), vertex, reflection, light)) {
       return;
     }
     BsdfValue value = context.value;
     vertex.evaluate(light, value);
-    double r = value.r() * light.r();
-    double g = value.g() * light.g();
-    double b = value.b() * light.b();
-    boolean isBlack = r == 0 && g == 0 && b == 0;
     boolean isBlocked =
-        !isBlack
-            && (context.isOccluded(scene, vertex.surface(), reflection.point)
-                || context.isOccluded(scene, reflection.above));
-    if (vertex.isGuided()) {
-      value.mix(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
-    }
-    double misWeight = heuristic.lightWeight(light.pdf(), value.pdf());
-    if (context.isRecorded) {
-      int emitter = reflection.choice.emitter();
-      context.listener.lightSampled(
-          Source.MIRROR, emitter, light, value, light.pdf(), misWeight, isBlocked);
-    }
-    if (!isBlack && !isBlocked) {
-      double weight = misWeight / light.pdf();
-      context.add(r * weight, g * weight, b * weight);
-    }
+        !LightSampling.isBlack(context)
+            && (context.isOccluded(shared.scene, vertex.surface(), reflection.point)
+                || context.isOccluded(shared.scene, reflection.above));
+    shared.directions.weigh(vertex, light, value);
+    double misWeight = shared.heuristic.lightWeight(light.pdf(), value.pdf());
+    int emitter = reflection.choice.emitter();
+    LightSampling.add(Source.MIRROR, emitter, light.pdf(), misWeight, isBlocked, context);
   }
 
   /**
@@ -194,24 +156,15 @@ final class MirrorLights {
       return false;
     }
     LightChoice choice = reflection.choice;
-    select(Math.min(rest / weights[chosen], BELOW_ONE), mirrors[chosen].center(), choice);
-    if (!(emitters[choice.emitter()] instanceof AreaLight lamp)) {
+    choice.moveTo(mirrors[chosen].center(), Vec3.ZERO);
+    shared.select(Math.min(rest / weights[chosen], BELOW_ONE), choice);
+    if (!(shared.emitters[choice.emitter()] instanceof AreaLight lamp)) {
       return false;
     }
     Point2 onLight = sampler.get2d(dimension + 1);
     lamp.sample(choice.x(), choice.y(), choice.z(), onLight.x(), onLight.y(), light);
     double probability = weights[chosen] / most * choice.probability();
     return !light.isEmpty() && reflect(from, chosen, probability, reflection, light);
-  }
-
-  /** Selects a light at the center of a mirror. */
-  private void select(double u, Vec3 center, LightChoice choice) {
-    choice.moveTo(center, Vec3.ZERO);
-    if (selects) {
-      selector.choose(u, choice);
-    } else {
-      choice.setOnly();
-    }
   }
 
   /** Replaces light that arrives at the center of a mirror by its reflection seen from a point. */
@@ -247,30 +200,34 @@ final class MirrorLights {
     return density < Double.POSITIVE_INFINITY ? density : 0;
   }
 
-  /** Returns whether the path's only specular surface is the outside of a mirror. */
-  boolean isMet(SpecularLink link) {
+  /** The path's only specular surface since its last vertex is the outside of a mirror. */
+  @Override
+  public boolean mightFind(int depth, RenderContext context) {
+    SpecularLink link = context.link;
     return link.isSingle() && link.isFrontal() && mirrorOfPrimitive[link.primitive()] >= 0;
   }
 
-  /**
-   * Returns the density per solid angle, at the vertex that the path left, with which {@link
-   * #addReflection} draws the path by way of the mirror that it met to a light.
-   *
-   * @param hit where the path meets the light
-   */
-  double pdf(int emitter, SurfaceHit hit, SpecularLink link, Reflection reflection) {
+  @Override
+  public double rayPdf(RenderContext context) {
+    return context.link.pdf();
+  }
+
+  @Override
+  public double pdf(int emitter, SurfaceHit hit, RenderContext context) {
+    SpecularLink link = context.link;
+    Reflection reflection = context.reflection;
     int met = mirrorOfPrimitive[link.primitive()];
     SphereMirror mirror = mirrors[met];
     double most = Math.max(1, weigh(link.vertex(), link.facing(), reflection.weights));
     double weight = reflection.weights[met];
-    if (weight == 0 || !(emitters[emitter] instanceof AreaLight lamp)) {
+    if (weight == 0 || !(shared.emitters[emitter] instanceof AreaLight lamp)) {
       return 0;
     }
     double density =
         density(mirror, link.vertex(), link.point(), hit.position(), hit.geometricNormal());
     LightChoice choice = reflection.choice;
     choice.moveTo(mirror.center(), Vec3.ZERO);
-    double probability = selects ? selector.probability(choice, emitter) : 1;
+    double probability = shared.probability(choice, emitter);
     return weight / most * probability * lamp.pdf(mirror.center(), hit) * density;
   }
 

@@ -30,6 +30,9 @@ final class Path {
   /** Light that the path was expected to find at its first guided vertex; below 0 before it. */
   private double expected;
 
+  /** The probability that {@link #expect} found. */
+  private double expectedSurvival;
+
   /** Whether the path has left a non-specular vertex. */
   private boolean isScattered;
 
@@ -124,19 +127,25 @@ final class Path {
   }
 
   /**
-   * Returns the probability with which roulette should continue the path at a vertex, by the light
-   * that the path is expected to find beyond it, compared with its first vertex (Vorba and Krivanek
-   * 2016, "Adjoint-Driven Russian Roulette and Splitting"). A guided path has a low throughput
-   * where much light is, so that the throughput alone would end the wrong paths.
+   * Arrives at a guided vertex. Finds the probability with which roulette should continue the path
+   * there, by the light that the path is expected to find beyond it, compared with its first vertex
+   * (Vorba and Krivanek 2016, "Adjoint-Driven Russian Roulette and Splitting"). A guided path has a
+   * low throughput where much light is, so that the throughput alone would end the wrong paths.
    *
    * @param mean mean radiance that the vertex scatters
    */
-  double survival(double mean) {
+  void expect(double mean) {
     double now = mean * branches * (throughputRed + throughputGreen + throughputBlue);
     if (expected < 0) {
       expected = now;
     }
-    return expected > 0 ? Math.max(LEAST_SURVIVAL, Math.min(1, SLACK * now / expected)) : 1;
+    expectedSurvival =
+        expected > 0 ? Math.max(LEAST_SURVIVAL, Math.min(1, SLACK * now / expected)) : 1;
+  }
+
+  /** Returns the probability with which roulette should continue the path at a guided vertex. */
+  double expectedSurvival() {
+    return expectedSurvival;
   }
 
   /**

@@ -8,19 +8,23 @@ import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.Source;
+import io.github.lumbre.scene.Scene;
 
 /**
  * Receives the events of a path while an {@link Integrator} traces it.
  *
  * <p>An event allocates nothing: its arguments are plain numbers and objects that the {@link
- * RenderContext} reuses. Such an object is valid only during the call. Without a listener, each
- * event costs one predictable branch.
+ * RenderContext} reuses. Such an object is valid only during the call. A listener that ignores an
+ * event does not implement it.
  *
  * <p>Colors are linear RGB, passed as three components; only the red one is documented.
  */
 interface PathListener {
+  /** Ignores all events. */
+  PathListener NONE = new PathListener() {};
+
   /** A path starts at the camera. */
-  void pathStarted();
+  default void pathStarted() {}
 
   /**
    * A ray was traced from the camera, or from the vertex where the path last scattered.
@@ -29,16 +33,18 @@ interface PathListener {
    * @param depth number of surfaces that scattered the path so far
    * @param r red component of the throughput, which multiplies the light found next
    */
-  void rayTraced(NearestHit ray, int depth, double r, double g, double b);
+  default void rayTraced(NearestHit ray, int depth, double r, double g, double b) {}
 
   /**
    * The ray hit a surface that is not shaded, because it emits or because the path has reached its
    * greatest depth.
+   *
+   * @param ray with its nearest hit, of which {@link Scene#surfaceAt} tells the surface
    */
-  void surfaceHit(int primitive, SurfaceHit surface);
+  default void surfaceHit(NearestHit ray, Scene scene) {}
 
   /** The ray hit a surface that scatters. */
-  void vertexReached(int primitive, SurfaceHit surface, Bsdf bsdf);
+  default void vertexReached(int primitive, SurfaceHit surface, Bsdf bsdf) {}
 
   /**
    * A light was sampled at the vertex, through the lens, or by way of a specular surface.
@@ -51,14 +57,14 @@ interface PathListener {
    * @param misWeight weight of multiple importance sampling
    * @param blocked whether the shadow ray hit something
    */
-  void lightSampled(
+  default void lightSampled(
       Source source,
       int emitter,
       LightSample light,
       BsdfValue value,
       double lightPdf,
       double misWeight,
-      boolean blocked);
+      boolean blocked) {}
 
   /**
    * The ray hit light without light sampling, or the vertex receives ambient light.
@@ -71,7 +77,7 @@ interface PathListener {
    *     and the camera
    * @param misWeight weight of multiple importance sampling
    */
-  void lightFound(
+  default void lightFound(
       Source source,
       int emitter,
       double r,
@@ -79,7 +85,7 @@ interface PathListener {
       double b,
       double lightPdf,
       double bsdfPdf,
-      double misWeight);
+      double misWeight) {}
 
   /**
    * Light is added to the sample. The light comes from the lights reported since the last such
@@ -88,7 +94,7 @@ interface PathListener {
    * @param r red component of the light after MIS weighting, before multiplication by the
    *     throughput
    */
-  void lightAdded(double r, double g, double b);
+  default void lightAdded(double r, double g, double b) {}
 
   /**
    * A direction was sampled at the vertex. If it does not survive Russian roulette, the path ends.
@@ -97,11 +103,11 @@ interface PathListener {
    * @param survival probability with which Russian roulette continues the path; 1 without it
    * @param survives whether the path continues
    */
-  void scattered(BsdfSample sample, double survival, boolean survives);
+  default void scattered(BsdfSample sample, double survival, boolean survives) {}
 
   /** A branch of a split path starts at the vertex where the path was split. */
-  void branchStarted(int branch);
+  default void branchStarted(int branch) {}
 
   /** The path ends, or is split, where the last ray led. */
-  void pathEnded(End end);
+  default void pathEnded(End end) {}
 }

@@ -16,6 +16,7 @@ import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Hit;
 import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.path.PathVertex.Source;
+import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -90,8 +91,8 @@ public final class PathRecorder implements PathListener {
   }
 
   @Override
-  public void surfaceHit(int primitive, SurfaceHit surface) {
-    last.hit = Optional.of(hit(primitive, surface, ""));
+  public void surfaceHit(NearestHit ray, Scene scene) {
+    last.hit = Optional.of(hit(ray.shape(), scene.surfaceAt(ray), ""));
   }
 
   @Override

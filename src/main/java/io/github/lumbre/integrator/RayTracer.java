@@ -86,9 +86,7 @@ public final class RayTracer implements Integrator {
     Deque<Branch> pending = context.branches;
     pending.clear();
     pending.push(new Branch(cameraRay, Rgb.WHITE, 0, 0));
-    if (context.isRecorded) {
-      context.listener.pathStarted();
-    }
+    context.listener.pathStarted();
     double r = 0;
     double g = 0;
     double b = 0;
@@ -126,14 +124,11 @@ public final class RayTracer implements Integrator {
   private Rgb shadeHit(
       Branch branch, int number, boolean isHit, Sampler sampler, RenderContext context) {
     NearestHit hit = context.hit;
-    if (context.isRecorded) {
-      Rgb throughput = branch.throughput();
-      int depth = branch.reflections() + branch.refractions();
-      context.listener.rayTraced(hit, depth, throughput.r(), throughput.g(), throughput.b());
-    }
+    Rgb throughput = branch.throughput();
+    int depth = branch.reflections() + branch.refractions();
+    context.listener.rayTraced(hit, depth, throughput.r(), throughput.g(), throughput.b());
     if (!isHit) {
-      boolean isSeen = branch.reflections() == 0 && branch.refractions() == 0;
-      return isSeen && backplate.isPresent()
+      return depth == 0 && backplate.isPresent()
           ? backplate(backplate.get(), context)
           : environment(hit.direction(), context);
     }
@@ -149,9 +144,7 @@ public final class RayTracer implements Integrator {
     }
     context.vertex.moveTo(surface, primitive.material());
     context.lift(scene);
-    if (context.isRecorded) {
-      context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
-    }
+    context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
     return shade(branch, number, emitted, sampler, context);
   }
 
@@ -177,7 +170,7 @@ public final class RayTracer implements Integrator {
     } else if (isSpecular) {
       reflect(branch, context, pending);
     }
-    if (context.isRecorded && pending.size() == waiting) {
+    if (pending.size() == waiting) {
       context.listener.pathEnded(isSpecular ? End.DEPTH : End.ABSORBED);
     }
     return light;
@@ -189,44 +182,40 @@ public final class RayTracer implements Integrator {
   }
 
   private static Rgb emittedBySpecular(Rgb emitted, RenderContext context) {
-    if (context.isRecorded && !emitted.isBlack()) {
+    if (!emitted.isBlack()) {
       context.listener.lightAdded(emitted.r(), emitted.g(), emitted.b());
     }
     return emitted;
   }
 
   private static Rgb backplate(Rgb light, RenderContext context) {
-    if (context.isRecorded) {
-      reportFound(Source.ENVIRONMENT, -1, light, context);
-      context.listener.lightAdded(light.r(), light.g(), light.b());
-      context.listener.pathEnded(End.ESCAPED);
-    }
+    reportFound(Source.ENVIRONMENT, -1, light, context);
+    context.listener.lightAdded(light.r(), light.g(), light.b());
+    context.listener.pathEnded(End.ESCAPED);
     return light;
   }
 
   private Rgb environment(Vec3 direction, RenderContext context) {
     Rgb light = scene.background(direction);
-    if (context.isRecorded) {
+    if (context.isRecorded()) {
       for (int i = 0; i < scene.environments().size(); i++) {
         Rgb one = scene.environments().get(i).from(direction);
         reportFound(Source.ENVIRONMENT, scene.emitterOfEnvironment(i), one, context);
       }
-      context.listener.lightAdded(light.r(), light.g(), light.b());
-      context.listener.pathEnded(End.ESCAPED);
     }
+    context.listener.lightAdded(light.r(), light.g(), light.b());
+    context.listener.pathEnded(End.ESCAPED);
     return light;
   }
 
   private Rgb emission(
       Emission emission, SurfaceHit surface, boolean continues, RenderContext context) {
     Rgb light = emission.towards(surface.wo(), surface.geometricNormal(), surface);
-    if (context.isRecorded) {
-      context.listener.surfaceHit(context.hit.shape(), surface);
-      reportFound(Source.EMISSION, scene.emitterAt(context.hit), light, context);
-      if (!continues) {
-        context.listener.lightAdded(light.r(), light.g(), light.b());
-        context.listener.pathEnded(End.EMITTER);
-      }
+    context.listener.surfaceHit(context.hit, scene);
+    reportFound(Source.EMISSION, scene.emitterAt(context.hit), light, context);
+    if (!continues) {
+      context.listener.lightAdded(light.r(), light.g(), light.b());
+      context.listener.pathEnded(End.EMITTER);
     }
     return light;
   }
@@ -243,7 +232,7 @@ public final class RayTracer implements Integrator {
   private Rgb direct(
       Vertex vertex, int number, Rgb emitted, Sampler sampler, RenderContext context) {
     Rgb ambient = scene.ambient().times(vertex.bsdf().diffuseAlbedo()).times(Elementary.INV_PI);
-    if (context.isRecorded && !ambient.isBlack()) {
+    if (!ambient.isBlack()) {
       reportFound(Source.AMBIENT, -1, ambient, context);
     }
     double r = emitted.r() + ambient.r();
@@ -262,9 +251,7 @@ public final class RayTracer implements Integrator {
         b += arriving.b();
       }
     }
-    if (context.isRecorded) {
-      context.listener.lightAdded(r, g, b);
-    }
+    context.listener.lightAdded(r, g, b);
     return new Rgb(r, g, b);
   }
 
@@ -288,14 +275,12 @@ public final class RayTracer implements Integrator {
       g = value.g() * light.g();
       b = value.b() * light.b();
     }
-    if (context.isRecorded) {
-      double pdf = light.isDelta() ? 1 : light.pdf();
-      int emitter = scene.emitterOfLight(number);
-      context.listener.lightSampled(Source.LIGHT, emitter, light, value, pdf, 1, isBlocked);
-    }
+    double pdf = light.isDelta() ? 1 : light.pdf();
+    int emitter = scene.emitterOfLight(number);
+    context.listener.lightSampled(Source.LIGHT, emitter, light, value, pdf, 1, isBlocked);
     boolean arrives = !isBlack && !isBlocked;
     // Single allocation site, so that escape analysis can remove it.
-    double weight = light.isDelta() ? 1 : 1 / light.pdf();
+    double weight = light.isDelta() ? 1 : 1 / pdf;
     return new Rgb(arrives ? r * weight : 0, arrives ? g * weight : 0, arrives ? b * weight : 0);
   }
 

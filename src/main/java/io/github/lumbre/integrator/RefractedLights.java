@@ -2,7 +2,6 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
-import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Dielectric;
@@ -22,7 +21,7 @@ import java.util.Optional;
  * with scattered rays, which also find the light that the search misses. It is manifold next-event
  * estimation (Hanika, Droske and Fascione 2015) for refraction. Immutable.
  */
-final class RefractedLights {
+final class RefractedLights implements LightTechnique {
   /**
    * The largest probability of a search. Measured: it takes less time to an error than 1/2 or 1.
    */
@@ -37,9 +36,8 @@ final class RefractedLights {
   /** Difference of two directions that count as the same. */
   private static final double SAME = 1e-5;
 
-  private final Scene scene;
-  private final MisHeuristic heuristic;
-  private final Guide guide;
+  private final LightSampling shared;
+  private final int maxDepth;
 
   /** The clear glass of each primitive that refracts; null for all others. */
   private final Dielectric[] glass;
@@ -47,11 +45,9 @@ final class RefractedLights {
   /** The bounds of all clear glass. */
   private final Bounds3 bounds;
 
-  private RefractedLights(
-      Scene scene, MisHeuristic heuristic, Guide guide, Dielectric[] glass, Bounds3 bounds) {
-    this.scene = scene;
-    this.heuristic = heuristic;
-    this.guide = guide;
+  private RefractedLights(LightSampling shared, Dielectric[] glass, Bounds3 bounds) {
+    this.shared = shared;
+    maxDepth = shared.options.maxDepth();
     this.glass = glass;
     this.bounds = bounds;
   }
@@ -59,11 +55,12 @@ final class RefractedLights {
   /**
    * Returns the lamps that are seen through a scene's clear glass; empty if there is none, or rays
    * pass straight through other surfaces.
-   *
-   * @param heuristic weights scattered rays and samples of refracted light
-   * @param guide the one that scattered rays follow
    */
-  static Optional<RefractedLights> of(Scene scene, MisHeuristic heuristic, Guide guide) {
+  static Optional<RefractedLights> of(LightSampling shared) {
+    if (!shared.options.bySpecular()) {
+      return Optional.empty();
+    }
+    Scene scene = shared.scene;
     List<Primitive> primitives = scene.primitives();
     Dielectric[] glass = new Dielectric[primitives.size()];
     Bounds3 bounds = Bounds3.EMPTY;
@@ -77,7 +74,7 @@ final class RefractedLights {
     }
     return bounds.isEmpty() || Passing.isNeeded(scene)
         ? Optional.empty()
-        : Optional.of(new RefractedLights(scene, heuristic, guide, glass, bounds));
+        : Optional.of(new RefractedLights(shared, glass, bounds));
   }
 
   /**
@@ -91,27 +88,25 @@ final class RefractedLights {
   }
 
   /**
-   * Adds the refracted light of the lamp that was sampled last at a vertex, but not at each vertex.
-   *
-   * @param depth number of the vertex
-   * @param maxDepth the largest number of scattering vertices of a path
+   * Adds the refracted light of the lamp that {@link DirectLights} sampled and something blocks,
+   * but not at each vertex.
    */
-  void addRefracted(
-      Vertex vertex, int depth, int maxDepth, Sampler sampler, RenderContext context) {
+  @Override
+  public void add(int depth, Sampler sampler, RenderContext context) {
     LightSample light = context.light;
-    if (light.target() != LightSample.Target.SURFACE) {
+    if (depth + 2 > maxDepth || light.isEmpty() || light.target() != LightSample.Target.SURFACE) {
       return;
     }
+    Vertex vertex = context.vertex;
     double probability = probability(context.path.throughput());
     if (bounds.meets(vertex.surface().origin(), light.surface().position())
         && sampler.get1d(Sampler.glass(depth)) < probability) {
-      search(vertex, depth, maxDepth, probability, context);
+      search(vertex, depth, probability, context);
     }
   }
 
   /** Searches for the path to the lamp, and adds its light if there is one. */
-  private void search(
-      Vertex vertex, int depth, int maxDepth, double probability, RenderContext context) {
+  private void search(Vertex vertex, int depth, double probability, RenderContext context) {
     LightSample light = context.light;
     SurfaceSample onLight = light.surface();
     Vec3 to = onLight.position();
@@ -130,41 +125,32 @@ final class RefractedLights {
     light.redirect(found.first(), found.passed(), refractedPdf);
     BsdfValue value = context.value;
     vertex.evaluate(light, value);
-    double r = value.r() * light.r();
-    double g = value.g() * light.g();
-    double b = value.b() * light.b();
-    boolean isBlack = r == 0 && g == 0 && b == 0;
-    boolean isBlocked = !isBlack && context.isOccluded(scene, found.lastSurface());
-    if (vertex.isGuided()) {
-      value.mix(Guiding.pdf(guide, vertex.cell(), light.wi(), value.pdf()));
-    }
+    boolean isBlocked =
+        !LightSampling.isBlack(context) && context.isOccluded(shared.scene, found.lastSurface());
+    shared.directions.weigh(vertex, light, value);
     value.scalePdf(found.passProbability());
-    double misWeight = heuristic.lightWeight(refractedPdf, value.pdf());
-    if (context.isRecorded) {
-      context.listener.lightSampled(
-          Source.REFRACTION,
-          context.choice.emitter(),
-          light,
-          value,
-          refractedPdf,
-          misWeight,
-          isBlocked);
-    }
-    if (!isBlack && !isBlocked) {
-      double weight = misWeight / refractedPdf;
-      context.add(r * weight, g * weight, b * weight);
-    }
+    double misWeight = shared.heuristic.lightWeight(refractedPdf, value.pdf());
+    int emitter = context.choice.emitter();
+    LightSampling.add(Source.REFRACTION, emitter, refractedPdf, misWeight, isBlocked, context);
   }
 
-  /**
-   * Returns the density per solid angle, at the vertex that the path left, with which {@link
-   * #addRefracted} draws the path to a light.
-   *
-   * @param link a path that {@linkplain SpecularLink#isRefracted is refracted}
-   * @param hit where the path meets the light
-   * @param pdf density, at the vertex, of the straight direction there
-   */
-  double pdf(SpecularLink link, SurfaceHit hit, double pdf, RenderContext context) {
+  @Override
+  public boolean mightFind(int depth, RenderContext context) {
+    return context.link.isRefracted();
+  }
+
+  @Override
+  public double rayPdf(RenderContext context) {
+    return context.link.pdf() * context.link.passProbability();
+  }
+
+  @Override
+  public double pdf(int emitter, SurfaceHit hit, RenderContext context) {
+    SpecularLink link = context.link;
+    // The density, at the vertex, of the straight direction to the light.
+    double pdf =
+        shared.probability(context.choice, emitter)
+            * shared.emitters[emitter].pdf(context.choice.point(), hit);
     GlassPath found = context.glassPath;
     Vec3 to = hit.position();
     boolean isSame =
@@ -200,7 +186,7 @@ final class RefractedLights {
     }
     Vec3 direction = axis;
     for (int ray = 0; ray < MOST_RAYS; ray++) {
-      if (!found.trace(scene, glass, origin, direction, to, axis)) {
+      if (!found.trace(shared.scene, glass, origin, direction, to, axis)) {
         return false;
       }
       Vec3 miss = to.minus(found.end());

@@ -3,6 +3,7 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
+import io.github.lumbre.guiding.GuideSample;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.internal.LightChoice;
@@ -21,16 +22,12 @@ import java.util.Objects;
  * sample to sample. Mutable and confined to one thread.
  */
 public final class RenderContext {
-  /**
-   * Whether {@link #listener} receives events. Testing this flag costs less than calling a listener
-   * that does nothing. A listener may clear the flag for the rest of a sample.
-   */
-  boolean isRecorded;
+  /** Receives the events of the current path. */
+  PathListener listener;
 
-  /** Whether {@link #listener} receives the events of each sample. */
-  private final boolean isListening;
+  /** Receives the events of each sample from its start. */
+  private final PathListener first;
 
-  final PathListener listener;
   NearestHit hit = new NearestHit();
   Vertex vertex = new Vertex();
   final Path path = new Path();
@@ -39,7 +36,7 @@ public final class RenderContext {
   final LightChoice choice = new LightChoice();
   final LightSample light = new LightSample();
   final Passing passing = new Passing();
-  final Guiding guiding = new Guiding();
+  final GuideSample guided = new GuideSample();
   final LensLights.Crossing crossing = new LensLights.Crossing();
   final SpecularLink link = new SpecularLink();
   final GlassPath glassPath = new GlassPath();
@@ -62,13 +59,12 @@ public final class RenderContext {
 
   /** Creates a context that does not record paths. */
   public RenderContext() {
-    this(new PathRecorder(), false);
+    this(PathListener.NONE);
   }
 
-  private RenderContext(PathListener listener, boolean isRecorded) {
+  private RenderContext(PathListener listener) {
     this.listener = Objects.requireNonNull(listener, "listener");
-    isListening = isRecorded;
-    this.isRecorded = isRecorded;
+    first = listener;
   }
 
   /**
@@ -76,19 +72,44 @@ public final class RenderContext {
    * without a recorder.
    */
   public static RenderContext recordedBy(PathRecorder recorder) {
-    return new RenderContext(recorder, true);
+    return new RenderContext(recorder);
   }
 
   /** Returns a context that records where light was found, to learn a guide. */
   public static RenderContext recordedBy(GuideRecorder recorder) {
-    return new RenderContext(recorder, true);
+    return new RenderContext(recorder);
   }
 
   /** Returns a context that collects the layers of each sample. */
   public static RenderContext collecting(SampleLayers layers) {
-    RenderContext context = new RenderContext(layers, true);
+    RenderContext context = new RenderContext(layers);
     layers.listenTo(context);
     return context;
+  }
+
+  /**
+   * Returns whether a listener wants to hear of light that does not arrive, and of what a render
+   * alone need not know.
+   */
+  boolean isRecorded() {
+    return listener != PathListener.NONE;
+  }
+
+  /** Sends no more events of the current sample. */
+  void stopRecording() {
+    listener = PathListener.NONE;
+  }
+
+  /**
+   * Starts a path.
+   *
+   * @param isOfCamera whether its first ray is one of the scene's own camera
+   */
+  void startPath(boolean isOfCamera) {
+    path.begin();
+    crossing.isUsed = isOfCamera;
+    link.begin();
+    listener.pathStarted();
   }
 
   /**
@@ -108,9 +129,7 @@ public final class RenderContext {
   /** Adds light found at the path's current vertex, before the throughput. */
   void add(double r, double g, double b) {
     path.add(r, g, b);
-    if (isRecorded) {
-      listener.lightAdded(r, g, b);
-    }
+    listener.lightAdded(r, g, b);
   }
 
   /**
@@ -207,7 +226,7 @@ public final class RenderContext {
   public void startSample() {
     hitSomething = false;
     isRejected = false;
-    isRecorded = isListening;
+    listener = first;
   }
 
   /** Returns whether the current sample's camera ray hit a surface. */

@@ -6,7 +6,6 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
-import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex.End;
@@ -111,7 +110,7 @@ public final class SampleLayers implements PathListener {
   /** Ends the events of a sample whose remaining path changes no layer. */
   private void endEvents() {
     if (!hasLight && context.isPresent()) {
-      context.get().isRecorded = false;
+      context.get().stopRecording();
     }
   }
 
@@ -145,11 +144,6 @@ public final class SampleLayers implements PathListener {
   }
 
   @Override
-  public void pathStarted() {
-    // The sample has been started with its camera ray.
-  }
-
-  @Override
   public void rayTraced(NearestHit ray, int newScatterings, double r, double g, double b) {
     scatterings = newScatterings;
     red = r;
@@ -162,8 +156,9 @@ public final class SampleLayers implements PathListener {
   }
 
   @Override
-  public void surfaceHit(int newPrimitive, SurfaceHit surface) {
-    primitive = newPrimitive;
+  public void surfaceHit(NearestHit ray, Scene scene) {
+    SurfaceHit surface = scene.surfaceAt(ray);
+    primitive = ray.shape();
     if (isFirst()) {
       setFirst(surface);
     }
@@ -321,21 +316,6 @@ public final class SampleLayers implements PathListener {
       lights[3 * group + 1] += green * g;
       lights[3 * group + 2] += blue * b;
     }
-  }
-
-  @Override
-  public void lightAdded(double r, double g, double b) {
-    // The single lights have been added.
-  }
-
-  @Override
-  public void scattered(BsdfSample sample, double survival, boolean survives) {
-    // Layers hold surfaces and light only.
-  }
-
-  @Override
-  public void branchStarted(int branch) {
-    // The next ray has the throughput of the branch.
   }
 
   @Override

@@ -6,5 +6,9 @@
  * mirrors and glass. Both are immutable and shared by all threads; each thread has its own {@link
  * io.github.lumbre.integrator.RenderContext}. A {@link io.github.lumbre.integrator.PathRecorder}
  * records the vertices and contributions of a path, so that a sample can be explained.
+ *
+ * <p>A path tracer samples light by a list of techniques, each a {@code LightTechnique}, and
+ * directions by a {@code DirectionStrategy}. It names none of them. What rays find by themselves is
+ * in {@code FoundLights}. Recorders hear of each event as a {@code PathListener}.
  */
 package io.github.lumbre.integrator;

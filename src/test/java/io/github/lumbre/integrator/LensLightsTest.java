@@ -13,7 +13,6 @@ import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.light.Light;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
@@ -200,8 +199,7 @@ class LensLightsTest {
   }
 
   private static boolean lensLights(Scene scene) {
-    return LensLights.of(scene, scene.emitters().toArray(Light[]::new), MisHeuristic.BOTH)
-        .isPresent();
+    return LensLights.of(TestScenes.sampling(scene)).isPresent();
   }
 
   /** Light that is sampled through the lens is reported with the camera ray. */

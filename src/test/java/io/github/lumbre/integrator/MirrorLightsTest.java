@@ -19,11 +19,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.Sphere;
-import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
-import io.github.lumbre.light.Light;
-import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Ray;
@@ -63,12 +60,7 @@ class MirrorLightsTest {
   }
 
   private static Optional<MirrorLights> mirrorLights(Scene scene) {
-    return MirrorLights.of(
-        scene,
-        scene.emitters().toArray(Light[]::new),
-        LightSampler.over(scene.emitters()),
-        MisHeuristic.BOTH,
-        Guide.NONE);
+    return MirrorLights.of(TestScenes.sampling(scene));
   }
 
   private static boolean isUsed(SceneBuilder scene) {

@@ -26,7 +26,6 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SharedMesh;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Glass;
@@ -52,9 +51,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Compares the light of lamps that are sampled through clear glass with what scattered
- * rays find alone, at a point on the ground. Lamps are large, so that scattered rays find them
- * often.
+ * Compares the light of lamps that are sampled through clear glass with what scattered rays find
+ * alone, at a point on the ground. Lamps are large, so that scattered rays find them often.
  */
 class RefractedLightsTest {
   private static final Glass WATER =
@@ -80,10 +78,7 @@ class RefractedLightsTest {
 
   /** A lamp above the surface of water; the ground is inside the water. */
   private static SceneBuilder under(Shape surface) {
-    return empty()
-        .add(floor(), matte(.5))
-        .add(surface, WATER)
-        .addAreaLight(lamp(), glow(4));
+    return empty().add(floor(), matte(.5)).add(surface, WATER).addAreaLight(lamp(), glow(4));
   }
 
   private static Shape flat() {
@@ -122,7 +117,7 @@ class RefractedLightsTest {
   }
 
   private static boolean isUsed(Scene scene) {
-    return RefractedLights.of(scene, MisHeuristic.BOTH, Guide.NONE).isPresent();
+    return RefractedLights.of(TestScenes.sampling(scene)).isPresent();
   }
 
   @ParameterizedTest
@@ -301,8 +296,7 @@ class RefractedLightsTest {
     assertThat(isUsed(under(flat()).build())).isTrue();
     assertThat(isUsed(under(Mesh.of(waves(.1, true))).build())).isTrue();
     assertThat(isUsed(under(sphere(0, 1, 0, .5)).build())).isTrue();
-    NormalMap bumps =
-        new NormalMap(Texture.constant(new Rgb(.5, .6, .9)), UvMapping.IDENTITY, 1);
+    NormalMap bumps = new NormalMap(Texture.constant(new Rgb(.5, .6, .9)), UvMapping.IDENTITY, 1);
     for (Material other :
         new Material[] {
           WATER.withRoughness(.3), new NormalMapped(WATER, bumps), matte(.5),
@@ -311,8 +305,7 @@ class RefractedLightsTest {
           empty().add(flat(), other).addAreaLight(lamp(), glow(1)).add(floor(), matte(1)).build();
       assertThat(isUsed(scene)).isFalse();
     }
-    SceneBuilder catcher =
-        under(flat()).add(sphere(9, 1, 0, 1), ShadowCatcher.of(Rgb.WHITE));
+    SceneBuilder catcher = under(flat()).add(sphere(9, 1, 0, 1), ShadowCatcher.of(Rgb.WHITE));
     assertThat(isUsed(catcher.build())).isFalse();
   }
 

@@ -3,6 +3,7 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Falloff;
@@ -21,6 +22,16 @@ import io.github.lumbre.texture.Texture;
 /** Parts of scenes for light transport tests. */
 final class TestScenes {
   private TestScenes() {}
+
+  /** Returns what the techniques of a path tracer with default options share. */
+  static LightSampling sampling(Scene scene) {
+    PathOptions options = PathOptions.toDepth(5);
+    return new LightSampling(
+        scene,
+        options,
+        options.lightSampler().over(scene),
+        DirectionStrategy.of(options, Guide.NONE));
+  }
 
   static SceneBuilder empty() {
     return Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
