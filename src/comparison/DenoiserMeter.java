@@ -6,7 +6,7 @@ import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.denoise.OpenImageDenoise;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -4,7 +4,7 @@ import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LayeredImage;
-import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.internal.LinearReader;
 
 /** Any bytes as a picture: PNG, JPEG, portable float map, Radiance HDR or OpenEXR. */
 public final class PictureTarget {

@@ -6,7 +6,7 @@
  * io.github.lumbre.checkpoint.FilmHeader} that states everything on which its samples depend;
  * docs/film-format.md describes its bytes. A running render saves its film to a {@link
  * io.github.lumbre.checkpoint.CheckpointFile}, at the intervals that {@link
- * io.github.lumbre.checkpoint.Checkpoints} controls. {@link io.github.lumbre.checkpoint.FilmMerge}
+ * io.github.lumbre.checkpoint.internal.Checkpoints} controls. {@link io.github.lumbre.checkpoint.FilmMerge}
  * merges films of one picture.
  */
 package io.github.lumbre.checkpoint;

@@ -7,7 +7,7 @@ import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmInput;
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.TaskException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;

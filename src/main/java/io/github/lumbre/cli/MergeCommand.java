@@ -18,7 +18,7 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;

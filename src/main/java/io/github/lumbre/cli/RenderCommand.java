@@ -33,7 +33,7 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;

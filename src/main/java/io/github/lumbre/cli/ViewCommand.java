@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
@@ -27,8 +27,8 @@ import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
-import io.github.lumbre.image.LinearReader;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;

@@ -1,6 +1,6 @@
 package io.github.lumbre.compare;
 
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 
 /** Maps numbers to colors. Stateless. */
 final class HeatScale {

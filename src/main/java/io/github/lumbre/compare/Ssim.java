@@ -2,7 +2,7 @@ package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.math.internal.Elementary;
 
 /**

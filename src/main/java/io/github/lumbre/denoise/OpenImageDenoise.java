@@ -2,7 +2,7 @@ package io.github.lumbre.denoise;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.internal.LinearReader;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;

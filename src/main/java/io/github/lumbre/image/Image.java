@@ -1,5 +1,8 @@
 package io.github.lumbre.image;
 
+import io.github.lumbre.image.internal.LinearPicture;
+import io.github.lumbre.image.internal.PfmWriter;
+import io.github.lumbre.image.internal.PngWriter;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -81,7 +84,7 @@ public final class Image {
    * Returns a component of a pixel as OpenEXR files store it: multiplied by alpha where that is not
    * 0, so that {@link LinearPicture#straight} returns the color.
    */
-  float associated(int x, int y, int component) {
+  public float associated(int x, int y, int component) {
     float value = rgb[3 * index(x, y) + component];
     float share = alpha(x, y);
     return share == 0 ? value : value * share;

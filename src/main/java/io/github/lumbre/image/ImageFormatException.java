@@ -19,20 +19,22 @@ public final class ImageFormatException extends IOException {
 
   private final Kind kind;
 
-  ImageFormatException(Kind kind, String message) {
+  public ImageFormatException(Kind kind, String message) {
     super(message);
     this.kind = Objects.requireNonNull(kind, "kind");
   }
 
-  ImageFormatException(Kind kind, String message, Throwable cause) {
+  public ImageFormatException(Kind kind, String message, Throwable cause) {
     super(message, cause);
     this.kind = Objects.requireNonNull(kind, "kind");
   }
 
-  static ImageFormatException malformed(String message) {
+  /** Returns the failure of a file that is damaged, or is no picture. */
+  public static ImageFormatException malformed(String message) {
     return new ImageFormatException(Kind.MALFORMED, message);
   }
 
+  /** Returns why the picture cannot be read. */
   public Kind kind() {
     return kind;
   }

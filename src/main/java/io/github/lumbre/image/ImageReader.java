@@ -3,10 +3,17 @@ package io.github.lumbre.image;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.file.FileContent;
+import io.github.lumbre.image.internal.ColorTag;
+import io.github.lumbre.image.internal.JpegFile;
+import io.github.lumbre.image.internal.LinearReader;
+import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.image.internal.PngFile;
+import io.github.lumbre.image.internal.PngTransparency;
 import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -17,7 +24,8 @@ import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
- * Decodes PNG and JPEG files from untrusted sources.
+ * Decodes picture files from untrusted sources: PNG and JPEG as they are, all formats as linear
+ * light.
  *
  * <p>The header is read first. A picture that exceeds the limits, or is larger than its data can
  * hold, is rejected before memory is allocated for it. All color types and bit depths of PNG are
@@ -75,14 +83,14 @@ public final class ImageReader {
     Objects.requireNonNull(file, "file");
     if (PngFile.startsIn(file)) {
       PngFile png = PngFile.read(file);
-      checkPixels(png.width(), png.height(), maxPixels);
-      checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
+      PictureLimits.checkPixels(png.width(), png.height(), maxPixels);
+      PictureLimits.checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
       return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0), png.transparency()));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);
-      checkPixels(jpeg.width(), jpeg.height(), maxPixels);
-      checkMemory(jpeg.width(), jpeg.height(), 1, Runtime.getRuntime().maxMemory());
+      PictureLimits.checkPixels(jpeg.width(), jpeg.height(), maxPixels);
+      PictureLimits.checkMemory(jpeg.width(), jpeg.height(), 1, Runtime.getRuntime().maxMemory());
       return decode(
           "JPEG",
           jpeg.content(),
@@ -104,45 +112,26 @@ public final class ImageReader {
   }
 
   /**
-   * Checks that the size stated in a header is within the limits.
+   * Returns the picture in a file as linear light: OpenEXR, Radiance HDR or a portable float map,
+   * or a PNG or JPEG, whose values are taken for sRGB. The content decides, not the name. The color
+   * is not multiplied by alpha.
    *
-   * @param width in pixels, unsigned
-   * @param height in pixels, unsigned
+   * @throws ImageFormatException if the file is in none of the formats, damaged or too large
+   * @throws IOException if the file cannot be read
    */
-  static void checkSize(int width, int height) throws ImageFormatException {
-    if (width == 0 || height == 0) {
-      throw malformed("the picture has no pixels");
-    }
-    long w = Integer.toUnsignedLong(width);
-    long h = Integer.toUnsignedLong(height);
-    if (w > MAX_SIDE || h > MAX_SIDE || w * h > MAX_PIXELS) {
-      throw new ImageFormatException(
-          ImageFormatException.Kind.TOO_LARGE,
-          "the picture has %dx%d pixels, expected at most %d per side and %d in total"
-              .formatted(w, h, MAX_SIDE, MAX_PIXELS));
-    }
+  public static Image readLinear(Path file) throws IOException {
+    return LinearReader.read(file);
   }
 
-  /** Checks that a picture has at most a number of pixels. */
-  static void checkPixels(int width, int height, long maxPixels) throws ImageFormatException {
-    if ((long) width * height > maxPixels) {
-      throw new ImageFormatException(
-          ImageFormatException.Kind.TOO_LARGE,
-          "the picture has %dx%d pixels, expected at most %d in total"
-              .formatted(width, height, maxPixels));
-    }
-  }
-
-  /** Checks that a picture fits into a heap of the given size. */
-  static void checkMemory(int width, int height, int bytesPerPixel, long maxHeapBytes)
-      throws ImageFormatException {
-    long bytes = (long) bytesPerPixel * width * height;
-    if (bytes > maxHeapBytes) {
-      throw new ImageFormatException(
-          ImageFormatException.Kind.TOO_LARGE,
-          "the picture has %dx%d pixels, which need %d MiB, but the heap is limited to %d MiB"
-              .formatted(width, height, bytes >> 20, maxHeapBytes >> 20));
-    }
+  /**
+   * Returns the picture in a file's bytes as linear light; see {@link #readLinear}.
+   *
+   * @throws ImageFormatException if they are none of the formats, or damaged, or too large
+   * @throws CancellationException if the calling thread is interrupted; the interrupt status stays
+   *     set
+   */
+  public static Image decodeLinear(byte[] file) throws ImageFormatException {
+    return LinearReader.decode(file);
   }
 
   /** A function that decodes the pixels with a reader whose input is set. */

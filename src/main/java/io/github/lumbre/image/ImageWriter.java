@@ -1,11 +1,10 @@
 package io.github.lumbre.image;
 
 import io.github.lumbre.file.OutputFile;
-import java.io.BufferedOutputStream;
+import io.github.lumbre.image.internal.ExrWriter;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.image.internal.PictureEncoder;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.channels.Channels;
-import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -27,8 +26,6 @@ import java.util.Objects;
 public final class ImageWriter {
   /** The largest width and height of a JPEG that the encoder can write, in pixels. */
   public static final int MAX_JPEG_SIDE = 65500;
-
-  private static final int BUFFER_BYTES = 1 << 16;
 
   private ImageWriter() {}
 
@@ -107,40 +104,7 @@ public final class ImageWriter {
    * @throws IOException if the file cannot be written; an existing file is then unchanged
    */
   public static void write(Image image, Path file, Options options) throws IOException {
-    requireFormat(file);
-    try (OutputFile output = OutputFile.open(file)) {
-      write(image, output, options);
-    }
-  }
-
-  /**
-   * Writes a picture to a reserved file and commits it.
-   *
-   * @throws IllegalArgumentException if the file name extension is unknown
-   * @throws IOException if the file cannot be written; it then stays reserved, and the caller may
-   *     try again
-   */
-  @SuppressWarnings("exports") // internal
-  public static void write(Image image, OutputFile output, Options options) throws IOException {
-    write(image, List.of(), output, options);
-  }
-
-  /**
-   * Writes a picture with layers to a reserved OpenEXR file and commits it. Layers are not
-   * multiplied by alpha.
-   *
-   * @param layers of the picture's size, with different names; none for other formats
-   * @throws IllegalArgumentException if the file name extension is unknown, if a format without
-   *     layers has some, or if a layer has another size or a name that occurs twice
-   * @throws IOException if the file cannot be written; it then stays reserved, and the caller may
-   *     try again
-   */
-  @SuppressWarnings("exports") // internal
-  public static void write(Image image, List<ImageLayer> layers, OutputFile output, Options options)
-      throws IOException {
-    ImageFormat format = requireFormat(output.target());
-    encode(image, layers, format, options, output.restart());
-    output.commit();
+    write(image, List.of(), file, options);
   }
 
   /**
@@ -151,81 +115,9 @@ public final class ImageWriter {
    */
   public static void write(Image image, List<ImageLayer> layers, Path file, Options options)
       throws IOException {
-    requireFormat(file);
+    ImageFormat.require(file);
     try (OutputFile output = OutputFile.open(file)) {
-      write(image, layers, output, options);
+      PictureEncoder.write(image, layers, output, options);
     }
-  }
-
-  /**
-   * Writes a layer as PNG without a tone curve: values from {@code low} to {@code high} become 0 to
-   * 2^bits - 1. One channel is gray; two or three are red, green and blue.
-   *
-   * @param low value that becomes 0, as all smaller ones and NaN do
-   * @param high more than {@code low}
-   * @param bits bits per channel, 8 or 16
-   * @param texts metadata by keyword; see {@link Options#metadata}
-   * @throws IOException if the file cannot be written
-   */
-  @SuppressWarnings("exports") // internal
-  public static void writeLinear(
-      ImageLayer layer,
-      double low,
-      double high,
-      int bits,
-      Map<String, String> texts,
-      OutputFile output)
-      throws IOException {
-    if (layer.channels().size() > 3 || !(high > low) || bits != 8 && bits != 16) {
-      throw new IllegalArgumentException(
-          "expected at most 3 channels, low < high, and 8 or 16 bits, found %d, %s, %s, %d"
-              .formatted(layer.channels().size(), low, high, bits));
-    }
-    OutputStream out =
-        new BufferedOutputStream(Channels.newOutputStream(output.restart()), BUFFER_BYTES);
-    PngWriter.writeLinear(layer, low, high, bits, texts, out);
-    out.flush();
-    output.commit();
-  }
-
-  /** Writes a picture to a channel at position 0 and leaves the channel open. */
-  static void encode(Image image, ImageFormat format, Options options, SeekableByteChannel channel)
-      throws IOException {
-    encode(image, List.of(), format, options, channel);
-  }
-
-  private static void encode(
-      Image image,
-      List<ImageLayer> layers,
-      ImageFormat format,
-      Options options,
-      SeekableByteChannel channel)
-      throws IOException {
-    if (!layers.isEmpty() && format != ImageFormat.EXR) {
-      throw new IllegalArgumentException("layers: expected an .exr file, found " + format.ending());
-    }
-    Objects.requireNonNull(image, "image");
-    Objects.requireNonNull(options, "options");
-    OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
-    switch (format) {
-      case PNG -> PngWriter.write(image, options, out);
-      case JPG -> JpegWriter.write(image, options, out);
-      case PFM -> PfmWriter.write(image, out);
-      case EXR -> ExrWriter.write(image, layers, options.metadata(), channel);
-    }
-    out.flush();
-  }
-
-  /** Returns a finite value: infinities become ±{@link Float#MAX_VALUE}, and NaN becomes 0. */
-  static float finite(float v) {
-    return Float.isNaN(v) ? 0 : Math.max(-Float.MAX_VALUE, Math.min(v, Float.MAX_VALUE));
-  }
-
-  private static ImageFormat requireFormat(Path file) {
-    return ImageFormat.of(file)
-        .orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    file + ": expected a name that ends in one of " + ImageFormat.endings()));
   }
 }

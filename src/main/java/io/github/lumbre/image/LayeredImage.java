@@ -1,6 +1,7 @@
 package io.github.lumbre.image;
 
 import io.github.lumbre.file.FileContent;
+import io.github.lumbre.image.internal.ExrReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,7 +22,7 @@ import java.util.Optional;
 public record LayeredImage(
     int width, int height, List<ImageLayer> layers, Map<String, String> texts) {
   /** The largest number of values of all channels. */
-  static final long MAX_VALUES = 1L << 30;
+  public static final long MAX_VALUES = 1L << 30;
 
   public LayeredImage {
     layers = List.copyOf(layers);

@@ -1,5 +1,6 @@
 package io.github.lumbre.image;
 
+import io.github.lumbre.image.internal.Srgb;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
@@ -9,14 +10,14 @@ public enum ToneCurve {
   /** Clamps to [0,1], then applies the sRGB curve. */
   SRGB("srgb") {
     @Override
-    Rgb mapped(Rgb linear) {
+    public Rgb mapped(Rgb linear) {
       return linear;
     }
   },
   /** Clamps to [0,1], then applies v^(1/2.2), as the 2016 report does. */
   GAMMA22("gamma22") {
     @Override
-    Rgb mapped(Rgb linear) {
+    public Rgb mapped(Rgb linear) {
       return linear;
     }
 
@@ -28,7 +29,7 @@ public enum ToneCurve {
   /** c / (1 + Y) with luminance Y, then the sRGB curve (Reinhard et al. 2002). */
   REINHARD("reinhard") {
     @Override
-    Rgb mapped(Rgb linear) {
+    public Rgb mapped(Rgb linear) {
       return compressed(linear);
     }
   },
@@ -38,7 +39,7 @@ public enum ToneCurve {
    */
   ACES("aces") {
     @Override
-    Rgb mapped(Rgb linear) {
+    public Rgb mapped(Rgb linear) {
       return new Rgb(filmic(linear.r()), filmic(linear.g()), filmic(linear.b()));
     }
   },
@@ -48,14 +49,14 @@ public enum ToneCurve {
    */
   NEUTRAL("neutral") {
     @Override
-    Rgb mapped(Rgb linear) {
+    public Rgb mapped(Rgb linear) {
       return neutral(linear);
     }
   },
   /** AgX with its base look (Sobotka 2022; polynomial of Wrensch 2023), then sRGB. */
   AGX("agx") {
     @Override
-    Rgb mapped(Rgb linear) {
+    public Rgb mapped(Rgb linear) {
       return agx(linear);
     }
   };
@@ -82,7 +83,7 @@ public enum ToneCurve {
   }
 
   /** Returns the light to which the last step, such as the sRGB curve, is applied. */
-  abstract Rgb mapped(Rgb linear);
+  public abstract Rgb mapped(Rgb linear);
 
   /** Returns the name of the curve in scene files and on the command line. */
   public String label() {
@@ -96,7 +97,7 @@ public enum ToneCurve {
   }
 
   /** Returns whether the last step of this curve is the sRGB curve. */
-  boolean endsInSrgb() {
+  public boolean endsInSrgb() {
     return this != GAMMA22;
   }
 

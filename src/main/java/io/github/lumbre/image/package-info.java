@@ -5,13 +5,11 @@
  * io.github.lumbre.image.Image} is a raster of them. Inside the program all values are linear; the
  * sRGB curve is applied only when files are read or written.
  *
- * <p>The way out: {@link io.github.lumbre.image.ImageWriter} brings a picture into an {@link
- * io.github.lumbre.file.OutputFile}, with {@link io.github.lumbre.image.Exposure} and {@link
- * io.github.lumbre.image.ToneCurve} if the format is for the screen. The way in: {@link
- * io.github.lumbre.image.ImageReader} decodes files of unknown origin to {@link
- * io.github.lumbre.image.Pixels}, {@link io.github.lumbre.image.LinearReader} those, OpenEXR,
- * Radiance and float maps to linear light. Rows are counted from the top, but for the inside of PFM
- * files.
+ * <p>The way out: {@link io.github.lumbre.image.ImageWriter} writes a picture, with {@link
+ * io.github.lumbre.image.Exposure} and {@link io.github.lumbre.image.ToneCurve} if the format is for
+ * the screen. The way in: {@link io.github.lumbre.image.ImageReader} decodes files of unknown origin,
+ * to {@link io.github.lumbre.image.Pixels} or to linear light. Rows are counted from the top, but for
+ * the inside of PFM files. The package {@code internal} has the formats.
  *
  * <p>All public types are immutable or stateless, and safe for use by any thread.
  */

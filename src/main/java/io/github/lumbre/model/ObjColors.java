@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import java.util.Arrays;
 
 /**

@@ -1,9 +1,9 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.image.LinearPicture;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.internal.BilinearTexture;
 import io.github.lumbre.texture.internal.ImageTexture;

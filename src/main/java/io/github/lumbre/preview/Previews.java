@@ -1,7 +1,7 @@
 package io.github.lumbre.preview;
 
-import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.checkpoint.RecordedLayers;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassResult;

@@ -2,6 +2,7 @@ package io.github.lumbre.checkpoint;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.checkpoint.internal.Checkpoints;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;

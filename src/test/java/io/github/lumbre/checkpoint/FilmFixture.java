@@ -18,8 +18,8 @@ import java.util.Random;
 /**
  * Creates films with pseudorandom samples, which are a function of the pixel and the sample number.
  */
-final class FilmFixture {
-  static final Crop FRAME = new Crop(0, 0, 12, 7);
+public final class FilmFixture {
+  public static final Crop FRAME = new Crop(0, 0, 12, 7);
 
   static final Map<String, String> IDENTITY =
       FilmHeader.identity(
@@ -30,11 +30,11 @@ final class FilmFixture {
   private FilmFixture() {}
 
   /** The number of samples of each pixel. */
-  interface Counts {
+  public interface Counts {
     int of(int x, int y);
   }
 
-  static FilmFile file(Crop window, int first, Counts counts) {
+  public static FilmFile file(Crop window, int first, Counts counts) {
     Film film = new Film(window, true, first);
     RenderStatistics faults = RenderStatistics.ZERO;
     for (int y = window.y(); y < window.y() + window.height(); y++) {
@@ -70,7 +70,7 @@ final class FilmFixture {
   }
 
   /** Returns the encoded contents of all pixels, for comparison. */
-  static byte[] pixels(Film film) {
+  public static byte[] pixels(Film film) {
     int pixels = film.window().width() * film.window().height();
     ByteBuffer bytes = ByteBuffer.allocate(pixels * Film.MAX_PIXEL_BYTES);
     for (int pixel = 0; pixel < pixels; pixel++) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;

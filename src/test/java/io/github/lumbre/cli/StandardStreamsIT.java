@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.lab.perf.RasterHash;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.LinearReader;
+import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

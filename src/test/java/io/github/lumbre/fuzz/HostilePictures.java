@@ -1,10 +1,10 @@
 package io.github.lumbre.fuzz;
 
+import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.fuzz.HostileScenes.Ending;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
-import io.github.lumbre.image.LinearReader;
-import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.image.internal.LinearReader;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HexFormat;

@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.image.internal.PngFile;
+import io.github.lumbre.image.internal.PngFixture;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
@@ -244,8 +247,9 @@ class ImageReaderTest {
 
   @Test
   void aPictureLargerThanTheHeapIsRefusedBeforeItIsDecoded() {
-    assertThatCode(() -> ImageReader.checkMemory(1024, 512, 2, 1 << 20)).doesNotThrowAnyException();
-    assertThatThrownBy(() -> ImageReader.checkMemory(2048, 1024, 1, 1 << 20))
+    assertThatCode(() -> PictureLimits.checkMemory(1024, 512, 2, 1 << 20))
+        .doesNotThrowAnyException();
+    assertThatThrownBy(() -> PictureLimits.checkMemory(2048, 1024, 1, 1 << 20))
         .hasMessage(
             "the picture has 2048x1024 pixels, which need 2 MiB, but the heap is limited to 1 MiB");
   }
@@ -427,16 +431,16 @@ class ImageReaderTest {
   void picturesUpToTheLimitsAreAllowed() {
     int side = ImageReader.MAX_SIDE;
     for (int[] size : new int[][] {{side, 1}, {1, side}, {1 << 14, 1 << 14}, {4096, 65535}}) {
-      assertThatCode(() -> ImageReader.checkSize(size[0], size[1])).doesNotThrowAnyException();
+      assertThatCode(() -> PictureLimits.checkSize(size[0], size[1])).doesNotThrowAnyException();
     }
     for (int[] size : new int[][] {{side + 1, 1}, {1, side + 1}, {(1 << 14) + 1, 1 << 14}}) {
-      assertThatThrownBy(() -> ImageReader.checkSize(size[0], size[1]))
+      assertThatThrownBy(() -> PictureLimits.checkSize(size[0], size[1]))
           .isInstanceOf(ImageFormatException.class)
           .hasMessageContaining(size[0] + "x" + size[1]);
     }
-    assertThatCode(() -> ImageReader.checkMemory(1024, 1024, 1, 1 << 20))
+    assertThatCode(() -> PictureLimits.checkMemory(1024, 1024, 1, 1 << 20))
         .doesNotThrowAnyException();
-    assertThatThrownBy(() -> ImageReader.checkMemory(1024, 1024, 1, (1 << 20) - 1))
+    assertThatThrownBy(() -> PictureLimits.checkMemory(1024, 1024, 1, (1 << 20) - 1))
         .isInstanceOf(ImageFormatException.class);
   }
 }

@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.image.internal.ImageFixture;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.image.internal.PictureEncoder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -31,7 +35,9 @@ class ImageWriterTest {
     for (int room = 0; room < size; room += Math.max(1, size / 50)) {
       FullChannel channel = new FullChannel(room);
       assertThatThrownBy(
-              () -> ImageWriter.encode(image, format, ImageWriter.Options.DEFAULT, channel))
+              () ->
+                  PictureEncoder.encode(
+                      image, List.of(), format, ImageWriter.Options.DEFAULT, channel))
           .isInstanceOf(IOException.class)
           .hasMessage("No space left on device");
     }
@@ -52,7 +58,7 @@ class ImageWriterTest {
   void aReservedFileIsWrittenAndCommitted() throws IOException {
     Path file = directory.resolve("a.pfm");
     try (OutputFile output = OutputFile.open(file)) {
-      ImageWriter.write(Image.black(1, 1), output, ImageWriter.Options.DEFAULT);
+      PictureEncoder.write(Image.black(1, 1), List.of(), output, ImageWriter.Options.DEFAULT);
       assertThat(file).hasSize("PF\n1 1\n-1.0\n".length() + 12);
     }
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.image.internal.Srgb;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;

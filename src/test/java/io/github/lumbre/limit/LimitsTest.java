@@ -3,6 +3,7 @@ package io.github.lumbre.limit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.limit.internal.TimeLimit;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 

@@ -17,7 +17,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.ModelTexture.Wrap;

@@ -3,7 +3,7 @@ package io.github.lumbre.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.material.MaterialParameter;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;

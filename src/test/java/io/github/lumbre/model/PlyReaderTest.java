@@ -3,7 +3,7 @@ package io.github.lumbre.model;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelMaterial.AlphaMode;
 import java.io.ByteArrayOutputStream;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.LinearReader;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.Texture;

@@ -2,8 +2,8 @@ package io.github.lumbre.preview;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.checkpoint.RecordedLayers;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Film;

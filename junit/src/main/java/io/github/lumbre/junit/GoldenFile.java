@@ -3,9 +3,7 @@ package io.github.lumbre.junit;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.LinearReader;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.image.Srgb;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
@@ -100,11 +98,12 @@ record GoldenFile(Path folder, Path path, String name) {
   record Encoded(byte[] bytes, Image image, int[] values) {
     static Encoded of(byte[] bytes, boolean isExr) throws IOException {
       if (isExr) {
-        Image image = LinearReader.decode(bytes);
+        Image image = ImageReader.decodeLinear(bytes);
         return new Encoded(bytes, image, values(image));
       }
       Pixels pixels = ImageReader.decode(bytes);
-      return new Encoded(bytes, linear(pixels), values(pixels));
+      return new Encoded(
+          bytes, linear(pixels, ImageReader.decodeLinear(bytes).rgb()), values(pixels));
     }
 
     private static int[] values(Image image) {
@@ -133,18 +132,11 @@ record GoldenFile(Path folder, Path path, String name) {
       return values;
     }
 
-    private static Image linear(Pixels pixels) {
-      float[] rgb = new float[3 * pixels.width() * pixels.height()];
+    private static Image linear(Pixels pixels, float[] rgb) {
       float[] alpha = new float[pixels.hasAlpha() ? pixels.width() * pixels.height() : 0];
-      for (int i = 0; i < rgb.length / 3; i++) {
-        int x = i % pixels.width();
-        int y = i / pixels.width();
-        for (int c = 0; c < 3; c++) {
-          rgb[3 * i + c] = (float) Srgb.decode(pixels.value(x, y, c));
-        }
-        if (alpha.length > 0) {
-          alpha[i] = (float) pixels.alpha(x, y) / pixels.max();
-        }
+      for (int i = 0; i < alpha.length; i++) {
+        int alphaOf = pixels.alpha(i % pixels.width(), i / pixels.width());
+        alpha[i] = (float) alphaOf / pixels.max();
       }
       return new Image(pixels.width(), pixels.height(), rgb, alpha);
     }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.JsonSummary;

@@ -2,7 +2,7 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.perf.PerfComparison.Clock;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;

@@ -193,7 +193,7 @@ public final class ModelFlags {
   }
 
   private static double linear(int value) {
-    return io.github.lumbre.image.Srgb.decode(value / 255.);
+    return io.github.lumbre.image.internal.Srgb.decode(value / 255.);
   }
 
   private double number(String flag, String text) {

@@ -2,10 +2,11 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.image.Cryptomatte;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageLayer.Precision;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.Cryptomatte;
+import io.github.lumbre.image.internal.PictureEncoder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
@@ -56,14 +57,17 @@ public final class LayerFiles {
     Path file = file(layer.name().isEmpty() ? "picture" : layer.name());
     if (layer.channels().equals(NORMAL)
         && layer.name().toLowerCase(Locale.ROOT).contains("normal")) {
-      files.put(file, out -> ImageWriter.writeLinear(layer, -1, 1, 8, Map.of(), out));
+      files.put(file, out -> PictureEncoder.writeLinear(layer, -1, 1, 8, Map.of(), out));
     } else if (layer.channels().subList(0, Math.min(3, layer.channels().size())).equals(COLOR)) {
-      files.put(file, out -> ImageWriter.write(layer.toImage(), out, ImageWriter.Options.DEFAULT));
+      files.put(
+          file,
+          out ->
+              PictureEncoder.write(layer.toImage(), List.of(), out, ImageWriter.Options.DEFAULT));
     } else if (layer.channels().size() <= 3) {
       double[] range = range(layer);
       Map<String, String> texts =
           Map.of("Low", String.valueOf(range[0]), "High", String.valueOf(range[1]));
-      files.put(file, out -> ImageWriter.writeLinear(layer, range[0], range[1], 16, texts, out));
+      files.put(file, out -> PictureEncoder.writeLinear(layer, range[0], range[1], 16, texts, out));
     }
   }
 
@@ -107,7 +111,7 @@ public final class LayerFiles {
       files.put(
           file(kind + "-" + name),
           out ->
-              ImageWriter.writeLinear(
+              PictureEncoder.writeLinear(
                   new ImageLayer(
                       kind,
                       List.of("Y"),

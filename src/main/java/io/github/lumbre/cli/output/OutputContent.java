@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.image.ImageFormat;
+import io.github.lumbre.image.internal.ImageFormat;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

@@ -2,9 +2,10 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.image.internal.PictureEncoder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.scene.RenderSettings;
@@ -183,7 +184,7 @@ public final class PictureOutput implements AutoCloseable {
   public void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
       throws TaskException {
     try {
-      ImageWriter.write(image, layers, file, options);
+      PictureEncoder.write(image, layers, file, options);
     } catch (IOException e) {
       String failure = file.target() + ": cannot be written: " + e.getMessage();
       String rescue = isStandardOutput() ? "" : "; " + rescue(image, layers, options);

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.Checkpoints;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.RecordedLayers;
+import io.github.lumbre.checkpoint.internal.Checkpoints;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.file.OutputFile;

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmPicture;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;

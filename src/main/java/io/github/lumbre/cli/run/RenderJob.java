@@ -2,8 +2,8 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
-import io.github.lumbre.checkpoint.FilmPicture;
 import io.github.lumbre.checkpoint.RecordedLayers;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ForecastReport;
 import io.github.lumbre.cli.output.JsonSummary;

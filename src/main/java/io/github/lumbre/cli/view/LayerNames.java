@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.view;
 
-import io.github.lumbre.checkpoint.FilmPicture;
-import io.github.lumbre.image.Cryptomatte;
+import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.internal.Cryptomatte;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.Layer;
 import java.util.Arrays;

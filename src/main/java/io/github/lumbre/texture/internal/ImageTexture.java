@@ -2,7 +2,7 @@ package io.github.lumbre.texture.internal;
 
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 

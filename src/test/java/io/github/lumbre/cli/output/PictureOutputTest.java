@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.image.ImageFormat;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.ImageFormat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;

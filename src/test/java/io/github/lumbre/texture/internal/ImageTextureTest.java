@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
 import io.github.lumbre.texture.UvMapping;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.image.Srgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import io.github.lumbre.texture.internal.ImageTexture.Role;
 import io.github.lumbre.texture.internal.SampledTexture.Wrap;
