@@ -266,9 +266,9 @@ final class RenderCommand implements Callable<Integer> {
               file.settings(),
               quality.targetError(),
               Budget.CONFIDENCE);
-      RenderJob job = job(file, frames.picture(), keeper, monitor, budget, report);
+      RenderJob job = job(file, frames, keeper, monitor, budget, report);
       course.interruption.requireRender();
-      return job.denoising(frames.denoised()).run(flags.firstSample());
+      return job.run(flags.firstSample());
     }
   }
 
@@ -346,19 +346,20 @@ final class RenderCommand implements Callable<Integer> {
 
   private RenderJob job(
       SceneFile file,
-      PictureOutput picture,
+      Frames frames,
       FilmKeeper keeper,
       RenderMonitor monitor,
       RunBudget budget,
       JsonSummary report) {
     Path scene = options.scene();
+    PictureOutput picture = frames.picture();
     keeper.begin(
         FilmHeader.identity(file.hash(), file.settings()),
         RecordedLayers.of(file.settings(), file.scene()),
         FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
-    RenderJob.How how = run.how(bits, options.isStrict()).withJpegQuality(jpegQuality);
+    RenderJob.How how = run.how(bits, jpegQuality, options.isStrict(), frames.denoised());
     return new RenderJob(
         scene, file, picture, keeper, monitor, run.errors(), report, budget, how, engine);
   }

@@ -16,6 +16,7 @@ import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmKeeper;
@@ -26,6 +27,7 @@ import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
@@ -195,7 +197,11 @@ final class ResumeCommand implements Callable<Integer> {
                 run.errors(),
                 report,
                 budget,
-                run.how(notes.bits(), false),
+                run.how(
+                    notes.bits(),
+                    ImageWriter.Options.DEFAULT_JPEG_QUALITY,
+                    false,
+                    DenoisedPicture.NONE),
                 engine);
         return job.run(loaded.file());
       }

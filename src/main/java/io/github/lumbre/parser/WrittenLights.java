@@ -23,7 +23,7 @@ final class WrittenLights {
 
   /** Returns the object of a light. */
   JsonObject light(SceneNode.Lamp lamp) {
-    JsonObject object = WrittenObjects.object("Light", lamp.name());
+    JsonObject object = WrittenObjects.object("Light", "");
     if (!lamp.lightGroup().isEmpty()) {
       object.addProperty("lightGroup", lamp.lightGroup());
     }

@@ -196,7 +196,7 @@ public final class FilmRenderer implements PassRenderer {
    * @param goal samples per pixel; the mean if the settings are adaptive
    */
   public Schedule schedule(int goal) {
-    return settings.adaptive() ? new AdaptiveSchedule(goal) : new EvenSchedule(goal);
+    return settings.adaptive() ? new AdaptiveSchedule(goal) : Schedule.even(goal, Passes::next);
   }
 
   /**

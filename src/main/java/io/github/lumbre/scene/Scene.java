@@ -44,7 +44,6 @@ public final class Scene {
   private final Optional<Viewpoint> viewpoint;
 
   private final Optional<Built> built;
-  private final Kernel kernel;
   private final List<Primitive> primitives;
 
   /** The same primitives, simplified for the inner loop. */
@@ -71,7 +70,6 @@ public final class Scene {
     viewpoint = from.flatMap(code -> code.description().viewpoint());
     // The scene that this one continues need not be kept.
     this.built = from.map(b -> new Built(b.description(), b.placements(), Optional.empty()));
-    kernel = built.kernel();
     primitives = List.copyOf(built.primitives);
     lights = new SceneLights(built);
     ambient = built.ambient;
@@ -83,7 +81,7 @@ public final class Scene {
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
     Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
-    bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), kernel));
+    bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), built.kernel()));
     hierarchies =
         same.map(scene -> scene.hierarchiesFor(lights))
             .orElseGet(() -> Hierarchies.of(bvh, shapes(), lights.all(), bvh::part));
@@ -95,10 +93,9 @@ public final class Scene {
     primitiveOfShape = primitivesOfShapes();
   }
 
-  /** Returns whether another scene has the same shapes and kernel, so that its hierarchy fits. */
+  /** Returns whether another scene has the same shapes, so that its hierarchy fits. */
   private boolean hasShapesOf(Scene other) {
-    return kernel == other.kernel
-        && primitives.size() == other.primitives.size()
+    return primitives.size() == other.primitives.size()
         && IntStream.range(0, primitives.size())
             .allMatch(i -> primitives.get(i).shape() == other.primitives.get(i).shape());
   }
@@ -115,7 +112,6 @@ public final class Scene {
     this.names = names;
     this.viewpoint = viewpoint;
     built = other.built;
-    kernel = other.kernel;
     primitives = other.primitives;
     this.hierarchies = hierarchies;
     bvh = hierarchies.all();
@@ -295,11 +291,6 @@ public final class Scene {
   /** Returns the hierarchy over all shapes. */
   Bvh hierarchy() {
     return bvh;
-  }
-
-  /** Returns the kernel that was asked for. */
-  Kernel kernel() {
-    return kernel;
   }
 
   /** Returns the camera. */

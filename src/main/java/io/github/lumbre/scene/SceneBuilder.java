@@ -3,7 +3,6 @@ package io.github.lumbre.scene;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.Viewpoint;
-import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
@@ -34,10 +33,7 @@ public final class SceneBuilder {
   private Optional<Camera> camera = Optional.empty();
   private Optional<Viewpoint> viewpoint = Optional.empty();
   private Optional<Rgb> backplate = Optional.empty();
-  private Optional<Kernel> kernel = Optional.empty();
   private Optional<Scene> origin = Optional.empty();
-  private String objectName = "";
-  private String materialName = "";
   private String lightGroup = "";
 
   SceneBuilder() {
@@ -48,8 +44,6 @@ public final class SceneBuilder {
   private SceneBuilder(SceneBuilder parent) {
     isGroup = true;
     materialNames = parent.materialNames;
-    objectName = parent.objectName;
-    materialName = parent.materialName;
     lightGroup = parent.lightGroup;
   }
 
@@ -61,7 +55,6 @@ public final class SceneBuilder {
     viewpoint = description.viewpoint();
     camera = viewpoint.isPresent() ? Optional.empty() : Optional.of(origin.camera());
     backplate = description.backplate();
-    kernel = Optional.of(origin.kernel());
     this.origin = Optional.of(origin);
   }
 
@@ -115,19 +108,6 @@ public final class SceneBuilder {
     }
   }
 
-  /**
-   * Names the surfaces that are added next by methods without a name. Surfaces with the same name
-   * form one matte.
-   *
-   * @param object name of the object; empty for a name by the number of the surface
-   * @param material name of the material; empty for its own
-   */
-  public SceneBuilder named(String object, String material) {
-    objectName = Objects.requireNonNull(object, "object");
-    materialName = Objects.requireNonNull(material, "material");
-    return this;
-  }
-
   /** Names a material of this scene, for mattes, audits and messages. */
   public SceneBuilder name(Material material, String name) {
     materialNames.put(Objects.requireNonNull(material, "material"), Names.require("name", name));
@@ -148,7 +128,7 @@ public final class SceneBuilder {
 
   /** Adds a surface that scatters light and does not emit any. */
   public SceneBuilder add(Shape shape, Material material) {
-    return surface(shape, material, Optional.empty(), false);
+    return surface("", shape, material, Optional.empty(), false);
   }
 
   /**
@@ -157,7 +137,7 @@ public final class SceneBuilder {
    * @param name of the object, at most 60 characters; a number follows if another object has it
    */
   public SceneBuilder add(String name, Shape shape, Material material) {
-    return surface(name, shape, material, Optional.empty(), false);
+    return surface(Names.require("name", name), shape, material, Optional.empty(), false);
   }
 
   /**
@@ -165,7 +145,7 @@ public final class SceneBuilder {
    * {@link #addEmissive}.
    */
   public SceneBuilder add(Shape shape, Material material, Emission emission) {
-    return surface(shape, material, Optional.of(emission), false);
+    return surface("", shape, material, Optional.of(emission), false);
   }
 
   /**
@@ -173,7 +153,7 @@ public final class SceneBuilder {
    * in both modes.
    */
   public SceneBuilder addAreaLight(Shape shape, Emission emission) {
-    return surface(shape, Unlit.INSTANCE, Optional.of(emission), true);
+    return surface("", shape, Unlit.INSTANCE, Optional.of(emission), true);
   }
 
   /**
@@ -182,7 +162,12 @@ public final class SceneBuilder {
    * @param name of the object, at most 60 characters; a number follows if another object has it
    */
   public SceneBuilder addAreaLight(String name, Shape shape, Rgb radiance) {
-    return surface(name, shape, Unlit.INSTANCE, Optional.of(Emission.of(radiance)), true);
+    return surface(
+        Names.require("name", name),
+        shape,
+        Unlit.INSTANCE,
+        Optional.of(Emission.of(radiance)),
+        true);
   }
 
   /**
@@ -190,35 +175,18 @@ public final class SceneBuilder {
    * light. An infinite plane cannot be sampled; it contributes only to paths that hit it.
    */
   public SceneBuilder addEmissive(Shape shape, Emission emission) {
-    return surface(shape, Unlit.INSTANCE, Optional.of(emission), false);
-  }
-
-  private SceneBuilder surface(
-      Shape shape, Material material, Optional<Emission> emission, boolean isDeclared) {
-    return put(objectName, false, shape, material, emission, isDeclared);
+    return surface("", shape, Unlit.INSTANCE, Optional.of(emission), false);
   }
 
   private SceneBuilder surface(
       String name,
-      Shape shape,
-      Material material,
-      Optional<Emission> emission,
-      boolean isDeclared) {
-    return put(Names.require("name", name), true, shape, material, emission, isDeclared);
-  }
-
-  private SceneBuilder put(
-      String name,
-      boolean isUnique,
       Shape shape,
       Material material,
       Optional<Emission> emission,
       boolean isDeclared) {
     Objects.requireNonNull(shape, "shape");
     Objects.requireNonNull(material, "material");
-    nodes.add(
-        new SceneNode.Surface(
-            name, isUnique, materialName, lightGroup, shape, material, emission, isDeclared));
+    nodes.add(new SceneNode.Surface(name, lightGroup, shape, material, emission, isDeclared));
     return this;
   }
 
@@ -232,7 +200,7 @@ public final class SceneBuilder {
     if (light instanceof EnvironmentLight) {
       requireScene("an environment light");
     }
-    nodes.add(new SceneNode.Lamp("", lightGroup, Objects.requireNonNull(light, "light")));
+    nodes.add(new SceneNode.Lamp(lightGroup, Objects.requireNonNull(light, "light")));
     return this;
   }
 
@@ -324,19 +292,9 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets the traversal kernel; the default is {@link Kernel#AUTO}. Renders of all kernels are
-   * bit-identical.
-   */
-  public SceneBuilder searchedBy(Kernel newKernel) {
-    kernel = Optional.of(newKernel);
-    return this;
-  }
-
-  /**
    * Returns the scene.
    *
-   * @throws IllegalStateException if there is no camera, two groups have the same name, or the
-   *     kernel is not available
+   * @throws IllegalStateException if there is no camera, or two groups have the same name
    */
   public Scene build() {
     requireScene("build");
@@ -347,7 +305,6 @@ public final class SceneBuilder {
     SceneDescription description = new SceneDescription(viewpoint, nodes, materialNames, backplate);
     SceneAssembly assembly =
         new SceneAssembly(camera.or(() -> viewpoint.map(v -> v.camera(1))).orElseThrow());
-    kernel.ifPresent(assembly::searchedBy);
     Placements placements = new Placements(origin.map(Scene::placements).orElse(Placements.NONE));
     new SceneOrder(assembly, placements, materialNames).add(nodes);
     backplate.ifPresent(assembly::backplate);

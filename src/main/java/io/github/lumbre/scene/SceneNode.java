@@ -26,17 +26,13 @@ public sealed interface SceneNode {
   /**
    * A shape with its material.
    *
-   * @param name of the object; empty if it has none
-   * @param isUnique whether the name is made unique in the scene
-   * @param materialName of the material; empty if it has none
+   * @param name of the object, which is made unique in the scene; empty if it has none
    * @param lightGroup of its emission; empty for none
    * @param shape in the group's space
    * @param isDeclared whether an emission is sampled as a light in both modes
    */
   record Surface(
       String name,
-      boolean isUnique,
-      String materialName,
       String lightGroup,
       Shape shape,
       Material material,
@@ -49,7 +45,7 @@ public sealed interface SceneNode {
    *
    * @param light in the group's space
    */
-  record Lamp(String name, String lightGroup, Light light) implements SceneNode {}
+  record Lamp(String lightGroup, Light light) implements SceneNode {}
 
   /** Ambient irradiance. */
   record Ambient(Rgb irradiance) implements SceneNode {}

@@ -71,18 +71,12 @@ final class SceneOrder {
   }
 
   private String objectName(SceneNode.Surface surface) {
-    if (!surface.isUnique() && !surface.name().isEmpty()) {
-      return surface.name();
-    }
     return names.unused(
         surface.name().isEmpty() ? "object " + scene.primitiveCount() : surface.name());
   }
 
   /** Returns the name of a material; a material without one is named by its first surface. */
   private String materialName(SceneNode.Surface surface) {
-    if (!surface.materialName().isEmpty()) {
-      return surface.materialName();
-    }
     Object material =
         surface.material() == Unlit.INSTANCE && surface.emission().isPresent()
             ? surface.emission().get()

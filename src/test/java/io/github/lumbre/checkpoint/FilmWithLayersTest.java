@@ -21,7 +21,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.SceneBuilder;
+import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SurfaceNames;
 import java.io.IOException;
@@ -49,9 +49,8 @@ class FilmWithLayersTest {
   @TempDir private Path folder;
 
   private static Scene scene() {
-    SceneBuilder scene =
-        Scene.builder()
-            .seenBy(new PinholeCamera(new Vec3(0, 0, -4), Frame.WORLD, 1.5, 60))
+    SceneAssembly scene =
+        new SceneAssembly(new PinholeCamera(new Vec3(0, 0, -4), Frame.WORLD, 1.5, 60))
             .lightGroup("sky")
             .add(EnvironmentLight.uniform(Rgb.WHITE));
     for (int i = 0; i < 200; i++) {

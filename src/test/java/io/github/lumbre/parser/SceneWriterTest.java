@@ -155,10 +155,6 @@ class SceneWriterTest {
             simple().add("odd", Sphere.of(Vec3.Y, 1), computed).build(),
             simple().add("odd", Mesh.baked(mesh, Transform.IDENTITY), Matte.GREY).build(),
             simple()
-                .named("odd", "")
-                .add(Sphere.of(Vec3.Y, 1), Matte.GREY, Emission.of(Rgb.WHITE))
-                .build(),
-            simple()
                 .add(
                     "odd",
                     Sphere.of(Vec3.Y, 1),
@@ -172,6 +168,10 @@ class SceneWriterTest {
           .withMessageStartingWith("\"odd\": expected ")
           .withMessageContaining(", found ");
     }
+    Scene glowing = simple().add(Sphere.of(Vec3.Y, 1), Matte.GREY, Emission.of(Rgb.WHITE)).build();
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SceneWriter.file(glowing, SETTINGS))
+        .withMessageMatching("\"object \\d+\": expected .*, found .*");
     Scene fixed = Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 50)).build();
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SceneWriter.file(fixed, SETTINGS))

@@ -28,7 +28,7 @@ class PassLoopTest {
   private final class Counter implements PassRenderer {
     @Override
     public Schedule schedule() {
-      return new EvenSchedule(GOAL);
+      return Schedule.even(GOAL, Passes::next);
     }
 
     @Override

@@ -313,8 +313,6 @@ class SceneTest {
     Scene scalar = scene.searchedBy(Kernel.SCALAR);
     assertSameContent(scalar, scene);
     assertThat(scalar.takes(Specialization.ONE_EMITTER)).isTrue();
-    assertThat(one().searchedBy(Kernel.SCALAR).build().kernel()).isEqualTo(Kernel.SCALAR);
-    assertThat(one().build().kernel()).isEqualTo(Kernel.AUTO);
   }
 
   @Test

@@ -12,7 +12,6 @@ import io.github.lumbre.stopping.BudgetWatch;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
@@ -89,17 +88,7 @@ final class SparkPasses implements PassRenderer {
   /** Returns passes that end where a render on one machine checks its error. */
   @Override
   public Schedule schedule() {
-    if (isTimed) {
-      return local.schedule();
-    }
-    return film -> {
-      int done = film.fewestSamples();
-      if (done >= goal) {
-        return Optional.empty();
-      }
-      int end = BudgetWatch.nextCheck(done, goal);
-      return Optional.of((x, y) -> end);
-    };
+    return isTimed ? local.schedule() : Schedule.even(goal, BudgetWatch::nextCheck);
   }
 
   @Override

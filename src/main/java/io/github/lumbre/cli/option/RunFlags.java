@@ -7,10 +7,10 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
-import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import java.time.Duration;
@@ -94,10 +94,12 @@ public final class RunFlags {
    * Returns the options of the picture and the summary.
    *
    * @param bits per channel of a PNG
+   * @param jpegQuality quality of a JPEG, 1 to 100
    * @param strict whether rejected samples are an error
+   * @param denoised where to write a denoised picture, if it is wanted
    */
-  public RenderJob.How how(int bits, boolean strict) {
-    return new RenderJob.How(bits, ImageWriter.Options.DEFAULT_JPEG_QUALITY, quiet, stats, strict);
+  public RenderJob.How how(int bits, int jpegQuality, boolean strict, DenoisedPicture denoised) {
+    return new RenderJob.How(bits, jpegQuality, quiet, stats, strict, denoised);
   }
 
   /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */

@@ -12,6 +12,10 @@ import java.util.Optional;
 
 /** The denoised picture beside a noisy one: its file is reserved before anything is rendered. */
 public final class DenoisedPicture implements AutoCloseable {
+  /** No denoised picture. */
+  public static final DenoisedPicture NONE =
+      new DenoisedPicture(Optional.empty(), Optional.empty());
+
   private final Optional<Denoising> denoising;
   private final Optional<PictureOutput> output;
 

@@ -71,9 +71,9 @@ public final class Frames implements AutoCloseable {
   }
 
   /** Sets the only picture, for one that is not a file. */
-  public void reserve(PictureOutput picture) throws TaskException {
+  public void reserve(PictureOutput picture) {
     pictures.add(picture);
-    denoised.add(DenoisedPicture.reserve(Optional.empty(), picture.target(), Fallback.TEMPORARY));
+    denoised.add(DenoisedPicture.NONE);
   }
 
   /** Returns the paths of all pictures. */

@@ -118,8 +118,7 @@ public final class Interruption implements AutoCloseable {
    */
   public void requireRender() throws TaskException {
     if (!beginRender()) {
-      throw new TaskException(
-          Kind.STOPPED, "stopped before anything was rendered; no picture is written");
+      throw withoutPicture(false);
     }
   }
 
@@ -141,9 +140,9 @@ public final class Interruption implements AutoCloseable {
     try {
       return action.read();
     } catch (CancellationException e) {
-      throw stoppedReading();
+      throw withoutPicture(!requested);
     } catch (TaskException e) {
-      throw e.getCause() instanceof InterruptedIOException ? stoppedReading() : e;
+      throw e.getCause() instanceof InterruptedIOException ? withoutPicture(!requested) : e;
     } finally {
       endWaiting(alarm);
     }
@@ -161,13 +160,12 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
-  private TaskException stoppedReading() {
-    return requested
-        ? new TaskException(
-            Kind.STOPPED, "stopped before anything was rendered; no picture is written")
-        : new TaskException(
-            Kind.LIMIT,
-            "--timeout: the time ended before anything was rendered; no picture is written");
+  /** Returns the exception for a render that a signal or the deadline ended without a sample. */
+  static TaskException withoutPicture(boolean isOutOfTime) {
+    String end = isOutOfTime ? "--timeout: the time ended" : "stopped";
+    return new TaskException(
+        isOutOfTime ? Kind.LIMIT : Kind.STOPPED,
+        end + " before anything was rendered; no picture is written");
   }
 
   /** Arranges that a signal or the deadline interrupts this thread. */

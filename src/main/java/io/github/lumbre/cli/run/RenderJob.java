@@ -63,7 +63,7 @@ public record RenderJob(
    * @param bits bits per channel of a PNG
    * @param jpegQuality quality of a JPEG, 1 to 100
    * @param strict whether rejected samples and invalid texture coordinates are errors
-   * @param denoised where to write a denoised picture; empty for none
+   * @param denoised where to write a denoised picture, if it is wanted
    */
   public record How(
       int bits,
@@ -71,27 +71,7 @@ public record RenderJob(
       boolean quiet,
       boolean stats,
       boolean strict,
-      Optional<DenoisedPicture> denoised) {
-    /** Creates options without a denoised picture. */
-    public How(int bits, int jpegQuality, boolean quiet, boolean stats, boolean strict) {
-      this(bits, jpegQuality, quiet, stats, strict, Optional.empty());
-    }
-
-    public How withJpegQuality(int quality) {
-      return new How(bits, quality, quiet, stats, strict, denoised);
-    }
-
-    public How withDenoised(Optional<DenoisedPicture> output) {
-      return new How(bits, jpegQuality, quiet, stats, strict, output);
-    }
-  }
-
-  /** Returns this job with a denoised picture besides. */
-  public RenderJob denoising(DenoisedPicture denoised) {
-    How more = how.withDenoised(Optional.of(denoised).filter(DenoisedPicture::isWanted));
-    return new RenderJob(
-        scene, file, picture, keeper, monitor, messages, report, budget, more, engine);
-  }
+      DenoisedPicture denoised) {}
 
   /** Renders a new film. */
   public int run(int firstSample) throws TaskException {
@@ -264,13 +244,7 @@ public record RenderJob(
     if (film.totalSamples() != 0) {
       return;
     }
-    if (monitor.isOutOfTime()) {
-      throw new TaskException(
-          Kind.LIMIT,
-          "--timeout: the time ended before anything was rendered; no picture is written");
-    }
-    throw new TaskException(
-        Kind.STOPPED, "stopped before anything was rendered; no picture is written");
+    throw Interruption.withoutPicture(monitor.isOutOfTime());
   }
 
   private String stoppedBy() {
@@ -315,23 +289,22 @@ public record RenderJob(
       report.put("ended_by", stoppedBy());
     }
     light.putInto(report);
-    if (how.denoised().isPresent()) {
-      denoise(film, how.denoised().get(), options);
+    if (how.denoised().isWanted()) {
+      denoise(film, options);
     }
     if (keeper.failure().isPresent()) {
       throw new TaskException(Kind.OUTPUT, keeper.failure().get());
     }
   }
 
-  private void denoise(Film film, DenoisedPicture denoised, ImageWriter.Options options)
-      throws TaskException {
+  private void denoise(Film film, ImageWriter.Options options) throws TaskException {
     if (monitor.isCancelled() && !monitor.isOutOfTime()) {
       messages.line("not denoised, because the render was stopped");
       return;
     }
     NoisyPicture noisy = NoisyPicture.of(film);
     String name = picture.target().toString();
-    denoised.write(noisy, options, name, how.quiet() ? Messages.NONE : messages, report);
+    how.denoised.write(noisy, options, name, how.quiet() ? Messages.NONE : messages, report);
   }
 
   private static String continuation(Path film) {

@@ -102,10 +102,20 @@ class RunBudgetTest {
           new RunBudget(
               new Budget(MANY, OptionalDouble.empty(), .95),
               Deadline.after(Optional.of(time), clock.nanos()::get));
-      RenderJob.How how = new RenderJob.How(8, 90, false, false, false);
+      RenderJob.How how = new RenderJob.How(8, 90, false, false, false, DenoisedPicture.NONE);
       JsonSummary report = new JsonSummary("render", target);
       int code =
-          new RenderJob(target, file, picture, keeper, monitor, messages, report, budget, how, Engine.LOCAL)
+          new RenderJob(
+                  target,
+                  file,
+                  picture,
+                  keeper,
+                  monitor,
+                  messages,
+                  report,
+                  budget,
+                  how,
+                  Engine.LOCAL)
               .run(0);
       assertThat(code).isZero();
     }
