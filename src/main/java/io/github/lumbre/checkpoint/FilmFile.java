@@ -66,7 +66,7 @@ public record FilmFile(FilmHeader header, Film film) {
     CRC32C checksum = new CRC32C();
     ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES);
     write(output, StandardCharsets.UTF_8.encode(HeaderText.of(header)), checksum);
-    int pixels = film.window().width() * film.window().height();
+    int pixels = (int) film.window().pixels();
     for (int pixel = 0; pixel < pixels; pixel++) {
       int bytes = film.encodedBytes(pixel);
       if (buffer.remaining() < bytes) {
@@ -208,7 +208,7 @@ public record FilmFile(FilmHeader header, Film film) {
     }
 
     Film film(FilmHeader header) throws IOException {
-      long pixels = (long) header.window().width() * header.window().height();
+      long pixels = header.window().pixels();
       if (left + buffer.remaining() < pixels) {
         throw new FilmFormatException("is damaged: it has fewer bytes than its window has pixels");
       }

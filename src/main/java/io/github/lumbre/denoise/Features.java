@@ -28,6 +28,8 @@ final class Features {
   private final float[] albedoNoise;
   private final float[] normal;
   private final float[] normalNoise;
+
+  /** The factor by which the network's light is brighter than the picture's. */
   private final float scale;
 
   Features(NoisyPicture picture) {
@@ -49,11 +51,6 @@ final class Features {
 
   int height() {
     return height;
-  }
-
-  /** Returns the factor by which the network's light is brighter than the picture's. */
-  float scale() {
-    return scale;
   }
 
   /** Returns the number of planes of light that are filtered. */

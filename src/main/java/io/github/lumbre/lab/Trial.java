@@ -45,8 +45,7 @@ public final class Trial {
   public static Outcome render(Scene scene, RenderSettings settings, LabHost host)
       throws InterruptedException {
     try (LabHost.Display display = host.display()) {
-      RenderSettings.Crop window = settings.window();
-      display.started((long) window.width() * window.height() * settings.samples());
+      display.started(settings.window().pixels() * settings.samples());
       Cost start = Cost.now();
       Trial trial = new Trial(new FilmRenderer(settings, scene), display);
       trial.time = Cost.since(start);

@@ -67,7 +67,7 @@ final class AdaptiveSchedule implements Schedule {
   @Override
   public Optional<SampleTarget> next(Film film) {
     if (rays.length == 0) {
-      rays = new long[film.window().width() * film.window().height()];
+      rays = new long[(int) film.window().pixels()];
     }
     int fewest = film.fewestSamples();
     int pilot = Math.min(PILOT, goal);
@@ -102,7 +102,7 @@ final class AdaptiveSchedule implements Schedule {
 
   /** Selects the pixels to double; returns whether there are any. */
   private boolean choose(Film film) {
-    int pixels = film.window().width() * film.window().height();
+    int pixels = (int) film.window().pixels();
     long total = film.totalSamples();
     long rest = (long) goal * pixels - total;
     if (rest <= 0) {

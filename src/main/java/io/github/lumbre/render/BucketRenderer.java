@@ -105,8 +105,7 @@ public final class BucketRenderer {
    */
   RenderResult render(FilmRenderer renderer, Progress progress) throws InterruptedException {
     Film film = renderer.newFilm();
-    RenderSettings.Crop window = settings.window();
-    progress.started((long) window.width() * window.height() * settings.samples());
+    progress.started(settings.window().pixels() * settings.samples());
     PassResult passes = new PassLoop(renderer, film).run(progress);
     return new RenderResult(film.develop(), passes.complete(), passes.statistics());
   }

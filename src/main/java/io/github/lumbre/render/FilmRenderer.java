@@ -163,11 +163,6 @@ public final class FilmRenderer implements PassRenderer {
     return integrators.guiding();
   }
 
-  /** Returns whether the films of this renderer have alpha. */
-  public boolean hasAlpha() {
-    return hasAlpha;
-  }
-
   /** Returns an empty film with the settings' window. */
   public Film newFilm() {
     return newFilm(0);
@@ -213,8 +208,7 @@ public final class FilmRenderer implements PassRenderer {
    * samples of a pixel continue its sample numbers. After a cancelled pass, another pass with the
    * same target therefore adds the missing samples.
    *
-   * @param film a film with the settings' window and layers, and with alpha exactly if {@link
-   *     #hasAlpha}; no other thread may use it during the pass
+   * @param film a film as {@link #newFilm} makes it; no other thread may use it during the pass
    * @param progress receives all events except {@link Progress#started}
    * @throws IllegalArgumentException if the film has another window, alpha or other layers
    * @throws InterruptedException if the calling thread is interrupted; all workers have then ended,
@@ -247,14 +241,10 @@ public final class FilmRenderer implements PassRenderer {
     RenderStatistics statistics = statistics(workers);
     double threadSeconds = (seconds() - start) * workers.size();
     if (statistics.samples() > 0) {
-      double left = (double) settings.samples() * pixels() - film.totalSamples();
+      double left = (double) settings.samples() * settings.window().pixels() - film.totalSamples();
       KernelUpgrade.passed(scene, threadSeconds, left * threadSeconds / statistics.samples());
     }
     return new PassResult(queue.isExhausted(), statistics);
-  }
-
-  private long pixels() {
-    return (long) settings.window().width() * settings.window().height();
   }
 
   private Sampler sampler() {

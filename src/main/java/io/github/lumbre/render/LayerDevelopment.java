@@ -19,8 +19,7 @@ final class LayerDevelopment {
   LayerDevelopment(Film film) {
     this.film = film;
     sums = film.layerSums();
-    Crop window = film.window();
-    pixels = window.width() * window.height();
+    pixels = (int) film.window().pixels();
   }
 
   /** Returns the picture. */

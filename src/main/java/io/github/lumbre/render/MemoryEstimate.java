@@ -66,8 +66,7 @@ public record MemoryEstimate(
 
   /** Returns the number of pixels that will be rendered. */
   public long pixels() {
-    RenderSettings.Crop window = settings.window();
-    return (long) window.width() * window.height();
+    return settings.window().pixels();
   }
 
   /** Returns the number of threads that will render. */

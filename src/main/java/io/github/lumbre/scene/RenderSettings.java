@@ -281,6 +281,11 @@ public final class RenderSettings {
       requireIn(1, MAX_SIDE, height, "crop height");
     }
 
+    /** Returns the number of pixels. */
+    public long pixels() {
+      return (long) width * height;
+    }
+
     /** Returns whether all pixels of another rectangle are in this one. */
     public boolean contains(Crop other) {
       return other.x >= x

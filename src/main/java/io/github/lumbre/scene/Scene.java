@@ -81,7 +81,7 @@ public final class Scene {
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
     Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
-    bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), built.kernel()));
+    bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), built.kernel));
     hierarchies =
         same.map(scene -> scene.hierarchiesFor(lights))
             .orElseGet(() -> Hierarchies.of(bvh, shapes(), lights.all(), bvh::part));

@@ -33,7 +33,7 @@ public final class SceneAssembly {
   final List<String> groupOfEmitter = new ArrayList<>();
   Rgb ambient = Rgb.BLACK;
   Optional<Rgb> backplate = Optional.empty();
-  private Optional<Kernel> kernel = Optional.empty();
+  Kernel kernel = Kernel.AUTO;
   private String objectName = "";
   private String materialName = "";
   private String lightGroup = "";
@@ -156,7 +156,7 @@ public final class SceneAssembly {
    * bit-identical.
    */
   public SceneAssembly searchedBy(Kernel newKernel) {
-    kernel = Optional.of(newKernel);
+    kernel = Objects.requireNonNull(newKernel, "kernel");
     return this;
   }
 
@@ -168,10 +168,6 @@ public final class SceneAssembly {
   /** Returns the current number of emitters. */
   public int emitterCount() {
     return emitters.size();
-  }
-
-  Kernel kernel() {
-    return kernel.orElse(Kernel.AUTO);
   }
 
   /**

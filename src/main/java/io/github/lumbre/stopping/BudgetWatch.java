@@ -97,7 +97,7 @@ public final class BudgetWatch implements StopRule {
     }
     lastDue = due;
     double target = budget.targetError().getAsDouble();
-    if (!StoppingSchedule.isEarlyEnough(samples, pixels(film), target)) {
+    if (!StoppingSchedule.isEarlyEnough(samples, film.window().pixels(), target)) {
       return false;
     }
     samplesAtLook = film.totalSamples();
@@ -133,7 +133,8 @@ public final class BudgetWatch implements StopRule {
    * so that no number of samples reaches the target.
    */
   public boolean isWithoutBound(Film film) {
-    return budget.targetError().isPresent() && pixels(film) < NoiseEstimator.FEWEST_PIXELS;
+    return budget.targetError().isPresent()
+        && film.window().pixels() < NoiseEstimator.FEWEST_PIXELS;
   }
 
   /** Returns whether the render should give up, because only an unknown error could end it. */
@@ -142,10 +143,6 @@ public final class BudgetWatch implements StopRule {
         && secondsLeft().isEmpty()
         && budget.samples() == RenderSettings.MAX_SAMPLES
         && film.meanSamples() >= MOST_WITHOUT_BOUND;
-  }
-
-  private static double pixels(Film film) {
-    return (double) film.window().width() * film.window().height();
   }
 
   /**

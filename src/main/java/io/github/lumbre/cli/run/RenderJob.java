@@ -163,7 +163,7 @@ public record RenderJob(
 
   private void begin(Film film) {
     monitor.limited(budget);
-    long all = (long) film.window().width() * film.window().height() * file.settings().samples();
+    long all = film.window().pixels() * file.settings().samples();
     monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
     warn(budget.doubt(film));
   }
@@ -204,8 +204,7 @@ public record RenderJob(
   private void tell(Forecast forecast, double seconds, Film film) {
     double likely = Math.min(forecast.likely(), file.settings().samples());
     if (budget.isOpen()) {
-      RenderSettings.Crop window = film.window();
-      double all = (double) window.width() * window.height() * likely;
+      double all = film.window().pixels() * likely;
       monitor.expected(Math.max(1, (long) all - film.totalSamples()));
     }
     if (!how.quiet()) {

@@ -45,7 +45,7 @@ public final class RunBudget {
    * @param startup start time of the JVM; a busy machine also takes longer at the end
    */
   public static Duration rendering(Duration whole, Duration startup, RenderSettings settings) {
-    long pixels = (long) settings.window().width() * settings.window().height();
+    long pixels = settings.window().pixels();
     Duration slow = startup.dividedBy(2);
     Duration end = AROUND.compareTo(slow) > 0 ? AROUND : slow;
     Duration rest =

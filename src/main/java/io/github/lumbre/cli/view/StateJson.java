@@ -74,7 +74,7 @@ final class StateJson {
   private static JsonObject render(Snapshot state, RenderSettings settings) {
     JsonObject json = new JsonObject();
     Crop window = settings.window();
-    long pixels = (long) window.width() * window.height();
+    long pixels = window.pixels();
     json.addProperty("width", settings.width());
     json.addProperty("height", settings.height());
     json.add("window", numbers(window.x(), window.y(), window.width(), window.height()));

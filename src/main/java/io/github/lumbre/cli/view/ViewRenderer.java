@@ -12,7 +12,6 @@ import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.stopping.BudgetWatch;
 import java.util.Optional;
 import java.util.Set;
@@ -54,7 +53,7 @@ public final class ViewRenderer implements Runnable {
     @Override
     public void passed(Film film, PassResult soFar) {
       previews.passed(film, soFar);
-      long pixels = (long) film.window().width() * film.window().height();
+      long pixels = film.window().pixels();
       watch
           .forecast()
           .ifPresent(f -> clock.expect(Math.min(goal, Math.round(pixels * f.likely()))));
@@ -94,8 +93,7 @@ public final class ViewRenderer implements Runnable {
         return true;
       }
       // Until every pixel has a sample, the draft looks better.
-      Crop window = job.file().settings().window();
-      boolean hasAll = clock.samples() >= (long) window.width() * window.height();
+      boolean hasAll = clock.samples() >= job.file().settings().window().pixels();
       if (!hasAll && System.nanoTime() - start < DRAFT_NANOS) {
         return false;
       }
@@ -186,10 +184,9 @@ public final class ViewRenderer implements Runnable {
     RenderClock clock = new RenderClock(() -> session.mustPause(job));
     limits.time().ifPresent(time -> clock.limit(time.toNanos() * 1e-9));
     sink.clock = clock;
-    Crop window = file.settings().window();
     int samples = file.settings().samples();
     boolean isOpen = samples == RenderSettings.MAX_SAMPLES;
-    long goal = isOpen ? Long.MAX_VALUE : (long) window.width() * window.height() * samples;
+    long goal = isOpen ? Long.MAX_VALUE : file.settings().window().pixels() * samples;
     clock.expect(goal);
     Film film = renderer.newFilm();
     return new Full(
