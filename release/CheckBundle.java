@@ -158,9 +158,9 @@ final class CheckBundle {
   }
 
   private void checkJars(String stem) throws IOException {
-    checkContent(stem + ".jar", "io/github/lumbre/render/BucketRenderer.class", "lumbre/cli/");
+    checkContent(stem + ".jar", "io/github/lumbre/render/PictureRenderer.class", "lumbre/cli/");
     checkContent(stem + "-cli.jar", "io/github/lumbre/cli/Lumbre.class", "module-info.class");
-    checkContent(stem + "-sources.jar", "io/github/lumbre/render/BucketRenderer.java", ".class");
+    checkContent(stem + "-sources.jar", "io/github/lumbre/render/PictureRenderer.java", ".class");
     checkContent(stem + "-javadoc.jar", "index.html", "lumbre/cli/");
     for (String kind : List.of(".jar", "-cli.jar")) {
       checkContent(stem + kind, "META-INF/LICENSE", "-INF/native-image/none");

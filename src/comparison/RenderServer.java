@@ -1,7 +1,7 @@
 import com.sun.management.OperatingSystemMXBean;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
@@ -71,7 +71,7 @@ final class RenderServer {
             .seed(Long.parseLong(words[2]))
             .threads(Integer.parseInt(words[3]))
             .build();
-    BucketRenderer renderer = new BucketRenderer(settings);
+    PictureRenderer renderer = new PictureRenderer(settings);
     long cpuStart = PROCESS.getProcessCpuTime();
     long start = System.nanoTime();
     RenderResult result = renderer.render(scene.scene(), Progress.NONE);

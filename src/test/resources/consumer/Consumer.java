@@ -4,7 +4,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import java.nio.file.Path;
 
 /** Renders the scene that the first argument names to the picture that the second names. */
@@ -14,7 +14,7 @@ public final class Consumer {
   /** Prints nothing. */
   public static void main(String[] args) throws Exception {
     SceneFile file = new SceneParser().parse(Path.of(args[0]));
-    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Image image = new PictureRenderer(file.settings()).render(file.scene());
     ImageWriter.write(image, Path.of(args[1]), file.settings().development());
   }
 }

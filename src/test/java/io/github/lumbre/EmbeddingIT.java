@@ -62,7 +62,7 @@ class EmbeddingIT {
   void libraryHoldsTheLibraryAlone() throws IOException {
     try (JarFile jar = new JarFile(library().toFile())) {
       assertThat(jar.stream().map(JarEntry::getName))
-          .contains("module-info.class", "io/github/lumbre/render/BucketRenderer.class")
+          .contains("module-info.class", "io/github/lumbre/render/PictureRenderer.class")
           .noneMatch(name -> name.matches("io/github/lumbre/(lab|cli)/.*"))
           .noneMatch(name -> name.startsWith("META-INF/native-image"));
     }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.testing.Effort;
@@ -30,7 +30,7 @@ class ScaleAndPlaceTest {
 
   /** Every shape and material, and lights without a position. */
   private static final String THINGS =
-      """
+"""
 {'type': 'Shape', 'shapeType': 'Plane', 'materialID': 10},
 {'type': 'Shape', 'shapeType': 'Plane', 'finite': true, 'width': 9, 'height': 5,
  'twoSided': true, 'materialID': 11, 'localPosition': {'y': 2, 'z': 4.5},
@@ -142,7 +142,7 @@ class ScaleAndPlaceTest {
     Path path = Files.writeString(folder.resolve("scene.json"), scene);
     SceneFile file =
         new SceneParser().overriding(s -> settings.apply(s.toBuilder()).build()).parse(path);
-    return new BucketRenderer(file.settings()).render(file.scene()).rgb();
+    return new PictureRenderer(file.settings()).render(file.scene()).rgb();
   }
 
   static int[] exponents() {

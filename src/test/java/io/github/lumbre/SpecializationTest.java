@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Specialization;
@@ -34,7 +34,7 @@ class SpecializationTest {
     Set<Specialization> taken = EnumSet.noneOf(Specialization.class);
     for (Path scene : scenes()) {
       SceneFile file = new SceneParser().overriding(SpecializationTest::tiny).parse(scene);
-      BucketRenderer renderer = new BucketRenderer(file.settings());
+      PictureRenderer renderer = new PictureRenderer(file.settings());
       Scene general = file.scene();
       for (Specialization shortcut : Specialization.values()) {
         if (general.takes(shortcut)) {

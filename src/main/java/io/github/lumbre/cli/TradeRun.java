@@ -19,7 +19,7 @@ import io.github.lumbre.lab.trade.TradeSweep;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
@@ -133,7 +133,7 @@ final class TradeRun {
 
   private float[] look(SceneFile read) throws InterruptedException {
     RenderSettings once = framed(read).toBuilder().samples(1).build();
-    return new BucketRenderer(once).render(read.scene()).rgb();
+    return new PictureRenderer(once).render(read.scene()).rgb();
   }
 
   private void tell(RenderSettings settings) {

@@ -30,8 +30,8 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
-import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
@@ -231,7 +231,7 @@ final class ViewsCommand implements Callable<Integer> {
   private static Image rendered(RenderSettings settings, Scene view, RenderMonitor monitor)
       throws TaskException {
     try {
-      RenderResult result = new BucketRenderer(settings).render(view, monitor);
+      RenderResult result = new PictureRenderer(settings).render(view, monitor);
       if (result.complete()) {
         return result.image();
       }

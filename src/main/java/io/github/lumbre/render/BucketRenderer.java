@@ -1,112 +1,223 @@
 package io.github.lumbre.render;
 
-import io.github.lumbre.image.Image;
+import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.integrator.SampleLayers;
+import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import java.util.Objects;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Executor;
 
-/**
- * Renders scenes to pictures in passes of increasing length (see {@link Passes}). Use {@link
- * FilmRenderer} to control the render between passes. Immutable; several threads may use one
- * instance at once. Pictures are bit-identical for any number of threads, bucket size and order of
- * work.
- */
-public final class BucketRenderer {
+/** Renders buckets until the queue is empty or stopped. Confined to one thread. */
+final class BucketRenderer implements Runnable {
+  /** The number of samples between progress reports. */
+  private static final int SAMPLES_PER_REPORT = 1024;
+
+  /** The number of samples between checks for cancellation. */
+  private static final int SAMPLES_PER_QUESTION = 16;
+
+  private static final int MAX_REPORTED_REJECTS = 10;
+
   private final RenderSettings settings;
-  private final Optional<Executor> executor;
-  private final Limits limits;
+  private final Scene scene;
+  private final Integrator integrator;
+  private final Film film;
+  private final SampleTarget target;
+  private final RenderQueue queue;
 
-  /** Creates a renderer. */
-  public BucketRenderer(RenderSettings settings) {
-    this(settings, Optional.empty(), Limits.NONE);
+  private final SampleLimit limit;
+
+  /** Samples whose largest component is at most this are added to the film unchanged. */
+  private final double largestUnchanged;
+
+  private final Sampler sampler;
+  private final CameraRay ray = new CameraRay();
+  private final Optional<SampleLayers> layers;
+  private final RenderContext context;
+  private final List<RenderStatistics.RejectedSample> firstRejected = new ArrayList<>();
+
+  /** Increases with the samples; the {@link Watchdog} reads it. */
+  private volatile long beats;
+
+  private volatile Optional<Bucket> bucket = Optional.empty();
+  private long samples;
+  private long reported;
+  private long rejected;
+  private long saturated;
+  private long invalidCoordinates;
+  private long clamped;
+  private double clampedLight;
+
+  BucketRenderer(
+      RenderSettings settings,
+      Scene scene,
+      Integrator integrator,
+      Sampler sampler,
+      Film film,
+      SampleTarget target,
+      RenderQueue queue) {
+    this.settings = settings;
+    this.scene = scene;
+    this.integrator = integrator;
+    this.film = film;
+    this.target = target;
+    this.queue = queue;
+    limit = SampleLimit.of(settings);
+    largestUnchanged = Math.min(settings.clamp(), Film.LARGEST);
+    this.sampler = sampler;
+    layers =
+        film.layers().isEmpty()
+            ? Optional.empty()
+            : Optional.of(new SampleLayers(film.layers().stored(), scene));
+    context = layers.map(RenderContext::collecting).orElseGet(RenderContext::new);
   }
 
-  private BucketRenderer(RenderSettings settings, Optional<Executor> executor, Limits limits) {
-    this.settings = Objects.requireNonNull(settings, "settings");
-    this.executor = executor;
-    this.limits = limits;
-  }
-
-  /**
-   * Returns the same renderer on the threads of an executor, such as the pool of a server; see
-   * {@link FilmRenderer#on}.
-   */
-  public BucketRenderer on(Executor newExecutor) {
-    Objects.requireNonNull(newExecutor, "newExecutor");
-    return new BucketRenderer(settings, Optional.of(newExecutor), limits);
-  }
-
-  /**
-   * Returns the same renderer with limits. Before it allocates memory, it refuses pixels, samples
-   * and memory beyond them with an {@link IllegalArgumentException}. When the time has passed, it
-   * ends with a partial picture, as if the render were cancelled.
-   */
-  public BucketRenderer limitedTo(Limits newLimits) {
-    Objects.requireNonNull(newLimits, "newLimits");
-    return new BucketRenderer(settings, executor, newLimits);
-  }
-
-  /**
-   * Renders a scene without progress reports.
-   *
-   * @throws InterruptedException if the calling thread is interrupted; all workers have then ended
-   * @throws RenderException if a worker failed
-   */
-  public Image render(Scene scene) throws InterruptedException {
-    return render(scene, Progress.NONE).image();
-  }
-
-  /**
-   * Renders a scene.
-   *
-   * @throws InterruptedException if the calling thread is interrupted; all workers have then ended
-   * @throws RenderException if a worker failed
-   */
-  public RenderResult render(Scene scene, Progress progress) throws InterruptedException {
-    requireLimits(FilmLayers.of(settings, scene));
-    FilmRenderer renderer = new FilmRenderer(settings, scene);
-    return render(executor.map(renderer::on).orElse(renderer), timed(progress));
-  }
-
-  private void requireLimits(FilmLayers layers) {
-    long pixels = (long) settings.width() * settings.height();
-    MemoryEstimate estimate = new MemoryEstimate(settings, layers, 0, limits.memory());
-    Limits.excess("pixels", limits.pixels(), pixels)
-        .or(() -> Limits.excess("samples per pixel", limits.samples(), settings.samples()))
-        .or(() -> Limits.excess("bytes", limits.memory(), estimate.neededBytes()))
-        .ifPresent(
-            excess -> {
-              throw new IllegalArgumentException("settings: " + excess);
-            });
-  }
-
-  private Progress timed(Progress progress) {
-    if (limits.time().equals(Limits.NO_TIME_LIMIT)) {
-      return progress;
+  @Override
+  public void run() {
+    boolean returned = false;
+    // Discard the count of earlier work of this thread.
+    context.takeInvalidCoordinates();
+    try {
+      bucket = queue.take();
+      while (bucket.isPresent() && render(bucket.get())) {
+        queue.finish(bucket.get());
+        bucket = queue.take();
+      }
+      returned = true;
+    } finally {
+      bucket = Optional.empty();
+      invalidCoordinates = context.takeInvalidCoordinates();
+      if (!returned) {
+        queue.stop();
+      }
     }
-    long start = System.nanoTime();
-    long allowed = limits.time().toNanos();
-    return progress.cancelledAlsoIf(() -> System.nanoTime() - start > allowed);
   }
 
-  RenderResult render(Scene scene, Integrator integrator, Progress progress)
-      throws InterruptedException {
-    return render(new FilmRenderer(settings, scene, integrator), progress);
+  /** Renders a bucket; returns whether it is complete. */
+  private boolean render(Bucket bucket) {
+    for (int y = bucket.y(); y < bucket.y() + bucket.height(); y++) {
+      for (int x = bucket.x(); x < bucket.x() + bucket.width(); x++) {
+        long before = rays();
+        boolean isComplete = renderPixel(x, y);
+        target.took(x, y, rays() - before);
+        if (!isComplete) {
+          return false;
+        }
+      }
+    }
+    report();
+    return true;
   }
 
-  /**
-   * Renders with a given film renderer.
-   *
-   * @param renderer with the same settings as this
-   */
-  RenderResult render(FilmRenderer renderer, Progress progress) throws InterruptedException {
-    Film film = renderer.newFilm();
-    progress.started(settings.window().pixels() * settings.samples());
-    PassResult passes = new PassLoop(renderer, film).run(progress);
-    return new RenderResult(film.develop(), passes.complete(), passes.statistics());
+  private long rays() {
+    return context.rays() + context.shadowRays();
+  }
+
+  private boolean renderPixel(int x, int y) {
+    int pixel = film.index(x, y);
+    int wanted = target.samples(x, y);
+    for (int count = film.samples(pixel); count < wanted; count++) {
+      if (samples - reported >= SAMPLES_PER_REPORT) {
+        report();
+      }
+      if (samples % SAMPLES_PER_QUESTION == 0) {
+        beats = samples;
+        if (queue.isStopped()) {
+          return false;
+        }
+      }
+      renderSample(x, y, film.firstSample() + count, pixel);
+    }
+    return true;
+  }
+
+  private void renderSample(int x, int y, int sample, int pixel) {
+    context.startSample();
+    samples++;
+    boolean hasRay = CameraSamples.start(scene, settings, sampler, x, y, sample, ray);
+    if (layers.isPresent()) {
+      renderLayers(x, y, sample, pixel, hasRay, layers.get());
+      return;
+    }
+    if (!hasRay) {
+      film.add(pixel, Rgb.BLACK, false);
+      return;
+    }
+    Rgb radiance = accepted(integrator.radiance(ray, sampler, context), x, y, sample);
+    film.add(pixel, radiance, context.hitSomething() || !settings.transparent());
+  }
+
+  /** Renders a sample with its layers. */
+  private void renderLayers(
+      int x, int y, int sample, int pixel, boolean hasRay, SampleLayers collected) {
+    if (!hasRay) {
+      collected.clear();
+      film.add(pixel, Rgb.BLACK, false, collected);
+      return;
+    }
+    collected.start(ray);
+    Rgb radiance = integrator.radiance(ray, sampler, context);
+    Rgb kept = accepted(radiance, x, y, sample);
+    if (kept != radiance) {
+      collected.scaleLight(kept.isBlack() ? 0 : kept.max() / radiance.max());
+    }
+    film.add(pixel, kept, context.hitSomething() || !settings.transparent(), collected);
+  }
+
+  /** Returns the value to add to the film, and counts rejected, saturated and clamped samples. */
+  private Rgb accepted(Rgb radiance, int x, int y, int sample) {
+    if (SampleLimit.isRejected(radiance)) {
+      rejected++;
+      if (firstRejected.size() < MAX_REPORTED_REJECTS) {
+        firstRejected.add(new RenderStatistics.RejectedSample(x, y, sample));
+      }
+      return Rgb.BLACK;
+    }
+    return radiance.max() > largestUnchanged ? limited(radiance) : radiance;
+  }
+
+  private Rgb limited(Rgb radiance) {
+    double largest = radiance.max();
+    if (largest > Film.LARGEST) {
+      saturated++;
+    }
+    if (largest > limit.clamp()) {
+      clamped++;
+      double kept = limit.clamp() / largest;
+      clampedLight += (1 - kept) * (radiance.r() + radiance.g() + radiance.b()) / 3;
+    }
+    return limit.apply(radiance);
+  }
+
+  private void report() {
+    queue.advance(samples - reported);
+    reported = samples;
+  }
+
+  /** Returns a number that changes as samples end; any thread may call this. */
+  long beats() {
+    return beats;
+  }
+
+  /** Returns the current bucket; empty if there is none. Any thread may call this. */
+  Optional<Bucket> bucket() {
+    return bucket;
+  }
+
+  RenderStatistics statistics() {
+    return new RenderStatistics(
+        samples,
+        context.rays(),
+        context.shadowRays(),
+        rejected,
+        firstRejected,
+        saturated,
+        invalidCoordinates,
+        clamped,
+        clampedLight);
   }
 }

@@ -12,7 +12,7 @@ interface Crew {
    * @throws InterruptedException if the calling thread is interrupted
    * @throws RenderException if a worker failed
    */
-  void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
+  void run(List<BucketRenderer> workers, RenderQueue queue, Progress progress)
       throws InterruptedException;
 
   /**
@@ -25,7 +25,7 @@ interface Crew {
   }
 
   /** Runs a worker and keeps the first failure; workers stop the queue when they fail. */
-  static void attempt(BucketWorker worker, AtomicReference<Throwable> failure) {
+  static void attempt(BucketRenderer worker, AtomicReference<Throwable> failure) {
     try {
       worker.run();
     } catch (RuntimeException | Error e) {

@@ -53,7 +53,7 @@ public record DepthCut(double share, double standardError) {
             .rayDepths(
                 deeper(settings.reflectionTraceDepth()), deeper(settings.refractionTraceDepth()))
             .build();
-    return of(new BucketRenderer(shallow).render(scene), new BucketRenderer(deep).render(scene));
+    return of(new PictureRenderer(shallow).render(scene), new PictureRenderer(deep).render(scene));
   }
 
   private static int deeper(int depth) {

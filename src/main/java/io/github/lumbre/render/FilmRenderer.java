@@ -227,9 +227,9 @@ public final class FilmRenderer implements PassRenderer {
     }
     List<Bucket> buckets = order.apply(buckets(settings.window()));
     RenderQueue queue = new RenderQueue(buckets, progress);
-    List<BucketWorker> workers = new ArrayList<>();
+    List<BucketRenderer> workers = new ArrayList<>();
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
-      workers.add(new BucketWorker(settings, scene, integrator, sampler(), film, target, queue));
+      workers.add(new BucketRenderer(settings, scene, integrator, sampler(), film, target, queue));
     }
     double start = seconds();
     KernelUpgrade.begin();
@@ -292,9 +292,9 @@ public final class FilmRenderer implements PassRenderer {
     return System.nanoTime() * 1e-9;
   }
 
-  private static RenderStatistics statistics(List<BucketWorker> workers) {
+  private static RenderStatistics statistics(List<BucketRenderer> workers) {
     return workers.stream()
-        .map(BucketWorker::statistics)
+        .map(BucketRenderer::statistics)
         .reduce(RenderStatistics.ZERO, RenderStatistics::plus);
   }
 }

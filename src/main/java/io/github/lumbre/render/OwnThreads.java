@@ -9,12 +9,12 @@ final class OwnThreads implements Crew {
   private static final long MILLIS_PER_LOOK = 5000;
 
   @Override
-  public void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
+  public void run(List<BucketRenderer> workers, RenderQueue queue, Progress progress)
       throws InterruptedException {
     AtomicReference<Throwable> failure = new AtomicReference<>();
     List<Thread> threads = new ArrayList<>();
     try {
-      for (BucketWorker worker : workers) {
+      for (BucketRenderer worker : workers) {
         Thread thread =
             new Thread(
                 () -> Crew.attempt(worker, failure), "lumbre-render-" + (threads.size() + 1));

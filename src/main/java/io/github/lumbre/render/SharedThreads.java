@@ -23,12 +23,12 @@ final class SharedThreads implements Crew {
 
   /** A worker that is either run by a thread of the pool, or withdrawn. */
   private static final class Offer implements Runnable {
-    private final BucketWorker worker;
+    private final BucketRenderer worker;
     private final AtomicReference<Throwable> failure;
     private final AtomicBoolean taken = new AtomicBoolean();
     private final CountDownLatch ended = new CountDownLatch(1);
 
-    Offer(BucketWorker worker, AtomicReference<Throwable> failure) {
+    Offer(BucketRenderer worker, AtomicReference<Throwable> failure) {
       this.worker = worker;
       this.failure = failure;
     }
@@ -58,13 +58,13 @@ final class SharedThreads implements Crew {
   }
 
   @Override
-  public void run(List<BucketWorker> workers, RenderQueue queue, Progress progress)
+  public void run(List<BucketRenderer> workers, RenderQueue queue, Progress progress)
       throws InterruptedException {
     queue.stopIfInterrupted(Thread.currentThread());
     AtomicReference<Throwable> failure = new AtomicReference<>();
     List<Offer> offers = new ArrayList<>();
     try {
-      for (BucketWorker worker : workers.subList(1, workers.size())) {
+      for (BucketRenderer worker : workers.subList(1, workers.size())) {
         Offer offer = new Offer(worker, failure);
         offers.add(offer);
         executor.execute(offer);

@@ -18,12 +18,12 @@ final class Watchdog {
 
   /** The last known state of a worker. */
   private static final class Watched {
-    private final BucketWorker worker;
+    private final BucketRenderer worker;
     private long beats;
     private double since;
     private double patience = PATIENCE_SECONDS;
 
-    private Watched(BucketWorker worker, double now) {
+    private Watched(BucketRenderer worker, double now) {
       this.worker = worker;
       beats = worker.beats();
       since = now;
@@ -51,7 +51,7 @@ final class Watchdog {
    * @param now the time in seconds of any monotonic clock
    * @param progress receives each stalled bucket after 60 s, 120 s, 240 s and so on
    */
-  Watchdog(List<BucketWorker> workers, double now, Progress progress) {
+  Watchdog(List<BucketRenderer> workers, double now, Progress progress) {
     workers.forEach(worker -> watched.add(new Watched(worker, now)));
     this.progress = progress;
   }

@@ -8,7 +8,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -142,7 +142,7 @@ class RenderCommandTest {
   void automaticExposureOfScenesIsThatOfTheirFormat() throws Exception {
     render(TinyScene.JSON, "--exposure", "auto");
     SceneFile file = new SceneParser().parse(directory.resolve("tiny.json"));
-    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Image image = new PictureRenderer(file.settings()).render(file.scene());
     Path expected = directory.resolve("expected.png");
     ImageWriter.write(
         image,

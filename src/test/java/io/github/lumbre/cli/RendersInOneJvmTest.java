@@ -6,7 +6,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.Scene;
@@ -48,7 +48,7 @@ class RendersInOneJvmTest {
   }
 
   private static RenderResult render(Scene scene, SceneFile file) throws InterruptedException {
-    return new BucketRenderer(file.settings()).render(scene, Progress.NONE);
+    return new PictureRenderer(file.settings()).render(scene, Progress.NONE);
   }
 
   @Test

@@ -16,7 +16,7 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import java.awt.image.BufferedImage;
@@ -202,7 +202,7 @@ class ViewBrowserTest {
     awaitFinished();
     await("document.querySelector('#chart .estimate') !== null");
     SceneFile file = read(Set.of());
-    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Image image = new PictureRenderer(file.settings()).render(file.scene());
     for (ToneCurve curve : ToneCurve.values()) {
       for (String exposure : new String[] {"0", "1.5", "auto"}) {
         browser.evaluate(
@@ -375,7 +375,7 @@ class ViewBrowserTest {
   @Test
   void aPngHasNoDifferenceFromWhatThePageShows() throws Exception {
     SceneFile file = read(Set.of());
-    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Image image = new PictureRenderer(file.settings()).render(file.scene());
     byte[] png =
         image.toPng(new ImageWriter.Options(Exposure.of(1), ToneCurve.NEUTRAL, 8, Map.of()));
     restart(LinearReader.decode(png));

@@ -5,7 +5,7 @@ import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
@@ -61,7 +61,7 @@ record WorkCounters(String scene, String mode, long samples, long rays, long sha
             .overriding(WorkCounters::small)
             .parse(new SceneFolder(folder).file(scene));
     RenderStatistics statistics =
-        new BucketRenderer(file.settings()).render(file.scene(), Progress.NONE).statistics();
+        new PictureRenderer(file.settings()).render(file.scene(), Progress.NONE).statistics();
     return new WorkCounters(
         scene,
         SettingType.nameOf(mode),

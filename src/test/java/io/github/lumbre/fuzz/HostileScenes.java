@@ -7,7 +7,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.RenderSettings;
@@ -143,7 +143,8 @@ public final class HostileScenes {
     }
     scene.warnings().forEach(warning -> requireTellable(warning.toString()));
     require(hashes(text).contains(scene.hash()), "a file outside the folder was read");
-    RenderResult result = new BucketRenderer(scene.settings()).render(scene.scene(), Progress.NONE);
+    RenderResult result =
+        new PictureRenderer(scene.settings()).render(scene.scene(), Progress.NONE);
     requireFinite(result.image());
     return new Ending(0, result.statistics().rejected());
   }

@@ -9,7 +9,7 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
@@ -160,7 +160,7 @@ class TextureRolesTest {
         new SceneParser()
             .overriding(s -> s.toBuilder().size(10, 10).samples(4).threads(1).build())
             .parse("a.glb", file.glb(), stage);
-    Image image = new BucketRenderer(scene.settings()).render(scene.scene());
+    Image image = new PictureRenderer(scene.settings()).render(scene.scene());
     float[] rgb = image.rgb();
     double[] result = new double[rgb.length];
     for (int i = 0; i < rgb.length; i++) {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.Stage.View;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -69,7 +69,7 @@ class ModelViewsTest {
 
   private static Image picture(RenderSettings settings, io.github.lumbre.scene.Scene scene)
       throws InterruptedException {
-    return new BucketRenderer(settings).render(scene);
+    return new PictureRenderer(settings).render(scene);
   }
 
   @Test

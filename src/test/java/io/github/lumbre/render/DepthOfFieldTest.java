@@ -112,7 +112,7 @@ class DepthOfFieldTest {
             .build();
     RenderSettings settings =
         new RenderSettings.Builder().size(SIZE, SIZE).samples(samples).build();
-    return new BucketRenderer(settings).render(scene);
+    return new PictureRenderer(settings).render(scene);
   }
 
   private static Spot spot(Image image) {

@@ -100,7 +100,7 @@ class ExtremePicturesTest {
               .addEmissive(new Sphere(Transform.IDENTITY, 1), glow(Rgb.WHITE))
               .addBackground(Rgb.WHITE)
               .build();
-      Image image = new BucketRenderer(settings(width, height, 1).build()).render(scene);
+      Image image = new PictureRenderer(settings(width, height, 1).build()).render(scene);
       for (int i = 0; i < width * height; i++) {
         Rgb pixel = image.pixel(i % width, i / width);
         if (!pixel.equals(Rgb.WHITE)) {
@@ -122,8 +122,8 @@ class ExtremePicturesTest {
     Camera pinhole = new PinholeCamera(eye, Frame.WORLD, 1.5, 50);
     Camera closed = new ThinLensCamera(eye, Frame.WORLD, 1.5, 50, focus, 0, Aperture.DISK);
     RenderSettings settings = settings(30, 20, 4).seed(Effort.seed(1)).build();
-    float[] expected = new BucketRenderer(settings).render(stillLife(pinhole).build()).rgb();
-    float[] found = new BucketRenderer(settings).render(stillLife(closed).build()).rgb();
+    float[] expected = new PictureRenderer(settings).render(stillLife(pinhole).build()).rgb();
+    float[] found = new PictureRenderer(settings).render(stillLife(closed).build()).rgb();
     assertThat(found).isEqualTo(expected);
   }
 
@@ -156,7 +156,7 @@ class ExtremePicturesTest {
     Moments share = new Moments();
     for (int seed = 0; seed < replicates; seed++) {
       RenderSettings settings = settings(32, 32, 1).seed(Effort.seed(seed)).build();
-      float[] rgb = new BucketRenderer(settings).render(scene).rgb();
+      float[] rgb = new PictureRenderer(settings).render(scene).rgb();
       double sum = 0;
       for (int i = 0; i < rgb.length; i += 3) {
         assertThat(rgb[i]).isIn(0f, 1f);
@@ -189,7 +189,7 @@ class ExtremePicturesTest {
                 .build();
         for (int threads = 1; threads < 4; threads++) {
           RenderSettings settings = settings(24, 24, 1).threads(threads).bucketSize(7).build();
-          Image image = new BucketRenderer(settings).render(scene);
+          Image image = new PictureRenderer(settings).render(scene);
           for (int pixel = 0; pixel < 24 * 24; pixel++) {
             assertThat(image.pixel(pixel % 24, pixel / 24)).isEqualTo(redFirst ? RED : GREEN);
           }
@@ -224,7 +224,7 @@ class ExtremePicturesTest {
             .build();
     RenderSettings settings =
         settings(64, 64, Effort.count(4, 64)).maxTraceDepth(4).seed(Effort.seed(1)).build();
-    for (float value : new BucketRenderer(settings).render(scene).rgb()) {
+    for (float value : new PictureRenderer(settings).render(scene).rgb()) {
       assertThat(value).isZero();
     }
   }
@@ -259,7 +259,7 @@ class ExtremePicturesTest {
     Moments means = new Moments();
     for (int seed = 0; seed < 100; seed++) {
       RenderSettings settings = settings(8, 8, 4).seed(Effort.seed(seed)).build();
-      float[] rgb = new BucketRenderer(settings).render(scene).rgb();
+      float[] rgb = new PictureRenderer(settings).render(scene).rgb();
       double sum = 0;
       for (int i = 0; i < rgb.length; i += 3) {
         sum += rgb[i] / 64;
@@ -286,10 +286,10 @@ class ExtremePicturesTest {
     for (int i = 0; i < replicates; i++) {
       RenderSettings settings =
           settings(side, side, 2).maxTraceDepth(3).seed(Effort.seed(i)).build();
-      Image one = new BucketRenderer(settings).render(scene);
+      Image one = new PictureRenderer(settings).render(scene);
       // Different random numbers, so that the two pictures are independent.
       Image other =
-          new BucketRenderer(settings.toBuilder().seed(Effort.seed(i) + 1_000_000).build())
+          new PictureRenderer(settings.toBuilder().seed(Effort.seed(i) + 1_000_000).build())
               .render(image);
       for (int pixel = 0; pixel < side * side; pixel++) {
         int x = pixel % side;
@@ -372,6 +372,6 @@ class ExtremePicturesTest {
       double shade = (double) i / places.size();
       scene.add(shape.apply(places.get(i)), matte(new Rgb(shade, .5, 1 - shade)));
     }
-    return new BucketRenderer(settings).render(scene.build()).rgb();
+    return new PictureRenderer(settings).render(scene.build()).rgb();
   }
 }

@@ -50,7 +50,7 @@ class FilmRendererTest {
   }
 
   private static Image picture(int samples) throws InterruptedException {
-    return new BucketRenderer(settings().samples(samples).build()).render(SCENE);
+    return new PictureRenderer(settings().samples(samples).build()).render(SCENE);
   }
 
   private static void assertSame(Image found, Image expected) {

@@ -46,7 +46,7 @@ class FilteredPictureTest {
             .maxTraceDepth(1)
             .filter(filter)
             .build();
-    return new BucketRenderer(settings).render(scene);
+    return new PictureRenderer(settings).render(scene);
   }
 
   /** The profile across an edge is the filter's integral over its left side, which is white. */

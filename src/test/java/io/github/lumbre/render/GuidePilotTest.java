@@ -84,10 +84,10 @@ class GuidePilotTest {
   void picturesHaveTheSameBitsHoweverTheyAreMade() throws Exception {
     SceneFile file = scene("door-ajar", Guiding.ON);
     RenderSettings guided = file.settings();
-    Image picture = new BucketRenderer(guided).render(file.scene());
+    Image picture = new PictureRenderer(guided).render(file.scene());
     RenderSettings part =
         guided.toBuilder().crop(new Crop(20, 10, 9, 8)).threads(1).bucketSize(3).build();
-    Image crop = new BucketRenderer(part).render(file.scene());
+    Image crop = new PictureRenderer(part).render(file.scene());
     for (int y = 0; y < 8; y++) {
       for (int x = 0; x < 9; x++) {
         assertThat(crop.pixel(x, y)).isEqualTo(picture.pixel(20 + x, 10 + y));
@@ -128,7 +128,7 @@ class GuidePilotTest {
         RenderSettings settings = file.settings();
         Guiding guiding = kind == 0 ? Guiding.OFF : Guiding.ON;
         settings = settings.toBuilder().guiding(guiding).build();
-        double mean = mean(new BucketRenderer(settings).render(file.scene()));
+        double mean = mean(new PictureRenderer(settings).render(file.scene()));
         sum[kind] += mean / count;
         squares[kind] += mean * mean / count;
       }
@@ -158,9 +158,9 @@ class GuidePilotTest {
     assertThat(knot.outcome()).isEqualTo(Outcome.NOT_BETTER);
     assertThat(knot.text())
         .matches("paths are not guided: predicted gain 1\\.00 in a pilot render of .* rays");
-    Image auto = new BucketRenderer(open.settings()).render(open.scene());
+    Image auto = new PictureRenderer(open.settings()).render(open.scene());
     Image off =
-        new BucketRenderer(open.settings().toBuilder().guiding(Guiding.OFF).build())
+        new PictureRenderer(open.settings().toBuilder().guiding(Guiding.OFF).build())
             .render(open.scene());
     assertThat(auto.pixel(20, 30)).isEqualTo(off.pixel(20, 30));
   }

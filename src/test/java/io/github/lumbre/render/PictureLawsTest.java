@@ -79,7 +79,7 @@ class PictureLawsTest {
             .seed(seed)
             .maxTraceDepth(12)
             .build();
-    return new BucketRenderer(settings).render(scene);
+    return new PictureRenderer(settings).render(scene);
   }
 
   @Test

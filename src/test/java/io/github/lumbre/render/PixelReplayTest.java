@@ -69,7 +69,7 @@ class PixelReplayTest {
   void replayedSamplesHaveTheBitsOfTheRender(String name, Mode mode, int split) throws Exception {
     SceneFile file = scene(name, mode);
     RenderSettings settings = file.settings().toBuilder().split(split).build();
-    Image image = new BucketRenderer(settings).render(file.scene());
+    Image image = new PictureRenderer(settings).render(file.scene());
     Integrator integrator = Integrator.of(file.scene(), settings);
     PixelReplay replay = new PixelReplay(file.scene(), settings);
     Sampler sampler = new SobolSampler(settings.seed());
@@ -139,7 +139,7 @@ class PixelReplayTest {
   void clampedSamplesAreReplayedAsTheFilmReceivesThem() throws Exception {
     SceneFile file = scene("glass-and-mirror", Mode.PATH);
     RenderSettings settings = file.settings().toBuilder().clamp(.5).build();
-    Image image = new BucketRenderer(settings).render(file.scene());
+    Image image = new PictureRenderer(settings).render(file.scene());
     PixelReplay replay = new PixelReplay(file.scene(), settings);
     int clamped = 0;
     for (int y = 0; y < HEIGHT; y++) {

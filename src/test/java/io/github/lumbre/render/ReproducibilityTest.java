@@ -46,14 +46,14 @@ class ReproducibilityTest {
               .inMode(mode)
               .overriding(s -> s.toBuilder().size(40, 29).samples(2).build())
               .parse(path);
-      float[] expected = new BucketRenderer(file.settings()).render(file.scene()).rgb();
+      float[] expected = new PictureRenderer(file.settings()).render(file.scene()).rgb();
       for (int threads : THREADS) {
         for (int bucket : BUCKETS) {
           RenderSettings settings =
               file.settings().toBuilder().threads(threads).bucketSize(bucket).build();
           FilmRenderer renderer = new FilmRenderer(settings, file.scene());
           Image image =
-              new BucketRenderer(settings)
+              new PictureRenderer(settings)
                   .render(renderer.inOrder(Orders.shuffled(random)), Progress.NONE)
                   .image();
           assertThat(image.rgb())

@@ -36,7 +36,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 class SharedThreadsTest {
   private static final Scene SCENE =
-      Scene.builder().seenBy(new PinholeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 50))
+      Scene.builder()
+          .seenBy(new PinholeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 50))
           .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
           .addBackground(Rgb.WHITE)
           .build();
@@ -58,7 +59,7 @@ class SharedThreadsTest {
   }
 
   private static float[] picture(Executor executor) throws InterruptedException {
-    return new BucketRenderer(SETTINGS).on(executor).render(SCENE).rgb();
+    return new PictureRenderer(SETTINGS).on(executor).render(SCENE).rgb();
   }
 
   @ParameterizedTest
@@ -66,7 +67,7 @@ class SharedThreadsTest {
   void bitsAreThoseOfOwnThreads(int size) throws InterruptedException {
     ExecutorService other = Executors.newFixedThreadPool(size);
     try {
-      assertThat(picture(other)).isEqualTo(new BucketRenderer(SETTINGS).render(SCENE).rgb());
+      assertThat(picture(other)).isEqualTo(new PictureRenderer(SETTINGS).render(SCENE).rgb());
     } finally {
       other.shutdown();
     }
@@ -74,7 +75,7 @@ class SharedThreadsTest {
 
   @Test
   void executorMayRunTasksAtOnceNeverOrRejectThem() throws InterruptedException {
-    float[] expected = new BucketRenderer(SETTINGS).render(SCENE).rgb();
+    float[] expected = new PictureRenderer(SETTINGS).render(SCENE).rgb();
     assertThat(picture(Runnable::run)).isEqualTo(expected);
     assertThat(picture(task -> {})).isEqualTo(expected);
     assertThat(
@@ -89,7 +90,7 @@ class SharedThreadsTest {
   void threadsOfFullPoolRenderInIt() throws Exception {
     Callable<float[]> render = () -> picture(pool);
     for (Future<float[]> done : pool.invokeAll(java.util.Collections.nCopies(8, render))) {
-      assertThat(done.get()).isEqualTo(new BucketRenderer(SETTINGS).render(SCENE).rgb());
+      assertThat(done.get()).isEqualTo(new PictureRenderer(SETTINGS).render(SCENE).rgb());
     }
   }
 
@@ -125,7 +126,7 @@ class SharedThreadsTest {
         new Thread(
             () -> {
               try {
-                new BucketRenderer(ENDLESS).on(pool).render(SCENE);
+                new PictureRenderer(ENDLESS).on(pool).render(SCENE);
               } catch (InterruptedException | RuntimeException e) {
                 thrown.set(e);
               }
@@ -158,8 +159,7 @@ class SharedThreadsTest {
             return Rgb.WHITE;
           };
       FilmRenderer renderer = new FilmRenderer(ENDLESS, SCENE, failing).on(pool);
-      assertThatThrownBy(
-              () -> renderer.addSamples(renderer.newFilm(), 1 << 20, Progress.NONE))
+      assertThatThrownBy(() -> renderer.addSamples(renderer.newFilm(), 1 << 20, Progress.NONE))
           .isInstanceOf(RenderException.class)
           .hasMessageContaining("planted");
     }
@@ -169,7 +169,7 @@ class SharedThreadsTest {
   void timeLimitEndsWithPartialPicture() throws InterruptedException {
     Limits limits = Limits.NONE.withTime(Duration.ofMillis(100));
     RenderResult result =
-        new BucketRenderer(ENDLESS).on(pool).limitedTo(limits).render(SCENE, Progress.NONE);
+        new PictureRenderer(ENDLESS).on(pool).limitedTo(limits).render(SCENE, Progress.NONE);
     assertThat(result.complete()).isFalse();
     assertThat(result.image().width()).isEqualTo(30);
   }
@@ -182,7 +182,7 @@ class SharedThreadsTest {
   }
 
   private static void assertRefused(Limits limits, String message) {
-    assertThatThrownBy(() -> new BucketRenderer(SETTINGS).limitedTo(limits).render(SCENE))
+    assertThatThrownBy(() -> new PictureRenderer(SETTINGS).limitedTo(limits).render(SCENE))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining(message);
   }

@@ -47,7 +47,7 @@ class WatchdogTest {
   void stalledBucketsAreToldOfAfterAMinuteTwoAndFour() throws InterruptedException {
     CountDownLatch blocked = new CountDownLatch(1);
     CountDownLatch release = new CountDownLatch(1);
-    BucketWorker worker = worker(blockingAt(100, blocked, release));
+    BucketRenderer worker = worker(blockingAt(100, blocked, release));
     Watchdog watchdog = new Watchdog(List.of(worker), 0, listener);
     Thread thread = new Thread(worker);
     thread.start();
@@ -64,10 +64,10 @@ class WatchdogTest {
     assertThat(told).hasSize(3);
   }
 
-  private static BucketWorker worker(Integrator integrator) {
+  private static BucketRenderer worker(Integrator integrator) {
     FilmRenderer renderer = new FilmRenderer(SETTINGS, SCENE, integrator);
     RenderQueue queue = new RenderQueue(List.of(new Bucket(0, 0, 8, 8)), Progress.NONE);
-    return new BucketWorker(
+    return new BucketRenderer(
         SETTINGS,
         SCENE,
         integrator,
@@ -100,7 +100,7 @@ class WatchdogTest {
   void oneRendererServesManyThreadsAtOnceAndLeavesNone() throws Exception {
     RenderSettings settings =
         new RenderSettings.Builder().size(30, 20).samples(3).bucketSize(8).threads(3).build();
-    BucketRenderer renderer = new BucketRenderer(settings);
+    PictureRenderer renderer = new PictureRenderer(settings);
     Image alone = renderer.render(SCENE);
     ExecutorService callers = Executors.newFixedThreadPool(4);
     List<Callable<Image>> renders = new ArrayList<>();

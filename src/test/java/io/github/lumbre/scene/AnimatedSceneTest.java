@@ -12,7 +12,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFile;
 import io.github.lumbre.model.Models;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
@@ -51,7 +51,7 @@ class AnimatedSceneTest {
 
   private static int hash(Scene scene) {
     try {
-      return Arrays.hashCode(new BucketRenderer(SETTINGS).render(scene).rgb());
+      return Arrays.hashCode(new PictureRenderer(SETTINGS).render(scene).rgb());
     } catch (InterruptedException e) {
       throw new AssertionError(e);
     }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.testing.Effort;
 import java.nio.file.Path;
@@ -82,7 +82,7 @@ class AdaptiveBiasTest {
     }
     for (int k = 0; k < RENDERS; k++) {
       RenderSettings own = settings.toBuilder().seed(Effort.seed(firstSeed + k)).build();
-      double[] light = light(new BucketRenderer(own).render(file.scene()));
+      double[] light = light(new PictureRenderer(own).render(file.scene()));
       for (int i = 0; i < sums.length; i++) {
         sums[i].sum += light[i];
         sums[i].squares += light[i] * light[i];

@@ -6,11 +6,11 @@ import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.testing.Effort;
@@ -58,7 +58,7 @@ class NoiseCoverageTest {
     RenderSettings settings =
         file.settings().toBuilder().size(SIDE, SIDE).threads(1).adaptive(adaptive).build();
     Image reference =
-        new BucketRenderer(
+        new PictureRenderer(
                 settings.toBuilder()
                     .adaptive(false)
                     .samples(Effort.count(2048, 32768))
@@ -124,7 +124,7 @@ class NoiseCoverageTest {
     RenderSettings settings = file.settings().toBuilder().size(SIDE, SIDE).threads(1).build();
     RenderSettings most = settings.toBuilder().samples(Effort.count(1024, 4096)).build();
     Image reference =
-        new BucketRenderer(most.toBuilder().threads(0).seed(Effort.seed(-1)).build())
+        new PictureRenderer(most.toBuilder().threads(0).seed(Effort.seed(-1)).build())
             .render(file.scene());
     int seeds = Effort.count(12, 100);
     int[] failures = new int[EARLY.length];
@@ -158,7 +158,7 @@ class NoiseCoverageTest {
     SceneFile file = scene("table-11-marble");
     RenderSettings settings = file.settings().toBuilder().size(24, 24).threads(1).build();
     RenderSettings most = settings.toBuilder().samples(4096).threads(0).seed(-1).build();
-    Image reference = new BucketRenderer(most).render(file.scene());
+    Image reference = new PictureRenderer(most).render(file.scene());
     int[] failures = new int[2];
     for (int i = 0; i < Effort.count(12, 100); i++) {
       RenderSettings own = settings.toBuilder().seed(5000 + i).build();

@@ -7,7 +7,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -57,7 +57,7 @@ public final class RenderedSceneExtension implements ParameterResolver {
   static Image picture(RenderedScene wanted) {
     try {
       SceneFile file = read(wanted, path(wanted.value()));
-      return new BucketRenderer(file.settings()).render(file.scene());
+      return new PictureRenderer(file.settings()).render(file.scene());
     } catch (SceneFormatException | IllegalArgumentException e) {
       throw failure(wanted, e.getMessage(), e);
     } catch (IOException e) {

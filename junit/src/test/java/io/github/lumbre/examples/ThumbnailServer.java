@@ -8,7 +8,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import java.io.IOException;
@@ -130,7 +130,7 @@ public final class ThumbnailServer implements AutoCloseable {
     Stage stage = Stage.DEFAULT.seenFrom(Stage.View.of("iso"));
     SceneFile file = parser.parse(name, model, stage);
     RenderResult result =
-        new BucketRenderer(file.settings())
+        new PictureRenderer(file.settings())
             .on(renderers)
             .limitedTo(limits)
             .render(file.scene(), Progress.NONE);

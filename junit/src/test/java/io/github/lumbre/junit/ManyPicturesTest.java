@@ -7,7 +7,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
-import io.github.lumbre.render.BucketRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Random;
@@ -62,7 +62,7 @@ class ManyPicturesTest {
                         .build());
     Stage stage = Stage.DEFAULT.seenFrom(new Stage.View(37 * number % 360, number % 60)).onGround();
     SceneFile file = parser.parse("model.obj", obj(new Random(number)), stage);
-    return new BucketRenderer(file.settings()).render(file.scene());
+    return new PictureRenderer(file.settings()).render(file.scene());
   }
 
   private static byte[] obj(Random random) {

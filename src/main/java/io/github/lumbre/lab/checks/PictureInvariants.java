@@ -15,9 +15,9 @@ import io.github.lumbre.material.Phong;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -89,7 +89,7 @@ final class PictureInvariants {
   }
 
   private static Image render(Scene scene, RenderSettings settings) throws InterruptedException {
-    return new BucketRenderer(settings).render(scene);
+    return new PictureRenderer(settings).render(scene);
   }
 
   /**

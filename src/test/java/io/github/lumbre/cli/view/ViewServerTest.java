@@ -16,11 +16,11 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.BucketRenderer;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
@@ -227,7 +227,7 @@ class ViewServerTest {
   private float[] rendered(Path file) throws Exception {
     SceneFile read =
         new SceneParser().overriding(s -> s.toBuilder().samples(samples).build()).parse(file);
-    return new BucketRenderer(read.settings()).render(read.scene()).rgb();
+    return new PictureRenderer(read.settings()).render(read.scene()).rgb();
   }
 
   @Test
@@ -252,7 +252,7 @@ class ViewServerTest {
     assertThat(render.getAsJsonArray("errors")).isNotEmpty();
     assertThat(state.getAsJsonObject("frame").get("isFinal").getAsBoolean()).isTrue();
     SceneFile file = new Source().read(Set.of());
-    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Image image = new PictureRenderer(file.settings()).render(file.scene());
     Path png = Files.write(directory.resolve("saved.png"), get("save?format=png&tone=aces").body());
     Path expected = directory.resolve("expected.png");
     ImageWriter.write(
@@ -415,7 +415,7 @@ class ViewServerTest {
     start();
     await(ViewServerTest::isFinished);
     SceneFile file = new Source().read(Set.of());
-    Image image = new BucketRenderer(file.settings()).render(file.scene());
+    Image image = new PictureRenderer(file.settings()).render(file.scene());
     double whole = Exposure.AUTO.factor(image);
     Exposure expected = Visible.exposure(Exposure.AUTO, file, image);
     assertThat(Math.abs(expected.factor(image) / whole - 1) > .05).isEqualTo(isModel);

@@ -32,7 +32,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests whole renders: pixels, crops, threads, cancellation and failures. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
-class BucketRendererTest {
+class PictureRendererTest {
   private static final Scene SCENE = sceneSeenBy(pinhole());
 
   private static Camera pinhole() {
@@ -53,7 +53,7 @@ class BucketRendererTest {
 
   @Test
   void everyPixelIsRendered() throws InterruptedException {
-    Image image = new BucketRenderer(small().build()).render(SCENE);
+    Image image = new PictureRenderer(small().build()).render(SCENE);
 
     assertThat(image.width()).isEqualTo(30);
     assertThat(image.height()).isEqualTo(20);
@@ -68,9 +68,10 @@ class BucketRendererTest {
 
   @Test
   void cropHasTheBitsOfTheFullFrame() throws InterruptedException {
-    Image full = new BucketRenderer(small().build()).render(SCENE);
+    Image full = new PictureRenderer(small().build()).render(SCENE);
     Image crop =
-        new BucketRenderer(small().crop(new Crop(7, 5, 11, 9)).bucketSize(3).build()).render(SCENE);
+        new PictureRenderer(small().crop(new Crop(7, 5, 11, 9)).bucketSize(3).build())
+            .render(SCENE);
 
     for (int y = 0; y < 9; y++) {
       for (int x = 0; x < 11; x++) {
@@ -81,8 +82,8 @@ class BucketRendererTest {
 
   @Test
   void seedsGiveDifferentPictures() throws InterruptedException {
-    float[] one = new BucketRenderer(small().seed(1).build()).render(SCENE).rgb();
-    float[] two = new BucketRenderer(small().seed(2).build()).render(SCENE).rgb();
+    float[] one = new PictureRenderer(small().seed(1).build()).render(SCENE).rgb();
+    float[] two = new PictureRenderer(small().seed(2).build()).render(SCENE).rgb();
 
     assertThat(one).isNotEqualTo(two);
   }
@@ -93,7 +94,7 @@ class BucketRendererTest {
     AtomicLong advanced = new AtomicLong();
     Set<Bucket> buckets = ConcurrentHashMap.newKeySet();
     RenderResult result =
-        new BucketRenderer(small().build())
+        new PictureRenderer(small().build())
             .render(
                 SCENE,
                 new Progress() {
@@ -138,7 +139,7 @@ class BucketRendererTest {
           }
         };
     RenderResult result =
-        new BucketRenderer(small().samples(64).threads(1).build()).render(SCENE, afterTwo);
+        new PictureRenderer(small().samples(64).threads(1).build()).render(SCENE, afterTwo);
 
     assertThat(result.complete()).isFalse();
     assertThat(result.image().pixel(0, 0)).isEqualTo(Rgb.WHITE);
@@ -162,7 +163,7 @@ class BucketRendererTest {
           }
         };
     RenderSettings oneBucket = small().size(64, 64).bucketSize(64).threads(1).build();
-    RenderResult result = new BucketRenderer(oneBucket).render(SCENE, afterSome);
+    RenderResult result = new PictureRenderer(oneBucket).render(SCENE, afterSome);
 
     assertThat(result.complete()).isFalse();
     assertThat(result.statistics().samples()).isBetween(1024L, 1024L + 16);
@@ -181,7 +182,7 @@ class BucketRendererTest {
 
     assertThatThrownBy(
             () ->
-                new BucketRenderer(small().samples(1 << 30).build())
+                new PictureRenderer(small().samples(1 << 30).build())
                     .render(SCENE, failing, Progress.NONE))
         .isInstanceOf(RenderException.class)
         .hasCause(fault);
@@ -194,7 +195,7 @@ class BucketRendererTest {
         new Thread(
             () -> {
               try {
-                new BucketRenderer(small().samples(1 << 30).build()).render(SCENE);
+                new PictureRenderer(small().samples(1 << 30).build()).render(SCENE);
               } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
               }
@@ -228,7 +229,7 @@ class BucketRendererTest {
           return call < 4 ? new Rgb(1, bad[call], 1) : Rgb.WHITE;
         };
     RenderResult result =
-        new BucketRenderer(small().samples(8).threads(1).build())
+        new PictureRenderer(small().samples(8).threads(1).build())
             .render(SCENE, faulty, Progress.NONE);
 
     // The first pass takes one sample of each pixel, row by row from the left.
@@ -254,7 +255,7 @@ class BucketRendererTest {
             .addAmbient(Rgb.grey(Math.PI))
             .build();
     RenderSettings settings = small().samples(64).transparent(true).build();
-    Image image = new BucketRenderer(settings).render(glowing);
+    Image image = new PictureRenderer(settings).render(glowing);
 
     assertThat(image.alpha(0, 0)).isZero();
     assertThat(image.alpha(15, 10)).isEqualTo(1);
@@ -271,7 +272,7 @@ class BucketRendererTest {
   @Test
   void fishEyeIsTransparentOutsideItsCircleOnly() throws InterruptedException {
     Scene scene = sceneSeenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1.5, 180));
-    Image image = new BucketRenderer(small().samples(16).build()).render(scene);
+    Image image = new PictureRenderer(small().samples(16).build()).render(scene);
 
     assertThat(image.hasAlpha()).isTrue();
     assertThat(image.alpha(0, 0)).isZero();
@@ -282,14 +283,14 @@ class BucketRendererTest {
 
   @Test
   void rendererIsReusable() throws InterruptedException {
-    BucketRenderer renderer = new BucketRenderer(small().build());
+    PictureRenderer renderer = new PictureRenderer(small().build());
 
     assertThat(renderer.render(SCENE).rgb()).isEqualTo(renderer.render(SCENE).rgb());
   }
 
   private static RenderStatistics statistics(RenderSettings settings, Rgb radiance)
       throws InterruptedException {
-    return new BucketRenderer(settings)
+    return new PictureRenderer(settings)
         .render(SCENE, (ray, sampler, scratch) -> radiance, Progress.NONE)
         .statistics();
   }
@@ -298,7 +299,7 @@ class BucketRendererTest {
   void samplesBrighterThanTheClampAreDarkenedToIt() throws InterruptedException {
     RenderSettings settings = small().clamp(2).build();
     RenderResult result =
-        new BucketRenderer(settings)
+        new PictureRenderer(settings)
             .render(SCENE, (ray, sampler, scratch) -> new Rgb(4, 2, 1), Progress.NONE);
     assertThat(result.image().pixel(3, 3)).isEqualTo(new Rgb(2, 1, .5));
     assertThat(result.statistics().clamped()).isEqualTo(2400);
@@ -347,7 +348,7 @@ class BucketRendererTest {
           return Rgb.WHITE;
         };
     RenderSettings settings = small().samples(1).threads(threads).bucketSize(bucketSize).build();
-    assertThat(new BucketRenderer(settings).render(SCENE, waiting, Progress.NONE).complete())
+    assertThat(new PictureRenderer(settings).render(SCENE, waiting, Progress.NONE).complete())
         .isTrue();
     assertThat(workers).hasSize(Math.min(expected, buckets)).allMatch(Thread::isDaemon);
     assertThat(workers).allMatch(worker -> worker.getName().startsWith("lumbre-render-"));
@@ -382,7 +383,7 @@ class BucketRendererTest {
           }
           return Rgb.WHITE;
         };
-    BucketRenderer renderer = new BucketRenderer(small().threads(1).build());
+    PictureRenderer renderer = new PictureRenderer(small().threads(1).build());
     assertThatThrownBy(() -> renderer.render(SCENE, interrupting, Progress.NONE))
         .isInstanceOf(InterruptedException.class);
     assertThat(Thread.interrupted()).isTrue();
@@ -407,7 +408,7 @@ class BucketRendererTest {
           }
         };
     RenderSettings oneBucket = small().size(64, 64).samples(1).bucketSize(64).threads(1).build();
-    new BucketRenderer(oneBucket).render(SCENE, listener);
+    new PictureRenderer(oneBucket).render(SCENE, listener);
     assertThat(heard).hasSizeGreaterThanOrEqualTo(4);
     assertThat(heard.stream().mapToLong(h -> h).sum()).isEqualTo(64 * 64);
     assertThat(heard).allMatch(h -> h <= 1024);
