@@ -23,7 +23,9 @@ exit /b 7
 
 :version
 set "LUMBRE_VERSION="
-set "LUMBRE_TOLD=%TEMP%\lumbre-%RANDOM%%RANDOM%.txt"
+set "LUMBRE_TOLD=%TEMP%"
+if not exist "%LUMBRE_TOLD%\" set "LUMBRE_TOLD=%LUMBRE_HOME%."
+set "LUMBRE_TOLD=%LUMBRE_TOLD%\lumbre-%RANDOM%%RANDOM%.txt"
 "%LUMBRE_JAVA%" -version 2>"%LUMBRE_TOLD%"
 for /f "usebackq tokens=2,3" %%a in ("%LUMBRE_TOLD%") do if "%%a"=="version" set "LUMBRE_VERSION=%%~b"
 del /q "%LUMBRE_TOLD%" 2>nul
@@ -44,6 +46,7 @@ rem One build at a time: whoever makes the directory builds, the others wait for
 :build
 if not exist "%LUMBRE_HOME%target\" mkdir "%LUMBRE_HOME%target" 2>nul
 if exist "%LUMBRE_HOME%target\" goto turn
+:unwritable
 echo lumbre: must be built first, but "%LUMBRE_HOME%target" cannot be written; make it writable, or use a copy of "%LUMBRE_HOME%">&2
 exit /b 6
 
@@ -51,6 +54,9 @@ exit /b 6
 set LUMBRE_WAITS=0
 :acquire
 mkdir "%LUMBRE_LOCK%" 2>nul && goto locked
+rem Another build may have ended just now: only a second failure means that nothing can be made here.
+if not exist "%LUMBRE_LOCK%\" mkdir "%LUMBRE_LOCK%" 2>nul && goto locked
+if not exist "%LUMBRE_LOCK%\" goto unwritable
 if %LUMBRE_WAITS%==0 echo lumbre: waiting for another build>&2
 set /a LUMBRE_WAITS+=1
 if %LUMBRE_WAITS% GTR 600 goto abandoned
@@ -64,13 +70,16 @@ exit /b 7
 
 :locked
 echo lumbre: building, which takes a moment>&2
+rem The build replaces the jar in one step. It gets the time of the build's beginning, so that whatever changes meanwhile counts
+rem as newer.
 pushd "%LUMBRE_HOME%"
 call mvnw.cmd -q -B -Dmaven.test.skip=true package 1>&2 <nul
 set "LUMBRE_BUILT=%ERRORLEVEL%"
 popd
+if "%LUMBRE_BUILT%"=="0" powershell -NoProfile -NonInteractive -Command "(Get-Item -LiteralPath $env:LUMBRE_JAR).LastWriteTimeUtc = (Get-Item -LiteralPath $env:LUMBRE_LOCK).LastWriteTimeUtc"
 rmdir "%LUMBRE_LOCK%"
 if "%LUMBRE_BUILT%"=="0" goto run
-echo lumbre: the build failed>&2
+echo lumbre: the build failed; the old jar, if there is one, is kept. Windows replaces no jar that a running Lumbre uses: end it first>&2
 exit /b 7
 
 :run
@@ -81,6 +90,7 @@ if not defined LUMBRE_JAVA_OPTS goto archive
 set LUMBRE_JAVA_OPTS | findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
 "%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -jar "%LUMBRE_JAR%" --version 2>nul | findstr /b /c:"Lumbre " >nul && goto parts
 "%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version 1>&2
+if errorlevel 1 echo lumbre: LUMBRE_JAVA_OPTS: Java does not start with "%LUMBRE_JAVA_OPTS%">&2& exit /b 2
 echo lumbre: LUMBRE_JAVA_OPTS: Java does not run Lumbre with "%LUMBRE_JAVA_OPTS%">&2
 exit /b 2
 

@@ -374,7 +374,7 @@
       $('tone').value = state.toneMap;
       $('auto').checked = state.exposure === 'auto';
       $('exposure').value = state.exposure === 'auto' ? 0 : state.exposure;
-      $('stops').textContent = (+$('exposure').value).toFixed(1);
+      if (!$('auto').checked) $('stops').textContent = (+$('exposure').value).toFixed(1);
     }
     const r = state.render;
     for (const id of ['progress', 'run', 'camera']) $(id).hidden = !r;
