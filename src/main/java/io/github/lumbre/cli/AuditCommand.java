@@ -36,7 +36,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    sortOptions = false,
     abbreviateSynopsis = true,
     footer = {"", "Examples:", "  lumbre audit scene.json", "  lumbre audit --strict scene.json"},
     exitCodeListHeading = "%nExit codes:%n",

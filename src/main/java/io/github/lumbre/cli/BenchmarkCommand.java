@@ -46,7 +46,7 @@ import picocli.CommandLine.Spec;
  */
 @Command(
     name = "benchmark",
-    header = "Render the scenes of the 2016 report and print how long each takes.",
+    header = "Render the scenes of the 2016 report and print their times.",
     description =
         "Print the table in Markdown, each row as soon as it is rendered. A row's size, mode,"
             + " samples, bucket and depth override its scene's.",

@@ -35,7 +35,6 @@ import picocli.CommandLine.Spec;
     header = "Validate a scene and print its contents without rendering it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {"", "Example:", "  lumbre check --strict scene.json"},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {

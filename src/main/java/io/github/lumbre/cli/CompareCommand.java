@@ -48,12 +48,11 @@ import picocli.CommandLine.Spec;
             + " colors of OpenEXR are those in the file, multiplied by alpha.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {
       "",
       "Metrics: rmse, relmse (mean of (x-r)^2/(r^2+0.01)), bias (mean of x-r), p99.9 and max of"
-          + " the",
-      "absolute error, ssim (1: identical), flip (0: identical; LDR-FLIP at 67 pixels per degree).",
+          + " the absolute error, ssim (1: identical), flip (0: identical; LDR-FLIP at 67 pixels"
+          + " per degree).",
       "",
       "Examples:",
       "  lumbre compare draft.exr reference.exr",
@@ -90,10 +89,9 @@ final class CompareCommand implements Callable<Integer> {
       names = "--tolerance",
       paramLabel = "NAME=LIMIT",
       split = ",",
-      description = {
-        "Exit with code 1 if a metric is above its limit",
-        "(ssim: below; bias: in absolute value)."
-      })
+      description =
+          "Exit with code 1 if a metric is above its limit (ssim: below; bias: in absolute"
+              + " value).")
   private Map<String, Double> tolerance = new LinkedHashMap<>();
 
   @Option(

@@ -43,7 +43,6 @@ import picocli.CommandLine.Spec;
             + " bounds of the render do not hold for it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {
       "",
       "Examples:",

@@ -26,7 +26,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    sortOptions = false,
     abbreviateSynopsis = true,
     footer = {"", "Example:", "  lumbre develop night.film -o night.png --exposure 1.5"},
     exitCodeListHeading = "%nExit codes:%n",

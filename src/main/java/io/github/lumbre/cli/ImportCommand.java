@@ -40,7 +40,6 @@ import picocli.CommandLine.Spec;
             + " model file and does not copy it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {

@@ -35,18 +35,17 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre layers}: lists the layers of a file, and writes them as PNG. */
 @Command(
     name = "layers",
-    header = "List the layers of an OpenEXR or checkpoint file, or write them as PNG.",
+    header = "List the layers of an OpenEXR or checkpoint file, or write PNGs.",
     description =
         "Layers are recorded with 'lumbre render --layers'. Mattes of objects and materials are"
             + " listed with the share of the picture that each covers.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {
       "",
       "PNG files: normals as n/2 + 1/2, colors with the sRGB curve, masks of objects with 255 for"
-          + " a",
-      "covered pixel; other layers with 16 bits, whose range the metadata state as Low and High.",
+          + " a covered pixel; other layers with 16 bits, whose range the metadata state as Low"
+          + " and High.",
       "",
       "Examples:",
       "  lumbre layers picture.exr",

@@ -21,6 +21,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import picocli.CommandLine;
@@ -38,7 +39,6 @@ import picocli.CommandLine.Spec;
     name = "lumbre",
     header = "Lumbre, a CPU path tracer: renders scenes and 3D models to pictures.",
     mixinStandardHelpOptions = true,
-    addMethodSubcommands = false,
     versionProvider = Version.class,
     synopsisSubcommandLabel = "COMMAND",
     footer = {
@@ -64,29 +64,36 @@ public final class Lumbre implements Runnable {
   /** The types of picocli's own converters that no flag uses and that take a while to load. */
   static final String EXCLUDED_CONVERTERS = "java\\.(sql|time)\\..*";
 
-  /** The commands by name, in the order of the messages that list them. */
-  static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
+  /** The commands under the headings of the help, in its order. */
+  static final Map<String, List<Class<?>>> SECTIONS = new LinkedHashMap<>();
+
+  /** The commands by name, in the same order. */
+  private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
   static {
-    COMMANDS.put("render", RenderCommand.class);
-    COMMANDS.put("view", ViewCommand.class);
-    COMMANDS.put("resume", ResumeCommand.class);
-    COMMANDS.put("merge", MergeCommand.class);
-    COMMANDS.put("develop", DevelopCommand.class);
-    COMMANDS.put("layers", LayersCommand.class);
-    COMMANDS.put("denoise", DenoiseCommand.class);
-    COMMANDS.put("views", ViewsCommand.class);
-    COMMANDS.put("import", ImportCommand.class);
-    COMMANDS.put("check", CheckCommand.class);
-    COMMANDS.put("audit", AuditCommand.class);
-    COMMANDS.put("pixel", PixelCommand.class);
-    COMMANDS.put("benchmark", BenchmarkCommand.class);
-    COMMANDS.put("perf", PerfCommand.class);
-    COMMANDS.put("compare", CompareCommand.class);
-    COMMANDS.put("trade", TradeCommand.class);
-    COMMANDS.put("selftest", SelfTestCommand.class);
-    COMMANDS.put("completion", CompletionCommand.class);
-    COMMANDS.put("help", HelpCommand.class);
+    SECTIONS.put(
+        "Make pictures",
+        List.of(
+            RenderCommand.class,
+            ViewCommand.class,
+            ResumeCommand.class,
+            MergeCommand.class,
+            DevelopCommand.class,
+            DenoiseCommand.class,
+            ViewsCommand.class,
+            ImportCommand.class));
+    SECTIONS.put(
+        "Understand a scene",
+        List.of(CheckCommand.class, AuditCommand.class, PixelCommand.class, LayersCommand.class));
+    SECTIONS.put(
+        "Measure",
+        List.of(
+            CompareCommand.class, TradeCommand.class, PerfCommand.class, SelfTestCommand.class));
+    SECTIONS.put("The 2016 report", List.of(BenchmarkCommand.class));
+    SECTIONS.put("Other", List.of(CompletionCommand.class, HelpCommand.class));
+    SECTIONS.values().stream()
+        .flatMap(List::stream)
+        .forEach(command -> COMMANDS.put(nameOf(command), command));
   }
 
   /** Current commands by their names before 0.2; these names will be removed in 0.3. */
@@ -138,6 +145,11 @@ public final class Lumbre implements Runnable {
     }
   }
 
+  /** Returns the name of a command: {@code render} for {@link RenderCommand}. */
+  static String nameOf(Class<?> command) {
+    return command.getSimpleName().replace("Command", "").toLowerCase(Locale.ROOT);
+  }
+
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
     return commandLine(Engine.LOCAL, COMMANDS.keySet());
@@ -158,7 +170,7 @@ public final class Lumbre implements Runnable {
     CommandLine program = new CommandLine(new Lumbre(), factory);
     names.forEach(
         name -> program.addSubcommand(name, new CommandLine(COMMANDS.get(name), factory)));
-    HelpLayout.applyToProgram(program);
+    HelpLayout.applyTo(program);
     return program;
   }
 

@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
 /** {@code lumbre merge}: merges checkpoint files of one picture. */
 @Command(
     name = "merge",
-    header = "Merge checkpoint files of one picture that were rendered separately.",
+    header = "Merge checkpoint files that were rendered separately.",
     description =
         "Merge files with different samples (render --samples-from, --samples-to) or different"
             + " parts of the frame (render --crop). The result is bit-identical to a single render."
@@ -47,7 +47,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    sortOptions = false,
     abbreviateSynopsis = true,
     footer = {
       "",

@@ -4,11 +4,11 @@ import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
-import io.github.lumbre.cli.option.DenoiserFlags;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.PictureFlags;
 import io.github.lumbre.cli.option.QualityFlags;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.RunFlags;
@@ -33,6 +33,7 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
@@ -71,10 +72,8 @@ import picocli.CommandLine.Spec;
         "Flags override the scene's settings. The picture is bit-identical on every machine and"
             + " with any number of threads.",
     mixinStandardHelpOptions = true,
-    addMethodSubcommands = false,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    sortOptions = false,
     abbreviateSynopsis = true,
     footer = {
       "",
@@ -130,27 +129,7 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private final KernelFlag kernel = new KernelFlag();
 
-  @Option(
-      names = "--bits",
-      paramLabel = "8|16",
-      defaultValue = "8",
-      description = "Bits per channel of a PNG (${DEFAULT-VALUE}).")
-  private int bits;
-
-  @Option(
-      names = "--jpeg-quality",
-      paramLabel = "N",
-      defaultValue = "90",
-      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
-  private int jpegQuality;
-
-  @Option(
-      names = "--denoise",
-      description =
-          "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  private boolean denoise;
-
-  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
+  @Mixin private final PictureFlags stored = new PictureFlags();
 
   @Mixin private final RunFlags run = new RunFlags();
 
@@ -268,7 +247,7 @@ final class RenderCommand implements Callable<Integer> {
               Budget.CONFIDENCE);
       RenderJob job = job(file, frames, keeper, monitor, budget, report);
       course.interruption.requireRender();
-      return job.run(flags.firstSample());
+      return job.run(flags.samples().first());
     }
   }
 
@@ -279,22 +258,21 @@ final class RenderCommand implements Callable<Integer> {
     checkpoints.validate();
     kernel.validate();
     require(
-        !quality.isAdaptive() || checkpoint.isEmpty() && !flags.hasSampleRange(),
+        !quality.isAdaptive() || checkpoint.isEmpty() && !flags.samples().haveRange(),
         "--adaptive: cannot be combined with --checkpoint, --samples-from or --samples-to, because"
             + " a checkpoint file does not record which samples come next");
     require(
-        !flags.hasShare() || checkpoint.isPresent(),
+        !flags.samples().haveShare() || checkpoint.isPresent(),
         "--share: requires --checkpoint, whose files 'lumbre merge' joins");
     require(
-        !flags.hasShare() || !budgets.areGiven() && quality.targetError().isEmpty(),
+        !flags.samples().haveShare() || !budgets.areGiven() && quality.targetError().isEmpty(),
         "--share: cannot be combined with --time, --target-error or --quality, because the shares"
             + " would end at different samples");
     require(
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
             + " the clamped energy");
-    require(bits == 8 || bits == 16, "--bits: expected 8 or 16, found " + bits);
-    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
+    stored.validate();
   }
 
   /** Checks and reserves the files of all pictures. */
@@ -306,7 +284,7 @@ final class RenderCommand implements Callable<Integer> {
             + target);
     requireDenoising(target);
     checkOutputs(frames.targets());
-    Optional<Denoising> denoising = denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
+    Optional<Denoising> denoising = stored.denoising();
     if (isStandardOutput()) {
       frames.reserve(
           PictureOutput.toStandardOutput(format.orElse(ImageFormat.PNG), checkpoints.fallback()));
@@ -316,7 +294,7 @@ final class RenderCommand implements Callable<Integer> {
   }
 
   private void requireDenoising(Path target) {
-    if (denoise) {
+    if (stored.isDenoising()) {
       require(
           !isStandardOutput(),
           "--denoise: expected a file (-o), found " + target + "; the noisy picture is kept too");
@@ -356,12 +334,17 @@ final class RenderCommand implements Callable<Integer> {
     keeper.begin(
         FilmHeader.identity(file.hash(), file.settings()),
         RecordedLayers.of(file.settings(), file.scene()),
-        FilmNotes.of(scene, file, picture.target(), bits, options.isLenient(), budget),
+        FilmNotes.of(scene, file, picture.target(), bits(), options.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
-    RenderJob.How how = run.how(bits, jpegQuality, options.isStrict(), frames.denoised());
+    RenderJob.How how =
+        run.how(bits(), stored.jpegQuality(), options.isStrict(), frames.denoised());
     return new RenderJob(
         scene, file, picture, keeper, monitor, run.errors(), report, budget, how, engine);
+  }
+
+  private int bits() {
+    return stored.bits().orElse(ImageWriter.Options.DEFAULT.pngBits());
   }
 
   private int estimate(SceneFile file, JsonSummary report) throws TaskException {
@@ -414,7 +397,7 @@ final class RenderCommand implements Callable<Integer> {
       if (!isStandardOutput()) {
         guard.writes("-o", target, OutputContent.PICTURE);
       }
-      if (denoise) {
+      if (stored.isDenoising()) {
         guard.writes("-o", Denoising.beside(target), OutputContent.PICTURE);
       }
     }

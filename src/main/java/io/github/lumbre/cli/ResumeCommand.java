@@ -68,7 +68,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    sortOptions = false,
     abbreviateSynopsis = true,
     footer = {
       "",

@@ -25,7 +25,6 @@ import picocli.CommandLine.Spec;
             + " and the tested range. This takes about 20 s of CPU time.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {
       "",
       "Examples:",

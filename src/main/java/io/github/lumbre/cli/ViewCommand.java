@@ -69,7 +69,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
-    sortOptions = false,
     abbreviateSynopsis = true,
     footer = {
       "",
@@ -132,7 +131,7 @@ final class ViewCommand implements Callable<Integer> {
     FlagChecks checks = new FlagChecks(spec);
     checks.requireIn("--port", 0, 65535, port);
     checks.require(
-        !flags.hasSampleRange(),
+        !flags.samples().haveRange(),
         "view: cannot be combined with --samples-from, --samples-to or --share");
     checks.require(!options.isStandardInput(), "view: expected a file, found standard input");
     Messages errors = new Messages(spec.commandLine().getErr());

@@ -62,7 +62,6 @@ import picocli.CommandLine.Spec;
             + " NAME' with the same flags.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
-    sortOptions = false,
     footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"},
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
@@ -169,8 +168,7 @@ final class ViewsCommand implements Callable<Integer> {
     FlagChecks checks = new FlagChecks(spec);
     samples.ifPresent(n -> checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
     threads.ifPresent(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
-    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.width()));
-    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
+    size.ifPresent(checks::requireSize);
     return flags.stage(OptionalDouble.empty());
   }
 

@@ -27,7 +27,7 @@ class CliPageTest {
   private static final Path PAGE = Path.of("docs", "cli.md");
 
   private static final String HEAD =
-      """
+"""
 # The command line
 
 Every command, its flags by group, and its exit codes. `lumbre help COMMAND` prints the same.
@@ -67,10 +67,10 @@ All commands use the same codes. Each command below lists its own meanings.
   private static String page() {
     CommandLine program = Lumbre.commandLine();
     StringBuilder page = new StringBuilder(HEAD);
-    HelpLayout.COMMANDS.forEach(
-        (heading, names) -> {
+    Lumbre.SECTIONS.forEach(
+        (heading, commands) -> {
           page.append("## ").append(heading).append("\n\n");
-          names.forEach(name -> append(program.getSubcommands().get(name), page));
+          commands.forEach(type -> append(program.getSubcommands().get(Lumbre.nameOf(type)), page));
         });
     return page.toString();
   }
@@ -109,7 +109,10 @@ All commands use the same codes. Each command below lists its own meanings.
   }
 
   private static void flags(String heading, List<OptionSpec> flags, StringBuilder page) {
-    page.append("| " + heading + " | meaning |\n|---|---|\n");
+    if (flags.isEmpty()) {
+      return;
+    }
+    page.append("| " + (heading.isEmpty() ? "flag" : heading) + " | meaning |\n|---|---|\n");
     for (OptionSpec flag : flags) {
       String names = String.join(", ", flag.names());
       String label = flag.arity().max() == 0 ? "" : " " + flag.paramLabel();
@@ -124,6 +127,10 @@ All commands use the same codes. Each command below lists its own meanings.
 
   /** Returns the lines of a description as one line, as picocli prints them. */
   private static String plain(String[] lines) {
-    return List.of(lines).stream().collect(Collectors.joining(" ")).replace("%n", " ").replace("%%", "%").strip();
+    return List.of(lines).stream()
+        .collect(Collectors.joining(" "))
+        .replace("%n", " ")
+        .replace("%%", "%")
+        .strip();
   }
 }

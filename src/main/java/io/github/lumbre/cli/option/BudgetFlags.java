@@ -9,12 +9,14 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The flags that end a render by time or noise; the first limit that is reached ends it. */
+@Command(optionListHeading = Headings.STOP)
 public final class BudgetFlags {
   /** The system property that is true if the process runs one command, and nothing else. */
   public static final String OWN_PROCESS = "lumbre.process";

@@ -11,12 +11,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The flags that protect a render against loss. */
+@Command(optionListHeading = Headings.CHECKPOINTS)
 public final class CheckpointFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;

@@ -8,9 +8,11 @@ import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** The flags that choose a denoiser. */
+@Command(optionListHeading = Headings.PICTURE)
 public final class DenoiserFlags {
   /** The denoisers. */
   enum Engine {

@@ -39,26 +39,7 @@ public final class DevelopFlags {
 
   @Mixin private final SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
-  @Option(
-      names = "--bits",
-      paramLabel = "8|16",
-      description = "Bits per channel of a PNG (as rendered).")
-  private Optional<Integer> bits;
-
-  @Option(
-      names = "--jpeg-quality",
-      paramLabel = "N",
-      defaultValue = "90",
-      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
-  private int jpegQuality;
-
-  @Option(
-      names = "--denoise",
-      description =
-          "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  private boolean denoise;
-
-  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
+  @Mixin private final PictureFlags stored = new PictureFlags();
 
   @Option(names = "--debug", description = "Print the stack trace of an error.")
   private boolean debug;
@@ -70,11 +51,7 @@ public final class DevelopFlags {
 
   /** Checks the ranges of the values before anything is read. */
   public void validate() {
-    new FlagChecks(spec).requireIn("--jpeg-quality", 1, 100, jpegQuality);
-    if (bits.isPresent() && bits.get() != 8 && bits.get() != 16) {
-      throw new ParameterException(
-          spec.commandLine(), "--bits: expected 8 or 16, found " + bits.get());
-    }
+    stored.validate();
   }
 
   /**
@@ -83,14 +60,14 @@ public final class DevelopFlags {
    * @param name of the film, for messages
    */
   public void develop(Path name, Source source, Path output) throws TaskException {
-    Optional<Denoising> denoising = denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
+    Optional<Denoising> denoising = stored.denoising();
     try (PictureOutput picture = PictureOutput.reserve(output);
         DenoisedPicture denoised = DenoisedPicture.reserve(denoising, output, Fallback.TEMPORARY)) {
       requireLayers(picture);
       FilmFile film = source.film();
       Messages messages = new Messages(spec.commandLine().getErr());
       ImageWriter.Options options = develop(name, film, picture, messages);
-      if (denoise) {
+      if (stored.isDenoising()) {
         denoised.write(
             NoisyPicture.of(film.film()),
             options,
@@ -105,13 +82,17 @@ public final class DevelopFlags {
   /** Rejects {@code --denoise} if the output is not a picture. */
   public void requireNoDenoising(Path output) {
     new FlagChecks(spec)
-        .require(!denoise, "--denoise: expected a picture (-o), found the checkpoint " + output);
+        .require(
+            !stored.isDenoising(),
+            "--denoise: expected a picture (-o), found the checkpoint " + output);
   }
 
   /** Adds the files that {@link #develop} writes. */
   public OutputGuard guarding(OutputGuard guard, Path output) {
     guard.writes("-o", output, OutputContent.PICTURE);
-    return denoise ? guard.writes("-o", Denoising.beside(output), OutputContent.PICTURE) : guard;
+    return stored.isDenoising()
+        ? guard.writes("-o", Denoising.beside(output), OutputContent.PICTURE)
+        : guard;
   }
 
   private void requireLayers(PictureOutput picture) {
@@ -145,10 +126,10 @@ public final class DevelopFlags {
     Exposure wanted = settings.valueOr(Setting.EXPOSURE, notes.exposure());
     Exposure stops = picture.isForScreen() ? FilmExposure.of(wanted, name, film, messages) : wanted;
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
-    int depth = bits.isPresent() ? bits.get() : notes.bits();
+    int depth = stored.bits().isPresent() ? stored.bits().get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
     ImageWriter.Options options =
-        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata);
+        new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), metadata);
     if (!picture.hasLayers()) {
       picture.write(film.film().develop(), options);
       return options;
@@ -158,7 +139,7 @@ public final class DevelopFlags {
     picture.write(
         developed.image(),
         developed.layers(),
-        new ImageWriter.Options(stops, curve, depth, jpegQuality, metadata));
+        new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), metadata));
     return options;
   }
 }

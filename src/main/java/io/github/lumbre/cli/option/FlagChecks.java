@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Size;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
@@ -25,5 +27,15 @@ public record FlagChecks(CommandSpec spec) {
     require(
         low <= found && found <= high,
         flag + ": expected " + low + " to " + high + ", found " + found);
+  }
+
+  /**
+   * Requires the sides of {@code --size} to be possible.
+   *
+   * @throws ParameterException if one is too large or 0
+   */
+  public void requireSize(Size size) {
+    requireIn("--size", 1, RenderSettings.MAX_SIDE, size.width());
+    requireIn("--size", 1, RenderSettings.MAX_SIDE, size.height());
   }
 }

@@ -4,12 +4,14 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.parser.SceneParser;
 import java.time.Duration;
 import java.util.Optional;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The flag that selects the traversal kernel of the BVH. */
+@Command(optionListHeading = Headings.EXECUTION)
 public final class KernelFlag {
   /**
    * The shortest time limit with which a render changes to the vector kernel. In less time, the

@@ -10,6 +10,7 @@ import io.github.lumbre.parser.Stage.View;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -17,6 +18,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** The flags for a model file that is rendered by itself. */
+@Command(optionListHeading = Headings.MODEL)
 public final class ModelFlags {
   private static final List<String> NAMES =
       List.of(

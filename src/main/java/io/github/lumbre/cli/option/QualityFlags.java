@@ -3,9 +3,11 @@ package io.github.lumbre.cli.option;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** The flags that set quality presets and adaptive sampling. */
+@Command(optionListHeading = Headings.STOP)
 public final class QualityFlags {
   @Option(
       names = "--quality",

@@ -15,11 +15,13 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import java.time.Duration;
 import java.util.Optional;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** The flags for a run's timeout and its reports. */
+@Command(optionListHeading = Headings.EXECUTION)
 public final class RunFlags {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -28,11 +30,9 @@ public final class RunFlags {
       names = "--timeout",
       paramLabel = "DURATION",
       converter = FlagConverters.OfDuration.class,
-      description = {
-        "Stop after this time, loading included: 90s, 5m, 2h. The unfinished picture is written"
-            + " and",
-        "marked as partial; exit code 5 if a picture was not begun."
-      })
+      description =
+          "Stop after this time, loading included: 90s, 5m, 2h. The unfinished picture is written"
+              + " and marked as partial; exit code 5 if a picture was not begun.")
   private Optional<Duration> timeout;
 
   @Option(

@@ -20,11 +20,13 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The flags and arguments of all commands that read a scene. */
+@Command(optionListHeading = Headings.SCENE)
 public final class SceneOptions {
   private Optional<byte[]> text = Optional.empty();
   private Optional<OutputGuard> guard = Optional.empty();

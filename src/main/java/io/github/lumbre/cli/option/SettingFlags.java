@@ -27,7 +27,7 @@ import picocli.CommandLine.TypeConversionException;
  */
 @Command
 public final class SettingFlags {
-  private final List<Setting<?>> offered;
+  private final Set<Group> groups;
   private final String unlessGiven;
   private final Map<Setting<?>, Object> given = new LinkedHashMap<>();
 
@@ -37,12 +37,8 @@ public final class SettingFlags {
    * @param unlessGiven description of the default, for the help text; empty for the scene's value
    */
   public SettingFlags(String unlessGiven, Group first, Group... others) {
-    Set<Group> groups = EnumSet.of(first, others);
     this.unlessGiven = unlessGiven;
-    offered =
-        Setting.all().stream()
-            .filter(setting -> groups.contains(setting.group()) && !setting.flag().isEmpty())
-            .toList();
+    groups = EnumSet.of(first, others);
   }
 
   /** Adds the flags to each command with this mixin. */
@@ -54,13 +50,33 @@ public final class SettingFlags {
     }
 
     private static void addFrom(CommandSpec mixed, CommandSpec command) {
-      for (CommandSpec mixin : mixed.mixins().values()) {
+      for (CommandSpec mixin : List.copyOf(mixed.mixins().values())) {
         if (mixin.userObject() instanceof SettingFlags flags) {
-          flags.offered.forEach(setting -> command.addOption(flags.option(setting)));
+          flags.groups.forEach(group -> command.addMixin(group.name(), flags.mixin(group)));
         }
         addFrom(mixin, command);
       }
     }
+  }
+
+  /** Returns the flags of a group of settings, under the heading of the group. */
+  private CommandSpec mixin(Group group) {
+    CommandSpec mixin = CommandSpec.create();
+    mixin.usageMessage().optionListHeading(heading(group));
+    Setting.all().stream()
+        .filter(setting -> setting.group() == group && !setting.flag().isEmpty())
+        .forEach(setting -> mixin.addOption(option(setting)));
+    return mixin;
+  }
+
+  private static String heading(Group group) {
+    return switch (group) {
+      case FRAME -> Headings.FRAME;
+      case TRANSPORT -> Headings.TRANSPORT;
+      case SAMPLING -> Headings.SAMPLES;
+      case OUTPUT -> Headings.PICTURE;
+      case EXECUTION -> Headings.EXECUTION;
+    };
   }
 
   private <T> OptionSpec option(Setting<T> setting) {

@@ -32,15 +32,6 @@ public final class TerminalWidth implements AutoCloseable {
     return width;
   }
 
-  /**
-   * Returns the width for texts on standard output: the variable COLUMNS, or else the width of the
-   * terminal that standard output is. Empty without either. Starts a process for a terminal.
-   */
-  public static Optional<Integer> ofOutput() {
-    return ofEnvironment()
-        .or(() -> StandardOutput.isTerminal() ? ofTerminal() : Optional.empty());
-  }
-
   /** Returns a width that is measured on first use and after each {@link #change}. */
   static TerminalWidth measuredBy(Supplier<Optional<Integer>> query) {
     return new TerminalWidth(query);

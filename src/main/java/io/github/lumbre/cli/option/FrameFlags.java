@@ -1,0 +1,76 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings.Size;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that set the size of the picture. */
+@Command(optionListHeading = Headings.FRAME)
+public final class FrameFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      converter = FlagConverters.OfSize.class,
+      description =
+          "Size of the full frame in pixels (scene or 1920x1080; models: 1024 for the longer"
+              + " side, with the aspect ratio of the camera, or 1024x768).")
+  private Optional<Size> size;
+
+  @Option(
+      names = "--crop",
+      paramLabel = "x,y,w,h",
+      converter = FlagConverters.OfCrop.class,
+      description = "Render only this window of the full frame, with the same pixel values.")
+  private Optional<Crop> crop;
+
+  @Option(
+      names = "--max-pixels",
+      paramLabel = "N",
+      description = "Reject frames with more pixels (268435456, which is 2^28).")
+  private Optional<Integer> maxPixels;
+
+  /**
+   * Checks the ranges of the values before anything is read.
+   *
+   * @throws ParameterException that names the flag, if a value is out of range
+   */
+  public void validate() {
+    FlagChecks checks = new FlagChecks(spec);
+    maxPixels.ifPresent(n -> checks.requireIn("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
+    size.ifPresent(checks::requireSize);
+    size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+  }
+
+  private void requireCropIn(int width, int height) {
+    Crop window = crop.orElse(new Crop(0, 0, 1, 1));
+    new FlagChecks(spec)
+        .require(
+            (long) window.x() + window.width() <= width
+                && (long) window.y() + window.height() <= height,
+            "--crop: expected a part of " + width + "x" + height + ", found " + window);
+  }
+
+  /** Returns a parser that limits the number of pixels. */
+  SceneParser over(SceneParser parser) {
+    return maxPixels.map(parser::limitedTo).orElse(parser);
+  }
+
+  /** Sets the frame and its window. */
+  void override(RenderSettings.Builder builder, RenderSettings inScene) {
+    size.ifPresent(s -> builder.size(s.width(), s.height()));
+    if (size.isEmpty()) {
+      requireCropIn(inScene.width(), inScene.height());
+    }
+    crop.ifPresent(builder::crop);
+  }
+}

@@ -1,0 +1,16 @@
+package io.github.lumbre.cli.option;
+
+/** The headings of flags in help texts. */
+final class Headings {
+  static final String SCENE = "Scene";
+  static final String MODEL = "Model";
+  static final String FRAME = "Frame";
+  static final String TRANSPORT = "Light transport";
+  static final String SAMPLES = "Samples";
+  static final String STOP = "When to stop";
+  static final String PICTURE = "Picture";
+  static final String CHECKPOINTS = "Checkpoints";
+  static final String EXECUTION = "Execution";
+
+  private Headings() {}
+}

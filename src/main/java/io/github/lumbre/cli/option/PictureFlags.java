@@ -1,0 +1,74 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.lab.TaskException;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The flags that set how a picture is denoised and stored. */
+@Command(optionListHeading = Headings.PICTURE)
+public final class PictureFlags {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = "--bits",
+      paramLabel = "8|16",
+      description = "Bits per channel of a PNG (8; of a film: as rendered).")
+  private Optional<Integer> bits;
+
+  @Option(
+      names = "--jpeg-quality",
+      paramLabel = "N",
+      defaultValue = "90",
+      description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
+  private int jpegQuality;
+
+  @Option(
+      names = "--denoise",
+      description =
+          "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
+  private boolean denoise;
+
+  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
+
+  /**
+   * Checks the ranges of the values before anything is read.
+   *
+   * @throws ParameterException that names the flag, if a value is out of range
+   */
+  public void validate() {
+    FlagChecks checks = new FlagChecks(spec);
+    bits.ifPresent(n -> checks.require(n == 8 || n == 16, "--bits: expected 8 or 16, found " + n));
+    checks.requireIn("--jpeg-quality", 1, 100, jpegQuality);
+  }
+
+  /** Returns the number of bits per channel of a PNG; empty if it is not given. */
+  public Optional<Integer> bits() {
+    return bits;
+  }
+
+  /** Returns the quality of a JPEG, 1 to 100. */
+  public int jpegQuality() {
+    return jpegQuality;
+  }
+
+  /** Returns whether a denoised picture is written, too. */
+  public boolean isDenoising() {
+    return denoise;
+  }
+
+  /**
+   * Returns the denoiser; empty if no denoised picture is written.
+   *
+   * @throws TaskException if its program is not found
+   */
+  public Optional<Denoising> denoising() throws TaskException {
+    return denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
+  }
+}
