@@ -5,6 +5,7 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.perf.PerfTimes.Series;
+import io.github.lumbre.scene.SettingType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -29,7 +30,7 @@ public record PerfComparison(
           .text("95 %", row -> range(row.time))
           .number("CPU time B/A", row -> row.cpuTime.map(PerfComparison::ratio).orElse("-"))
           .text("95 %", row -> row.cpuTime.map(PerfComparison::range).orElse("-"))
-          .text("B is", row -> row.verdict().text)
+          .text("B is", row -> SettingType.nameOf(row.verdict()).replace('-', ' '))
           .text("pictures", Row::pictures);
 
   /** The time that decides which measurement is faster. */
@@ -43,15 +44,9 @@ public record PerfComparison(
 
   /** The result of a comparison of times. */
   enum Verdict {
-    FASTER("faster"),
-    SLOWER("slower"),
-    NO_DIFFERENCE("no difference");
-
-    private final String text;
-
-    Verdict(String text) {
-      this.text = text;
-    }
+    FASTER,
+    SLOWER,
+    NO_DIFFERENCE;
 
     /** Returns the verdict that the interval of a ratio supports. */
     static Verdict of(Interval ratio) {

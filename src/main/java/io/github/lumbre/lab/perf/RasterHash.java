@@ -21,22 +21,18 @@ public final class RasterHash {
    */
   public static String of(Image image) {
     MessageDigest digest = sha256();
-    digest.update(littleEndian(2).putInt(image.width()).putInt(image.height()).array());
-    float[] rgb = image.rgb();
     int row = 3 * image.width();
-    ByteBuffer bytes = littleEndian(row);
+    ByteBuffer bytes = ByteBuffer.allocate(4 * row).order(ByteOrder.LITTLE_ENDIAN);
+    digest.update(bytes.putInt(image.width()).putInt(image.height()).flip());
+    float[] rgb = image.rgb();
     for (int y = 0; y < image.height(); y++) {
       bytes.clear();
       for (int i = 0; i < row; i++) {
         bytes.putFloat(rgb[y * row + i]);
       }
-      digest.update(bytes.array());
+      digest.update(bytes.flip());
     }
     return HexFormat.of().formatHex(digest.digest());
-  }
-
-  private static ByteBuffer littleEndian(int values) {
-    return ByteBuffer.allocate(4 * values).order(ByteOrder.LITTLE_ENDIAN);
   }
 
   private static MessageDigest sha256() {

@@ -48,7 +48,7 @@ record TradePictures(TradeResult result, ImageWriter.Options options) {
     html.raw("<div class=\"pictures\">");
     for (TradeRow row : rows) {
       String name = row.setting().label() + ", " + Markdown.count(row.samples(), "sample");
-      String error = TradeText.rootPercent(row.errors().get(0).relativeMse());
+      String error = TradeText.rootPercent(row.seeds().get(0).error().relativeMse());
       Image map = ErrorMap.of(row.picture(), result.reference());
       html.raw("<figure><div class=\"pair\">")
           .raw(image(row.picture(), options, name))

@@ -53,7 +53,7 @@ public record TradeResult(
 
   /** Returns the number of seeds of each setting. */
   public int seeds() {
-    return rows.get(0).errors().size();
+    return rows.get(0).seeds().size();
   }
 
   /**
@@ -65,7 +65,7 @@ public record TradeResult(
     return usual.isTimed() && row.isTimed()
         ? Optional.of(
             Interval.ofRatios(
-                usual.times(usual.cpuSeconds()::get), row.times(row.cpuSeconds()::get)))
+                usual.times(s -> s.cost().cpuSeconds()), row.times(s -> s.cost().cpuSeconds())))
         : Optional.empty();
   }
 

@@ -1,34 +1,22 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.metrics.Interval;
 import java.util.List;
 import java.util.function.Function;
-import java.util.function.IntToDoubleFunction;
-import java.util.stream.IntStream;
+import java.util.function.ToDoubleFunction;
 
 /**
- * The time and error of a setting at one number of samples: a value for each seed, in the same
- * order in all lists.
+ * The time and error of a setting at one number of samples.
  *
- * @param samples samples per pixel
- * @param seconds wall-clock time of all samples so far
- * @param cpuSeconds CPU time of the process
- * @param errors errors against the reference
+ * @param seeds a picture of each seed
  * @param work work per sample
  * @param bias difference between the mean of all seeds' pictures and the reference
- * @param picture picture of the first seed
  */
-public record TradeRow(
-    TradeSetting setting,
-    int samples,
-    List<Double> seconds,
-    List<Double> cpuSeconds,
-    List<PictureError> errors,
-    TradeWork work,
-    Bias bias,
-    Image picture) {
+public record TradeRow(List<TradeShot> seeds, TradeWork work, Bias bias) {
+  public TradeRow {
+    seeds = List.copyOf(seeds);
+  }
 
   /**
    * The part of the relative mean squared error that more samples do not reduce: the mean over
@@ -48,61 +36,77 @@ public record TradeRow(
     }
   }
 
+  /** Returns the setting of all seeds. */
+  public TradeSetting setting() {
+    return seeds.get(0).setting();
+  }
+
+  /** Returns the samples per pixel of all seeds. */
+  public int samples() {
+    return seeds.get(0).samples();
+  }
+
+  /** Returns the picture of the first seed. */
+  public Image picture() {
+    return seeds.get(0).picture();
+  }
+
+  /** Returns a value of each seed. */
+  List<Double> each(Function<TradeShot, Double> value) {
+    return seeds.stream().map(value).toList();
+  }
+
   /** Returns the errors and times of the samples. */
   TimeToError.Cost cost() {
     return new TimeToError.Cost(
-        samples, errors.stream().map(PictureError::relativeMse).toList(), cpuSeconds);
+        samples(),
+        each(shot -> shot.error().relativeMse()),
+        each(shot -> shot.cost().cpuSeconds()));
   }
 
   /** Returns the number of rays and shadow rays of all samples. */
   public double allRays() {
-    double pixels = (double) picture.width() * picture.height();
-    return work.allRays() * samples * pixels;
+    double pixels = (double) picture().width() * picture().height();
+    return work.allRays() * samples() * pixels;
   }
 
   /** Returns whether every render was long enough for the CPU clock. */
   boolean isTimed() {
-    return cpuSeconds.stream().allMatch(time -> time > 0);
+    return seeds.stream().allMatch(shot -> shot.cost().cpuSeconds() > 0);
   }
 
   /** Returns each seed's relative mean squared error × a cost. */
-  List<Double> times(IntToDoubleFunction cost) {
-    return IntStream.range(0, errors.size())
-        .mapToObj(i -> Math.max(1e-30, errors.get(i).relativeMse() * cost.applyAsDouble(i)))
-        .toList();
+  List<Double> times(ToDoubleFunction<TradeShot> cost) {
+    return each(shot -> Math.max(1e-30, shot.error().relativeMse() * cost.applyAsDouble(shot)));
   }
 
   /** Returns the mean of the seeds' relative mean squared errors. */
   public Interval relativeMse() {
-    return mean(PictureError::relativeMse);
-  }
-
-  private Interval mean(Function<PictureError, Double> value) {
-    return Interval.ofMean(errors.stream().map(value).toList());
+    return Interval.ofMean(each(shot -> shot.error().relativeMse()));
   }
 
   /** Returns the mean wall-clock time. */
   public Interval time() {
-    return Interval.ofMean(seconds);
+    return Interval.ofMean(each(shot -> shot.cost().seconds()));
   }
 
   /** Returns the mean CPU time. */
   public Interval cpuTime() {
-    return Interval.ofMean(cpuSeconds);
+    return Interval.ofMean(each(shot -> shot.cost().cpuSeconds()));
   }
 
   /** Returns the mean of the seeds' mean signed errors. */
   public Interval signedError() {
-    return mean(PictureError::bias);
+    return Interval.ofMean(each(shot -> shot.error().bias()));
   }
 
   /** Returns the mean of the seeds' FLIP. */
   public Interval flip() {
-    return mean(PictureError::flip);
+    return Interval.ofMean(each(shot -> shot.error().flip()));
   }
 
   /** Returns the largest error of any seed. */
   public double largestError() {
-    return errors.stream().mapToDouble(PictureError::largest).max().orElse(0);
+    return seeds.stream().mapToDouble(shot -> shot.error().largest()).max().orElse(0);
   }
 }

@@ -14,7 +14,6 @@ import io.github.lumbre.stopping.NoiseEstimate;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
@@ -37,7 +36,7 @@ public final class TradeStudy {
   private final TradeSweep sweep;
   private final DoubleFunction<TradePlan> planner;
   private final Consumer<String> log;
-  private final List<Shot> shots = new ArrayList<>();
+  private final List<TradeShot> shots = new ArrayList<>();
 
   /** The baseline's trials, one for each seed. */
   private final List<Trial> usual = new ArrayList<>();
@@ -45,16 +44,6 @@ public final class TradeStudy {
   private TradePlan plan;
   private List<TradeSetting> settings;
   private Cost start;
-
-  /**
-   * The picture of one setting with one seed at one number of samples.
-   *
-   * @param samples samples per pixel
-   * @param cost cost of all samples so far and of developing and denoising this picture
-   * @param error error against the reference
-   */
-  private record Shot(
-      TradeSetting setting, int samples, Cost cost, PictureError error, Image picture) {}
 
   /**
    * @param sweep settings to measure
@@ -110,26 +99,19 @@ public final class TradeStudy {
     List<TradeRow> rows = new ArrayList<>();
     for (TradeSetting setting : settings) {
       TradeWork work = work(setting);
-      Map<Integer, List<Shot>> bySamples =
-          shots.stream()
-              .filter(shot -> shot.setting == setting)
-              .collect(Collectors.groupingBy(Shot::samples, TreeMap::new, Collectors.toList()));
-      bySamples.forEach(
-          (samples, seeds) -> {
-            List<Image> pictures = seeds.stream().map(Shot::picture).toList();
-            rows.add(
-                new TradeRow(
-                    setting,
-                    samples,
-                    seeds.stream().map(shot -> shot.cost.seconds()).toList(),
-                    seeds.stream().map(shot -> shot.cost.cpuSeconds()).toList(),
-                    seeds.stream().map(Shot::error).toList(),
-                    work,
-                    bias(pictures, truth, truthNoise),
-                    pictures.get(0)));
-          });
+      shots.stream()
+          .filter(shot -> shot.setting() == setting)
+          .collect(Collectors.groupingBy(TradeShot::samples, TreeMap::new, Collectors.toList()))
+          .values()
+          .forEach(seeds -> rows.add(row(seeds, work, truth, truthNoise)));
     }
     return rows;
+  }
+
+  private static TradeRow row(
+      List<TradeShot> seeds, TradeWork work, Image truth, double truthNoise) {
+    List<Image> pictures = seeds.stream().map(TradeShot::picture).toList();
+    return new TradeRow(seeds, work, bias(pictures, truth, truthNoise));
   }
 
   private TradeSetting reference() {
@@ -193,7 +175,7 @@ public final class TradeStudy {
     for (int samples : plan.ladder()) {
       if (samples >= setting.leastSamples()) {
         trial.to(samples);
-        shots.add(shot(setting, trial, truth));
+        shots.add(shot(setting, trial, seed + 1, truth));
       }
     }
     if (setting == reference() && plan.hasTarget()) {
@@ -201,12 +183,13 @@ public final class TradeStudy {
     }
   }
 
-  private static Shot shot(TradeSetting setting, Trial trial, Image truth)
+  private static TradeShot shot(TradeSetting setting, Trial trial, int seed, Image truth)
       throws InterruptedException {
     Cost begin = Cost.now();
     Image picture = setting.develop(trial.film());
     Cost cost = trial.cost().plus(Cost.since(begin));
-    return new Shot(setting, trial.samples(), cost, PictureError.of(picture, truth), picture);
+    PictureError error = PictureError.of(picture, truth);
+    return new TradeShot(setting, trial.samples(), seed, cost, error, picture);
   }
 
   /**
@@ -222,9 +205,10 @@ public final class TradeStudy {
         return;
       }
       log.accept("baseline: " + Markdown.count(samples, "sample") + " per pixel");
-      for (Trial trial : usual) {
+      for (int seed = 0; seed < usual.size(); seed++) {
+        Trial trial = usual.get(seed);
         trial.to(samples);
-        shots.add(shot(reference(), trial, truth));
+        shots.add(shot(reference(), trial, seed + 1, truth));
       }
     }
   }
@@ -233,8 +217,8 @@ public final class TradeStudy {
   private boolean isReached(double truthNoise) {
     int samples = usual.get(0).samples();
     return shots.stream()
-        .filter(shot -> shot.setting == reference() && shot.samples == samples)
-        .allMatch(shot -> shot.error.relativeMse() - truthNoise <= plan.targetRelativeMse());
+        .filter(shot -> shot.setting() == reference() && shot.samples() == samples)
+        .allMatch(shot -> shot.error().relativeMse() - truthNoise <= plan.targetRelativeMse());
   }
 
   /** Counts the work per sample, with one sample per pixel, or more for small frames. */

@@ -2,12 +2,11 @@ package io.github.lumbre.lab.trade;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
-import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.scene.SettingType;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 
 /** Formats the results of a study as CSV and JSON, with each seed of each setting. */
 public final class TradeTables {
@@ -31,11 +30,11 @@ public final class TradeTables {
           .text("relative_mse", TradeRow::relativeMse)
           .text("seconds", TradeRow::time)
           .text("cpu_seconds", TradeRow::cpuTime)
-          .text("cpu_seconds_of_seeds", TradeRow::cpuSeconds)
+          .text("cpu_seconds_of_seeds", row -> row.each(shot -> shot.cost().cpuSeconds()))
           .text("flip", TradeRow::flip)
           .text("signed_error", TradeRow::signedError)
           .text("squared_bias", TradeRow::bias)
-          .text("errors", row -> row.errors().stream().map(PictureError::byName).toList());
+          .text("errors", row -> row.seeds().stream().map(shot -> shot.error().byName()).toList());
 
   private static final Table<ExactRow> EXACT =
       Table.<ExactRow>empty()
@@ -46,26 +45,22 @@ public final class TradeTables {
 
   private TradeTables() {}
 
-  private record Seed(TradeRow row, int index) {}
-
   /** Returns a line for each seed of each setting at each number of samples. */
   public static String csv(TradeResult result) {
-    Table<Seed> table =
-        Table.<Seed>empty()
-            .text("knob", seed -> SettingType.nameOf(seed.row.setting().knob()))
-            .text("value", seed -> seed.row.setting().value())
-            .text("kind", seed -> SettingType.nameOf(seed.row.setting().kind()))
-            .number("samples", seed -> seed.row.samples())
-            .number("seed", seed -> seed.index + 1)
-            .number("seconds", seed -> seed.row.seconds().get(seed.index))
-            .number("cpu_seconds", seed -> seed.row.cpuSeconds().get(seed.index));
-    for (String name : result.rows().get(0).errors().get(0).byName().keySet()) {
-      table = table.number(name, seed -> seed.row.errors().get(seed.index).byName().get(name));
+    List<TradeShot> shots = result.rows().stream().flatMap(row -> row.seeds().stream()).toList();
+    Table<TradeShot> table =
+        Table.<TradeShot>empty()
+            .text("knob", shot -> SettingType.nameOf(shot.setting().knob()))
+            .text("value", shot -> shot.setting().value())
+            .text("kind", shot -> SettingType.nameOf(shot.setting().kind()))
+            .number("samples", TradeShot::samples)
+            .number("seed", TradeShot::seed)
+            .number("seconds", shot -> shot.cost().seconds())
+            .number("cpu_seconds", shot -> shot.cost().cpuSeconds());
+    for (String name : shots.get(0).error().byName().keySet()) {
+      table = table.number(name, shot -> shot.error().byName().get(name));
     }
-    return table.csv(
-        result.rows().stream()
-            .flatMap(row -> IntStream.range(0, row.errors().size()).mapToObj(i -> new Seed(row, i)))
-            .toList());
+    return table.csv(shots);
   }
 
   /** Returns the whole study as a JSON object. */

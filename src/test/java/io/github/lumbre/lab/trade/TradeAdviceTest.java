@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.compare.TestPictures;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.trade.TradeRow.Bias;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import java.util.Collections;
@@ -23,10 +24,10 @@ class TradeAdviceTest {
   private static TradeRow row(
       TradeSetting setting, int samples, double error, double cpuSeconds, Bias bias) {
     PictureError own = new PictureError(error, error * error, 0, error, error, 1, 0);
-    List<Double> times = Collections.nCopies(3, cpuSeconds);
-    List<PictureError> errors = Collections.nCopies(3, own);
-    TradeWork work = new TradeWork(2, 1, 5, 0);
-    return new TradeRow(setting, samples, times, times, errors, work, bias, TRUTH);
+    Cost cost = new Cost(cpuSeconds, cpuSeconds, 0);
+    List<TradeShot> seeds =
+        Collections.nCopies(3, new TradeShot(setting, samples, 1, cost, own, TRUTH));
+    return new TradeRow(seeds, new TradeWork(2, 1, 5, 0), bias);
   }
 
   /** Returns the line of the table for an error. */

@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.compare.TestPictures;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.metrics.Interval;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** Tests the bias and gain estimates of a trade study. */
@@ -78,10 +80,11 @@ class TradeStudyTest {
     TradeSetting setting =
         new TradeSetting(Knob.SAMPLER, value, TradeSetting.Kind.NOISE, "", null, null, null, null);
     PictureError error = new PictureError(.1, .01, 0, .3, .4, .9, .1);
-    List<Double> times = List.of(cpuSeconds);
-    List<PictureError> errors = times.stream().map(time -> error).toList();
-    TradeWork work = new TradeWork(2, 1, 5, 0);
-    return new TradeRow(setting, 16, times, times, errors, work, null, TRUTH);
+    List<TradeShot> seeds =
+        Stream.of(cpuSeconds)
+            .map(time -> new TradeShot(setting, 16, 1, new Cost(time, time, 0), error, TRUTH))
+            .toList();
+    return new TradeRow(seeds, new TradeWork(2, 1, 5, 0), null);
   }
 
   /** Their ratios would be arbitrary, with unlimited intervals. */
