@@ -87,11 +87,17 @@ set "LUMBRE_ARCHIVE="
 rem Whether Java runs the program at all is tried only with options of the user's, and not with agents and recorders.
 rem Some options make Java do something else, such as -version.
 if not defined LUMBRE_JAVA_OPTS goto archive
-set LUMBRE_JAVA_OPTS | findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
-"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -jar "%LUMBRE_JAR%" --version 2>nul | findstr /b /c:"Lumbre " >nul && goto parts
-"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -version 1>&2
-if errorlevel 1 echo lumbre: LUMBRE_JAVA_OPTS: Java does not start with "%LUMBRE_JAVA_OPTS%">&2& exit /b 2
-echo lumbre: LUMBRE_JAVA_OPTS: Java does not run Lumbre with "%LUMBRE_JAVA_OPTS%">&2
+set LUMBRE_JAVA_OPTS| findstr /c:"-agent" /c:"-javaagent" /c:"-Xrun" /c:"FlightRecord" >nul && goto parts
+"%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_JAVA_OPTS% -jar "%LUMBRE_JAR%" --version >"%LUMBRE_TOLD%" 2>&1
+set "LUMBRE_STARTED=%ERRORLEVEL%"
+set "LUMBRE_RUNS="
+for /f "usebackq" %%a in ("%LUMBRE_TOLD%") do if "%%a"=="Lumbre" set "LUMBRE_RUNS=yes"
+if not "%LUMBRE_STARTED%"=="0" type "%LUMBRE_TOLD%" >&2
+del /q "%LUMBRE_TOLD%" 2>nul
+set "LUMBRE_VERB=start"
+if "%LUMBRE_STARTED%"=="0" set "LUMBRE_VERB=run Lumbre"
+if "%LUMBRE_STARTED%%LUMBRE_RUNS%"=="0yes" goto parts
+echo lumbre: LUMBRE_JAVA_OPTS: Java does not %LUMBRE_VERB% with "%LUMBRE_JAVA_OPTS%">&2
 exit /b 2
 
 rem From Java 24 on, the virtual machine itself writes an archive of the classes at the end of a run, and again when
