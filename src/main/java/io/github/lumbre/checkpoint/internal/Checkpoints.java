@@ -3,6 +3,8 @@ package io.github.lumbre.checkpoint.internal;
 import io.github.lumbre.render.Film;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 
 /**
@@ -17,7 +19,7 @@ public final class Checkpoints {
   private final long intervalNanos;
   private final boolean copies;
   private volatile long next;
-  private volatile Optional<BackgroundSave> running = Optional.empty();
+  private volatile Optional<CompletableFuture<Void>> running = Optional.empty();
   private Optional<Film> copy = Optional.empty();
 
   /**
@@ -34,7 +36,7 @@ public final class Checkpoints {
 
   /** Returns whether a save is due, for which the current pass should pause. */
   public boolean isDue() {
-    return System.nanoTime() - next >= 0 && !running.map(BackgroundSave::isRunning).orElse(false);
+    return System.nanoTime() - next >= 0 && running.map(CompletableFuture::isDone).orElse(true);
   }
 
   /**
@@ -52,7 +54,8 @@ public final class Checkpoints {
     if (copies) {
       await();
       Film content = copied(film);
-      running = Optional.of(BackgroundSave.start(() -> saver.accept(content)));
+      running =
+          Optional.of(CompletableFuture.runAsync(() -> saver.accept(content), Checkpoints::start));
     } else {
       saver.accept(film);
     }
@@ -83,9 +86,22 @@ public final class Checkpoints {
     }
   }
 
+  /** Starts a thread that gives way to rendering. */
+  private static void start(Runnable save) {
+    Thread thread = new Thread(save, "lumbre-checkpoint");
+    thread.setDaemon(true);
+    thread.setPriority(Thread.MIN_PRIORITY);
+    thread.start();
+  }
+
+  /** Waits until the running save has ended, even if this thread is interrupted meanwhile. */
   private void await() {
-    Optional<BackgroundSave> before = running;
+    Optional<CompletableFuture<Void>> before = running;
     running = Optional.empty();
-    before.ifPresent(BackgroundSave::await);
+    try {
+      before.ifPresent(CompletableFuture::join);
+    } catch (CompletionException e) {
+      throw new IllegalStateException("a checkpoint failed: " + e.getCause(), e.getCause());
+    }
   }
 }

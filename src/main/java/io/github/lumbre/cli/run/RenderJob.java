@@ -133,32 +133,28 @@ public record RenderJob(
   }
 
   /**
-   * Renders the pilot, if there is one, and stores its plan in the film.
+   * Renders the pilot of guiding, if there is one, and stores the hash of its guide in the film.
    *
-   * @throws TaskException if the film has samples of another plan
+   * @throws TaskException if the film has samples of another guide
    */
   private void plan(FilmRenderer renderer, Optional<FilmHeader> header)
       throws TaskException, InterruptedException {
     Optional<GuideReport> guiding = renderer.plan(monitor);
-    if (guiding.isPresent()) {
-      identify(FilmHeader.GUIDE_HASH, guiding.get().hashText(), "--guide", header);
+    if (guiding.isEmpty()) {
+      return;
     }
-  }
-
-  /** Stores what a pilot render chose, if it agrees with the film's existing samples. */
-  private void identify(String name, String hash, String flag, Optional<FilmHeader> header)
-      throws TaskException {
+    String hash = guiding.get().hashText();
     if (header.isPresent()) {
-      String found = header.get().identity().getOrDefault(name, "nothing");
+      String found = header.get().identity().getOrDefault(FilmHeader.GUIDE_HASH, "nothing");
       if (!found.equals(hash)) {
         throw new TaskException(
             Kind.SCENE,
-            "%s: the film has %s, the pilot render of %s now has %s; the film cannot be"
-                    .formatted(name, found, flag, hash)
+            "%s: the film has %s, the pilot render of --guide now has %s; the film cannot be"
+                    .formatted(FilmHeader.GUIDE_HASH, found, hash)
                 + " resumed, only developed: start a new one");
       }
     }
-    keeper.identify(name, hash);
+    keeper.identify(FilmHeader.GUIDE_HASH, hash);
   }
 
   private void begin(Film film) {

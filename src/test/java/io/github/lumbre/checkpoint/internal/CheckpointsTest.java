@@ -73,7 +73,7 @@ class CheckpointsTest {
   }
 
   @Test
-  void lastSaveComesAfterTheOneBeforeEvenIfInterrupted() {
+  void lastSaveComesAfterTheOneBeforeEvenIfInterrupted() throws InterruptedException {
     Checkpoints checkpoints = always(true);
     checkpoints.saveIfDue(film(1), this::save);
     Thread.currentThread().interrupt();
@@ -81,6 +81,7 @@ class CheckpointsTest {
     checkpoints.saveLast(film(2), this::save);
     assertThat(Thread.interrupted()).isTrue();
     assertThat(saved).hasSize(2);
+    savers.get(0).join(10_000);
     assertThat(savers.get(0).isAlive()).isFalse();
   }
 
