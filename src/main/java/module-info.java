@@ -12,6 +12,7 @@ module io.github.lumbre {
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;
   exports io.github.lumbre.limit;
+  exports io.github.lumbre.sampling;
   exports io.github.lumbre.texture;
   exports io.github.lumbre.geometry;
   exports io.github.lumbre.material;

@@ -4,7 +4,7 @@ import io.github.lumbre.MicroBenchmark;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.sampling.internal.Warp;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.openjdk.jmh.annotations.Benchmark;

@@ -5,7 +5,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;

@@ -7,7 +7,7 @@ import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneOrigins.TextureUse;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;

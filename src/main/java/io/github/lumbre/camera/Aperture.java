@@ -2,7 +2,7 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.sampling.internal.Warp;
 
 /** The shape of a lens aperture, from which lens points are sampled. */
 @FunctionalInterface
@@ -30,7 +30,6 @@ public interface Aperture {
    * Samples a uniform point of the lens with the camera dimensions of the current sample. In the
    * result, +x points to the camera's right and +y up, in units of the aperture.
    */
-  @SuppressWarnings("exports") // internal
   Point2 sample(Sampler sampler);
 
   /**

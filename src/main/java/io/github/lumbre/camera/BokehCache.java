@@ -52,7 +52,6 @@ public final class BokehCache implements Aperture {
   }
 
   @Override
-  @SuppressWarnings("exports") // internal
   public Point2 sample(Sampler sampler) {
     Point2 u = sampler.get2d(Sampler.LENS);
     int x = (int) (u.x() * width);
@@ -78,10 +77,6 @@ public final class BokehCache implements Aperture {
   public boolean contains(double x, double y) {
     int column = (int) Math.floor((x + .5) * width);
     int row = (int) Math.floor((y + .5) * height);
-    return column >= 0
-        && column < width
-        && row >= 0
-        && row < height
-        && white[row * width + column];
+    return column >= 0 && column < width && row >= 0 && row < height && white[row * width + column];
   }
 }

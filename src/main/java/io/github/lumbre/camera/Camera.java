@@ -47,7 +47,6 @@ public abstract sealed class Camera
    * @param sampler started at the current sample; only cameras with a lens use it, at its camera
    *     dimensions
    */
-  @SuppressWarnings("exports") // internal
   public final Optional<Ray> rayFor(Point2 film, Sampler sampler) {
     CameraRay ray = new CameraRay();
     return aim(film.x(), film.y(), sampler, ray) ? Optional.of(ray.toRay()) : Optional.empty();
@@ -68,7 +67,6 @@ public abstract sealed class Camera
    * @param ray receives the result; unchanged if this returns false
    * @return whether the film point has a ray
    */
-  @SuppressWarnings("exports") // internal
   public final boolean aim(double u, double v, Sampler sampler, CameraRay ray) {
     if (!aimLocally(u, v, sampler, ray)) {
       return false;

@@ -8,7 +8,7 @@ import io.github.lumbre.sampling.Sampler;
 import java.util.Optional;
 
 /** A 360° panorama on an upright cylinder. The center of the film looks along +z. */
-public final class CylindricalCamera extends Camera {
+final class CylindricalCamera extends Camera {
   /** Above this, squares of directions overflow. */
   private static final double MAX_HEIGHT = 1e150;
 

@@ -11,7 +11,7 @@ import java.util.Optional;
  * A fisheye camera with equidistant projection: the distance from the image center is proportional
  * to the angle from the axis. The image is a circle; film points outside have no ray.
  */
-public final class FishEyeCamera extends Camera {
+final class FishEyeCamera extends Camera {
   private final double angleDegrees;
 
   /**

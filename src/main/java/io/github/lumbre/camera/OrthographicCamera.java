@@ -10,7 +10,7 @@ import java.util.Optional;
  * A camera with parallel projection: all rays have the direction of its view, and the size of an
  * object in the picture does not depend on its distance.
  */
-public final class OrthographicCamera extends Camera {
+final class OrthographicCamera extends Camera {
   private final double halfHeight;
 
   /**

@@ -8,7 +8,7 @@ import io.github.lumbre.sampling.Sampler;
 import java.util.Optional;
 
 /** A perspective camera without a lens: everything is in focus. */
-public final class PinholeCamera extends Camera {
+final class PinholeCamera extends Camera {
   private final double halfHeight;
 
   /**

@@ -10,7 +10,7 @@ import java.util.Optional;
 /**
  * A full panorama of 360° by 180° in longitude and latitude. The center of the film looks along +z.
  */
-public final class SphericalCamera extends Camera {
+final class SphericalCamera extends Camera {
   /**
    * Creates a camera.
    *

@@ -60,8 +60,7 @@ public record FilmFile(FilmHeader header, Film film) {
   }
 
   /** Writes this film file to a reserved file, from its start. Does not commit the file. */
-  @SuppressWarnings("exports") // internal
-  public void write(OutputFile output) throws IOException {
+  void write(OutputFile output) throws IOException {
     output.restart();
     CRC32C checksum = new CRC32C();
     ByteBuffer buffer = ByteBuffer.allocate(BUFFER_BYTES);

@@ -2,7 +2,7 @@ package io.github.lumbre.checkpoint;
 
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.RenderStatistics;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Setting;

@@ -4,7 +4,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.render.Film;
-import io.github.lumbre.sampling.Hash;
+import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.scene.Layer;
 import java.util.List;
 import java.util.Optional;

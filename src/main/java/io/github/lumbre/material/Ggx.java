@@ -3,7 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.Warp;
+import io.github.lumbre.sampling.internal.Warp;
 
 /**
  * The Trowbridge–Reitz (GGX) distribution, which has long tails (Walter et al. 2007, sec. 5.2).

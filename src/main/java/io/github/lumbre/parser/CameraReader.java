@@ -2,11 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.CylindricalCamera;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.OrthographicCamera;
-import io.github.lumbre.camera.PinholeCamera;
-import io.github.lumbre.camera.SphericalCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.util.Optional;
@@ -64,7 +60,7 @@ final class CameraReader {
   }
 
   private Camera pinhole(Placed camera, double aspect) {
-    return new PinholeCamera(camera.position(), camera.axes(), aspect, fieldOfView(camera));
+    return Lens.pinhole(fieldOfView(camera)).camera(camera.position(), camera.axes(), aspect);
   }
 
   private Camera thinLens(Placed camera, double aspect) {
@@ -80,21 +76,21 @@ final class CameraReader {
 
   private Camera orthographic(Placed camera, double aspect) {
     double height = camera.node().number("height", 2, Range.POSITIVE);
-    return new OrthographicCamera(camera.position(), camera.axes(), aspect, height);
+    return Lens.orthographic(height).camera(camera.position(), camera.axes(), aspect);
   }
 
   private Camera cylindrical(Placed camera, double aspect) {
     double height = camera.node().number("height", 2, CYLINDER_HEIGHT);
-    return new CylindricalCamera(camera.position(), camera.axes(), aspect, height);
+    return Lens.cylindrical(height).camera(camera.position(), camera.axes(), aspect);
   }
 
   private Camera spherical(Placed camera, double aspect) {
-    return new SphericalCamera(camera.position(), camera.axes(), aspect);
+    return Lens.spherical().camera(camera.position(), camera.axes(), aspect);
   }
 
   private Camera fishEye(Placed camera, double aspect) {
     double angle = camera.node().number("angle", 180, FISH_EYE_ANGLE);
-    return new FishEyeCamera(camera.position(), camera.axes(), aspect, angle);
+    return Lens.fishEye(angle).camera(camera.position(), camera.axes(), aspect);
   }
 
   private static double fieldOfView(Placed camera) {

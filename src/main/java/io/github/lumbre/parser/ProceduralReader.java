@@ -1,6 +1,6 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.sampling.Hash;
+import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.texture.internal.CloudTexture;
 import io.github.lumbre.texture.internal.MarbleTexture;
 import io.github.lumbre.texture.internal.TexelTexture;

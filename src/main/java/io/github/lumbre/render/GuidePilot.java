@@ -10,7 +10,7 @@ import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.render.GuideReport.Outcome;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Guiding;

@@ -7,7 +7,7 @@ import io.github.lumbre.integrator.PathRecorder;
 import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;

@@ -11,7 +11,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.ScriptedSampler;
 import java.util.ArrayList;

@@ -3,7 +3,7 @@ package io.github.lumbre.checkpoint;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.geometry.Sphere;
@@ -50,7 +50,7 @@ class FilmWithLayersTest {
 
   private static Scene scene() {
     SceneAssembly scene =
-        new SceneAssembly(new PinholeCamera(new Vec3(0, 0, -4), Frame.WORLD, 1.5, 60))
+        new SceneAssembly(Lens.pinhole(60).camera(new Vec3(0, 0, -4), Frame.WORLD, 1.5))
             .lightGroup("sky")
             .add(EnvironmentLight.uniform(Rgb.WHITE));
     for (int i = 0; i < 200; i++) {

@@ -19,7 +19,7 @@ import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.Texture;

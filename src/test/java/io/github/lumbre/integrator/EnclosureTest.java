@@ -13,7 +13,7 @@ import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;

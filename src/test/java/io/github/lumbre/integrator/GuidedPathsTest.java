@@ -8,7 +8,7 @@ import io.github.lumbre.guiding.GuideBuilder;
 import io.github.lumbre.guiding.GuideRecords;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Moments;
 import java.nio.file.Path;
@@ -27,8 +27,8 @@ class GuidedPathsTest {
 
   /**
    * Half of the directions follow the guide. A false alarm has a probability of 0.01 %. The
-   * standard error of the difference is about 0.5 % of the mean in the Cornell box, so that 2 %
-   * are found.
+   * standard error of the difference is about 0.5 % of the mean in the Cornell box, so that 2 % are
+   * found.
    */
   @ParameterizedTest
   @ValueSource(strings = {"cornell-box", "table-15-frog", "glass-and-mirror"})

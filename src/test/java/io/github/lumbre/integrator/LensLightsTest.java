@@ -20,7 +20,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;

@@ -22,7 +22,7 @@ import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import java.util.List;
 import java.util.stream.Stream;

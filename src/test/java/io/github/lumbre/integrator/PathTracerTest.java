@@ -33,7 +33,7 @@ import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.Texture;

@@ -28,7 +28,7 @@ import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;

@@ -10,7 +10,7 @@ import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Moments;
@@ -44,8 +44,7 @@ final class ScatteredLight {
 
   /** The light that scattered rays find alone. */
   static Moments scattered(Scene scene, int depth) {
-    PathOptions options =
-        PathOptions.toDepth(depth).by(MisHeuristic.BSDF).withoutSpecularLinks();
+    PathOptions options = PathOptions.toDepth(depth).by(MisHeuristic.BSDF).withoutSpecularLinks();
     return samples(scene, options, new RenderContext(), lookingDownAt(0, .05), 20 * SAMPLES);
   }
 
@@ -55,8 +54,7 @@ final class ScatteredLight {
    */
   static void assertSameMean(Scene scene, int depth) {
     Moments expected = scattered(scene, depth);
-    assertThat(Math.sqrt(expected.variance() / expected.count()) / expected.mean())
-        .isLessThan(.01);
+    assertThat(Math.sqrt(expected.variance() / expected.count()) / expected.mean()).isLessThan(.01);
     for (MisHeuristic heuristic : MisHeuristic.values()) {
       Moments found = samples(scene, PathOptions.toDepth(depth).by(heuristic));
       assertThat(found.z(expected)).as(heuristic.toString()).isBetween(-4.0, 4.0);

@@ -1,6 +1,6 @@
 package io.github.lumbre.integrator;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.guiding.Guide;
@@ -34,7 +34,7 @@ final class TestScenes {
   }
 
   static SceneBuilder empty() {
-    return Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
+    return Scene.builder().seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1));
   }
 
   static Matte matte(double albedo) {

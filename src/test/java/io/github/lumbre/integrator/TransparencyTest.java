@@ -32,7 +32,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.Contribution;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.Texture;

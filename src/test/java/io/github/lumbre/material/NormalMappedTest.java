@@ -3,7 +3,7 @@ package io.github.lumbre.material;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
@@ -42,7 +42,7 @@ class NormalMappedTest {
 
   private static Scene scene(Shape shape) {
     return Scene.builder()
-        .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+        .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
         .add(shape, Matte.GREY)
         .build();
   }

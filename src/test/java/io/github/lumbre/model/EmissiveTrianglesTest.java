@@ -3,7 +3,7 @@ package io.github.lumbre.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
@@ -19,7 +19,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelSurface.Emitter;
-import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
@@ -112,7 +112,7 @@ class EmissiveTrianglesTest {
 
   /** Returns mean and variance of the light that a floor below the ceiling reflects. */
   private static double[] light(List<Emitter> emitters) {
-    SceneAssembly builder = new SceneAssembly(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60));
+    SceneAssembly builder = new SceneAssembly(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1));
     Shape floor = new Rectangle(Transform.IDENTITY, 100, 100, false);
     builder.add(floor, new Matte(Texture.constant(Rgb.grey(.5))));
     emitters.forEach(e -> builder.add(e.shape(), Unlit.INSTANCE, e.emission()));

@@ -6,14 +6,10 @@ import static io.github.lumbre.parser.SceneFixture.texture;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.CylindricalCamera;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.PinholeCamera;
-import io.github.lumbre.camera.SphericalCamera;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
@@ -64,7 +60,7 @@ class CameraReaderTest {
   @Test
   void camerasArePinholesOf60DegreesIfNothingElseIsSaid() {
     Camera camera = camera("");
-    assertThat(camera).isInstanceOf(PinholeCamera.class);
+    assertThat(camera.getClass().getSimpleName()).isEqualTo("PinholeCamera");
     double tan30 = Math.sqrt(1 / 3.0);
     assertNear(ray(camera, .5, .5).direction(), Vec3.Z);
     assertNear(ray(camera, 0, 0).direction(), new Vec3(-2 * tan30, tan30, 1).normalized());
@@ -92,13 +88,13 @@ class CameraReaderTest {
   @Test
   void panoramasHaveTheirKeys() {
     Camera cylinder = camera("'cameraType': 'Cylindrical', 'height': 1");
-    assertThat(cylinder).isInstanceOf(CylindricalCamera.class);
+    assertThat(cylinder.getClass().getSimpleName()).isEqualTo("CylindricalCamera");
     assertNear(ray(cylinder, .75, 0).direction(), new Vec3(1, 1, 0).normalized());
     Camera fishEye = camera("'cameraType': 'FishEye', 'fieldOfView': 3, 'angle': 360");
-    assertThat(fishEye).isInstanceOf(FishEyeCamera.class);
+    assertThat(fishEye.getClass().getSimpleName()).isEqualTo("FishEyeCamera");
     assertNear(ray(fishEye, .5, .25).direction(), Vec3.Y);
     Camera sphere = camera("'cameraType': 'Spherical'");
-    assertThat(sphere).isInstanceOf(SphericalCamera.class);
+    assertThat(sphere.getClass().getSimpleName()).isEqualTo("SphericalCamera");
     assertNear(ray(sphere, .75, .5).direction(), Vec3.X);
   }
 
@@ -181,9 +177,8 @@ class CameraReaderTest {
             + "|.height: expected a number from 0 to 1e150, found 1e200",
         "'cameraType': 'FishEye', 'angle': 361"
             + "|.angle: expected a number in (0, 360], found 361",
-        "'cameraType': 'Box'"
-            + "|.cameraType: expected one of Pinhole, ThinLens, Orthographic, Cylindrical, Spherical, FishEye,"
-            + " found 'Box'"
+        "'cameraType': 'Box'|.cameraType: expected one of Pinhole, ThinLens, Orthographic,"
+            + " Cylindrical, Spherical, FishEye, found 'Box'"
       })
   void errorsInCamerasSayWhereAndWhat(String camera, String message) {
     assertThat(fixture.refusal(seenBy(camera, "")))

@@ -9,7 +9,7 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;

@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import io.github.lumbre.audit.SceneAudit;
 import io.github.lumbre.camera.Lens;
-import io.github.lumbre.camera.PinholeCamera;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
@@ -172,7 +171,8 @@ class SceneWriterTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SceneWriter.file(glowing, SETTINGS))
         .withMessageMatching("\"object \\d+\": expected .*, found .*");
-    Scene fixed = Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 50)).build();
+    Scene fixed =
+        Scene.builder().seenBy(Lens.pinhole(50).camera(Vec3.ZERO, Frame.WORLD, 1)).build();
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SceneWriter.file(fixed, SETTINGS))
         .withMessage("expected a scene with lookingAt, found one with seenBy");

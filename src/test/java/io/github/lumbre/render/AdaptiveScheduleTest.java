@@ -3,7 +3,7 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
@@ -31,7 +31,7 @@ class AdaptiveScheduleTest {
 
   /** A placeholder that the integrators below do not use. */
   private static final Scene SCENE =
-      Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
+      Scene.builder().seenBy(Lens.pinhole(1).camera(Vec3.ZERO, Frame.WORLD, 1)).build();
 
   /**
    * The left half has constant radiance; the right half has light in one of 64 samples, with the

@@ -4,8 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Falloff;
@@ -26,7 +25,7 @@ class DepthCutTest {
   void closedSphereCutsAPowerOfItsReflectance() throws InterruptedException {
     Scene room =
         Scene.builder()
-            .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+            .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
             .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(.5))))
             .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
             .build();
@@ -43,7 +42,8 @@ class DepthCutTest {
 
   @Test
   void darknessLacksNothing() throws InterruptedException {
-    Scene empty = Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60)).build();
+    Scene empty =
+        Scene.builder().seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1)).build();
     assertThat(DepthCut.of(empty, RenderSettings.DEFAULT)).isEqualTo(new DepthCut(0, 0));
   }
 
@@ -57,7 +57,7 @@ class DepthCutTest {
 
   @Test
   void deepestPathsLackNothing() throws InterruptedException {
-    Scene room = room(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60), .5);
+    Scene room = room(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1), .5);
     RenderSettings deepest =
         new RenderSettings.Builder().maxTraceDepth(RenderSettings.MAX_DEPTH).build();
     assertThat(DepthCut.of(room, deepest)).isEqualTo(new DepthCut(0, 0));
@@ -66,7 +66,7 @@ class DepthCutTest {
   /** The corners of a fish-eye picture are transparent. */
   @Test
   void pixelsWithoutAPictureLackNothing() throws InterruptedException {
-    Camera fishEye = new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 170);
+    Camera fishEye = Lens.fishEye(170).camera(Vec3.ZERO, Frame.WORLD, 1);
     DepthCut cut =
         DepthCut.of(room(fishEye, .5), new RenderSettings.Builder().maxTraceDepth(2).build());
     assertThat(cut.share()).isCloseTo(.25, within(.005 + 4 * cut.standardError()));
@@ -75,7 +75,7 @@ class DepthCutTest {
   /** Over different seeds, the shares vary about as much as the standard error. */
   @Test
   void standardErrorIsTheSpreadOverSeeds() throws InterruptedException {
-    Scene room = room(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60), .7);
+    Scene room = room(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1), .7);
     int seeds = 24;
     double sum = 0;
     double squares = 0;

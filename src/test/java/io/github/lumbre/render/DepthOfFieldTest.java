@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
@@ -72,7 +72,7 @@ class DepthOfFieldTest {
 
   @Test
   void lensOfNoSizeTakesThePictureOfAPinhole() throws InterruptedException {
-    Image pinhole = picture(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES), 9, 4);
+    Image pinhole = picture(Lens.pinhole(FOV_DEGREES).camera(Vec3.ZERO, Frame.WORLD, 1), 9, 4);
     Image lens =
         picture(
             new ThinLensCamera(Vec3.ZERO, Frame.WORLD, 1, FOV_DEGREES, FOCUS, 0, Aperture.DISK),

@@ -5,10 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.CylindricalCamera;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.PinholeCamera;
-import io.github.lumbre.camera.SphericalCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Mesh;
@@ -76,15 +73,15 @@ class ExtremePicturesTest {
     Frame axes = Frame.WORLD;
     List<Camera> cameras = new ArrayList<>();
     for (double fov : new double[] {1e-12, 1e-6, 60, 179, 179.999999}) {
-      cameras.add(new PinholeCamera(position, axes, aspect, fov));
+      cameras.add(Lens.pinhole(fov).camera(position, axes, aspect));
       for (double aperture : new double[] {0, 1e-12, .2, 1e6}) {
         cameras.add(new ThinLensCamera(position, axes, aspect, fov, 5, aperture, Aperture.DISK));
       }
     }
-    cameras.add(new SphericalCamera(position, axes, aspect));
-    cameras.add(new CylindricalCamera(position, axes, aspect, 0));
-    cameras.add(new CylindricalCamera(position, axes, aspect, 1e150));
-    cameras.add(new FishEyeCamera(position, axes, aspect, 360));
+    cameras.add(Lens.spherical().camera(position, axes, aspect));
+    cameras.add(Lens.cylindrical(0).camera(position, axes, aspect));
+    cameras.add(Lens.cylindrical(1e150).camera(position, axes, aspect));
+    cameras.add(Lens.fishEye(360).camera(position, axes, aspect));
     return cameras;
   }
 
@@ -119,7 +116,7 @@ class ExtremePicturesTest {
   @ValueSource(doubles = {1e-3, 5, 1e12, Double.POSITIVE_INFINITY})
   void pictureThroughAClosedLensIsThePinholesToTheBit(double focus) throws InterruptedException {
     Vec3 eye = new Vec3(0, 1, -4);
-    Camera pinhole = new PinholeCamera(eye, Frame.WORLD, 1.5, 50);
+    Camera pinhole = Lens.pinhole(50).camera(eye, Frame.WORLD, 1.5);
     Camera closed = new ThinLensCamera(eye, Frame.WORLD, 1.5, 50, focus, 0, Aperture.DISK);
     RenderSettings settings = settings(30, 20, 4).seed(Effort.seed(1)).build();
     float[] expected = new PictureRenderer(settings).render(stillLife(pinhole).build()).rgb();
@@ -149,7 +146,7 @@ class ExtremePicturesTest {
     Vec3 eye = new Vec3(.3, -.2, .5).plus(distance, new Vec3(0, 0, -1));
     Scene scene =
         Scene.builder()
-            .seenBy(new PinholeCamera(eye, Frame.WORLD, 1, fov))
+            .seenBy(Lens.pinhole(fov).camera(eye, Frame.WORLD, 1))
             .addEmissive(new Sphere(at(.3, -.2, .5), 1), glow(Rgb.WHITE))
             .build();
     int replicates = 100;
@@ -182,7 +179,7 @@ class ExtremePicturesTest {
       for (boolean redFirst : new boolean[] {true, false}) {
         Scene scene =
             Scene.builder()
-                .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 20))
+                .seenBy(Lens.pinhole(20).camera(Vec3.ZERO, Frame.WORLD, 1))
                 .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? RED : GREEN))
                 .addEmissive(new Rectangle(place, 8, 7, true), glow(redFirst ? GREEN : RED))
                 .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? GREEN : RED))
@@ -213,7 +210,7 @@ class ExtremePicturesTest {
         tilt.times(at(0, 0, distance)).times(Transform.rotationDegrees(Vec3.X.times(90)));
     Scene scene =
         Scene.builder()
-            .seenBy(new PinholeCamera(eye, axes, 1, Math.min(fov * 10, 90)))
+            .seenBy(Lens.pinhole(Math.min(fov * 10, 90)).camera(eye, axes, 1))
             .add(new Plane(tilt, true), matte(Rgb.WHITE))
             .add(new Plane(above, true), matte(Rgb.WHITE))
             .add(new Plane(end, true), matte(Rgb.BLACK))
@@ -252,7 +249,7 @@ class ExtremePicturesTest {
     Transform place = at(0, 0, 1).times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
     Scene scene =
         Scene.builder()
-            .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 90))
+            .seenBy(Lens.pinhole(90).camera(Vec3.ZERO, Frame.WORLD, 1))
             .addEmissive(
                 new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
             .build();
@@ -313,7 +310,7 @@ class ExtremePicturesTest {
   }
 
   private static Scene lopsided(Transform all) {
-    Camera camera = new PinholeCamera(new Vec3(0, 1, -5), Frame.WORLD, 1, 40);
+    Camera camera = Lens.pinhole(40).camera(new Vec3(0, 1, -5), Frame.WORLD, 1);
     Transform lamp = at(2, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 20)));
     return Scene.builder()
         .seenBy(camera)
@@ -365,7 +362,7 @@ class ExtremePicturesTest {
       throws InterruptedException {
     SceneBuilder scene =
         Scene.builder()
-            .seenBy(new PinholeCamera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect(), 40))
+            .seenBy(Lens.pinhole(40).camera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect()))
             .addAreaLight(new Sphere(at(3, 6, -6), 1), glow(Rgb.grey(9)))
             .addAreaLight(new Sphere(at(-5, 2, -7), .5), glow(Rgb.grey(9)));
     for (int i = 0; i < places.size(); i++) {

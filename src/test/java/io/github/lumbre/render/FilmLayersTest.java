@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
@@ -64,7 +64,8 @@ class FilmLayersTest {
   /** Returns a camera at z = -4 that looks along +z. */
   private static SceneBuilder scene() {
     Vec3 eye = new Vec3(0, 0, -4);
-    return Scene.builder().seenBy(new PinholeCamera(eye, Frame.WORLD, (double) WIDTH / HEIGHT, 50));
+    return Scene.builder()
+        .seenBy(Lens.pinhole(50).camera(eye, Frame.WORLD, (double) WIDTH / HEIGHT));
   }
 
   /** Returns a scene with everything: mirror, glass, matte, lights in groups and without. */

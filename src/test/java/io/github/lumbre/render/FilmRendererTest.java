@@ -3,7 +3,7 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.camera.FishEyeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
@@ -36,7 +36,7 @@ class FilmRendererTest {
   /** A scene whose pictures have noise everywhere and transparent corners. */
   private static final Scene SCENE =
       Scene.builder()
-          .seenBy(new FishEyeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 100))
+          .seenBy(Lens.fishEye(100).camera(new Vec3(0, 0, -3), Frame.WORLD, 1.5))
           .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
           .addBackground(Rgb.WHITE)
           .build();

@@ -4,10 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.PixelFilter;
-import io.github.lumbre.camera.SphericalCamera;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
@@ -53,7 +51,7 @@ class FilteredPictureTest {
   @ParameterizedTest
   @EnumSource
   void edgesHaveTheProfileOfTheFilter(PixelFilter filter) throws InterruptedException {
-    Camera camera = new PinholeCamera(Vec3.ZERO, Frame.WORLD, 4, 20);
+    Camera camera = Lens.pinhole(20).camera(Vec3.ZERO, Frame.WORLD, 4);
     Image image = render(edge(camera), filter, 8, 2);
     for (int x = 0; x < 8; x++) {
       assertThat(image.pixel(x, 1).g())
@@ -80,8 +78,8 @@ class FilteredPictureTest {
   @EnumSource
   void panoramasAreFilteredAcrossTheirSeam(PixelFilter filter) throws InterruptedException {
     Frame back = new Frame(new Vec3(-1, 0, 0), Vec3.Y, new Vec3(0, 0, -1));
-    Image ahead = render(edge(new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2)), filter, 32, 16);
-    Image behind = render(edge(new SphericalCamera(Vec3.ZERO, back, 2)), filter, 32, 16);
+    Image ahead = render(edge(Lens.spherical().camera(Vec3.ZERO, Frame.WORLD, 2)), filter, 32, 16);
+    Image behind = render(edge(Lens.spherical().camera(Vec3.ZERO, back, 2)), filter, 32, 16);
     // After half a turn, column x shows the content of column x + 16, and column 0 follows column
     // 31.
     for (int x = 12; x < 20; x++) {
@@ -100,7 +98,7 @@ class FilteredPictureTest {
   void polesAreNeitherDarkNorBlank(PixelFilter filter) throws InterruptedException {
     Scene scene =
         Scene.builder()
-            .seenBy(new SphericalCamera(Vec3.ZERO, Frame.WORLD, 2))
+            .seenBy(Lens.spherical().camera(Vec3.ZERO, Frame.WORLD, 2))
             .addBackground(Rgb.WHITE)
             .build();
     Image image = render(scene, filter, 8, 4);
@@ -115,7 +113,7 @@ class FilteredPictureTest {
   void rimOfAFisheyeIsAsSoftAsTheFilterIsWide() throws InterruptedException {
     Scene scene =
         Scene.builder()
-            .seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
+            .seenBy(Lens.fishEye(180).camera(Vec3.ZERO, Frame.WORLD, 1))
             .addBackground(Rgb.WHITE)
             .build();
     double before = 1;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.guiding.GuideSample;
@@ -209,7 +209,7 @@ class GuidePilotTest {
   }
 
   private static SceneBuilder seen() {
-    return Scene.builder().seenBy(new PinholeCamera(new Vec3(0, 1, 0), Frame.WORLD, 1, 60));
+    return Scene.builder().seenBy(Lens.pinhole(60).camera(new Vec3(0, 1, 0), Frame.WORLD, 1));
   }
 
   @Test

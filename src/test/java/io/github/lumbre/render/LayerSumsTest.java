@@ -2,7 +2,7 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.integrator.SampleLayers;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Tests what values become in the sums of layers. */
 class LayerSumsTest {
   private static final Scene SCENE =
-      Scene.builder().seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 1)).build();
+      Scene.builder().seenBy(Lens.pinhole(1).camera(Vec3.ZERO, Frame.WORLD, 1)).build();
 
   @ParameterizedTest
   @CsvSource({

@@ -2,7 +2,7 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
@@ -39,7 +39,7 @@ class PictureLawsTest {
   private static final int HEIGHT = 16;
 
   private static SceneBuilder empty() {
-    return Scene.builder().seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.5, 50));
+    return Scene.builder().seenBy(Lens.pinhole(50).camera(new Vec3(0, 1, -4), Frame.WORLD, 1.5));
   }
 
   /** Returns a scene with many bounces and saturated colors, modified by the given functions. */

@@ -5,8 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
@@ -36,7 +35,7 @@ class PictureRendererTest {
   private static final Scene SCENE = sceneSeenBy(pinhole());
 
   private static Camera pinhole() {
-    return new PinholeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 50);
+    return Lens.pinhole(50).camera(new Vec3(0, 0, -3), Frame.WORLD, 1.5);
   }
 
   private static Scene sceneSeenBy(Camera camera) {
@@ -271,7 +270,7 @@ class PictureRendererTest {
 
   @Test
   void fishEyeIsTransparentOutsideItsCircleOnly() throws InterruptedException {
-    Scene scene = sceneSeenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1.5, 180));
+    Scene scene = sceneSeenBy(Lens.fishEye(180).camera(Vec3.ZERO, Frame.WORLD, 1.5));
     Image image = new PictureRenderer(small().samples(16).build()).render(scene);
 
     assertThat(image.hasAlpha()).isTrue();

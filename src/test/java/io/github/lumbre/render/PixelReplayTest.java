@@ -4,8 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.camera.FishEyeCamera;
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
@@ -19,7 +18,7 @@ import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Scene;
@@ -180,7 +179,7 @@ class PixelReplayTest {
             new Rgb(channel == 0 ? bad : 1, channel == 1 ? bad : 1, channel == 2 ? bad : 1);
         Scene scene =
             Scene.builder()
-                .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+                .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
                 .addBackground(radiance)
                 .build();
         RenderSettings settings = new RenderSettings.Builder().size(4, 4).samples(7).build();
@@ -223,7 +222,7 @@ class PixelReplayTest {
   void samplesThatTheCameraDoesNotImageAreBlack() {
     Scene scene =
         Scene.builder()
-            .seenBy(new FishEyeCamera(Vec3.ZERO, Frame.WORLD, 1, 180))
+            .seenBy(Lens.fishEye(180).camera(Vec3.ZERO, Frame.WORLD, 1))
             .addBackground(Rgb.WHITE)
             .build();
     RenderSettings settings = new RenderSettings.Builder().size(20, 20).samples(4).build();

@@ -3,7 +3,7 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
@@ -37,7 +37,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SharedThreadsTest {
   private static final Scene SCENE =
       Scene.builder()
-          .seenBy(new PinholeCamera(new Vec3(0, 0, -3), Frame.WORLD, 1.5, 50))
+          .seenBy(Lens.pinhole(50).camera(new Vec3(0, 0, -3), Frame.WORLD, 1.5))
           .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
           .addBackground(Rgb.WHITE)
           .build();

@@ -6,7 +6,7 @@ import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static io.github.lumbre.material.MaterialParameter.SPECULAR;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
@@ -47,7 +47,8 @@ class TransparentBackgroundTest {
 
   private static SceneBuilder scene() {
     Vec3 eye = new Vec3(0, 0, -4);
-    return Scene.builder().seenBy(new PinholeCamera(eye, Frame.WORLD, (double) WIDTH / HEIGHT, 50));
+    return Scene.builder()
+        .seenBy(Lens.pinhole(50).camera(eye, Frame.WORLD, (double) WIDTH / HEIGHT));
   }
 
   private static Transform at(double x, double y, double z) {

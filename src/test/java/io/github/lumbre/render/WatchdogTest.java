@@ -2,13 +2,13 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.SobolSampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Timeout;
 class WatchdogTest {
   private static final Scene SCENE =
       Scene.builder()
-          .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60))
+          .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
           .addBackground(Rgb.WHITE)
           .build();
 

@@ -6,6 +6,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.sampling.internal.Warp;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Camera;
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Plane;
@@ -31,7 +31,7 @@ import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 
 class SceneTest {
-  private static final Camera CAMERA = new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, 60);
+  private static final Camera CAMERA = Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1);
   private static final Material PAINTED = new Matte((u, v) -> Rgb.grey(.5 + .5 * Math.sin(u)));
   private static final Plane FLOOR = new Plane(Transform.IDENTITY, false);
 

@@ -2,7 +2,7 @@ package io.github.lumbre.spark;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
@@ -57,7 +57,7 @@ class UnitsTest {
         new RenderSettings.Builder().size(48, 40).samples(9).threads(1).bucketSize(16).build();
     Scene scene =
         Scene.builder()
-            .seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1.2, 50))
+            .seenBy(Lens.pinhole(50).camera(new Vec3(0, 1, -4), Frame.WORLD, 1.2))
             .addBackground(Rgb.WHITE)
             .build();
     FilmRenderer renderer = new FilmRenderer(settings, scene);
@@ -73,7 +73,7 @@ class UnitsTest {
         new RenderSettings.Builder().size(20, 20).threads(1).crop(unit.tile()).build();
     Scene scene =
         Scene.builder()
-            .seenBy(new PinholeCamera(new Vec3(0, 1, -4), Frame.WORLD, 1, 50))
+            .seenBy(Lens.pinhole(50).camera(new Vec3(0, 1, -4), Frame.WORLD, 1))
             .addBackground(new Rgb(.1, 2, 3e5))
             .build();
     FilmRenderer renderer = new FilmRenderer(settings, scene);

@@ -8,7 +8,7 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.sampling.IndependentSampler;
+import io.github.lumbre.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;

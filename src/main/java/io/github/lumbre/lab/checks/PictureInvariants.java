@@ -1,6 +1,6 @@
 package io.github.lumbre.lab.checks;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.Rectangle;
@@ -61,7 +61,7 @@ final class PictureInvariants {
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
     Texture<Rgb> grey = Texture.constant(Rgb.grey(.5));
     return Scene.builder()
-        .seenBy(new PinholeCamera(new Vec3(0, 1, -4).times(scale), Frame.WORLD, 4.0 / 3, 50))
+        .seenBy(Lens.pinhole(50).camera(new Vec3(0, 1, -4).times(scale), Frame.WORLD, 4.0 / 3))
         .add(new Rectangle(whole, 20, 20, false), new Matte(grey))
         .add(
             new Sphere(whole.times(at(-1, .7, .3)), .7),

@@ -1,6 +1,6 @@
 package io.github.lumbre.texture.internal;
 
-import io.github.lumbre.sampling.Hash;
+import io.github.lumbre.sampling.internal.Hash;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -4,7 +4,7 @@ import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.camera.PinholeCamera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
@@ -69,7 +69,7 @@ class SummaryTest {
 
   private static Scene scene(double distance, Material material) {
     return Scene.builder()
-        .seenBy(new PinholeCamera(Vec3.ZERO, Frame.WORLD, 2, 60))
+        .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 2))
         .add(new Sphere(Transform.translation(new Vec3(0, 0, distance)), 1), material)
         .build();
   }

@@ -1,4 +1,4 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 /**
  * A discrete distribution: selects one of n items with probabilities proportional to their weights.

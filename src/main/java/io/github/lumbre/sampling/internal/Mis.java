@@ -1,4 +1,4 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 /** The heuristics of multiple importance sampling (Veach 1997, ch. 9). */
 public final class Mis {

@@ -1,4 +1,4 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;

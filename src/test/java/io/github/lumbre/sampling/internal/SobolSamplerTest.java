@@ -1,8 +1,9 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;

@@ -1,7 +1,8 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 import io.github.lumbre.MicroBenchmark;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.sampling.Sampler;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
 

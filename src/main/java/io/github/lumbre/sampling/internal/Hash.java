@@ -1,4 +1,4 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 /** Integer hashes, which give random numbers as pure functions of a key and an index. */
 public final class Hash {

@@ -1,9 +1,10 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.sampling.Sampler;
 import org.junit.jupiter.api.Test;
 
 /** Tests the independence of the sampler's numbers. */

@@ -1,6 +1,7 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.sampling.Sampler;
 
 /**
  * A sampler of independent random numbers, each a hash of its address. It is the reference against

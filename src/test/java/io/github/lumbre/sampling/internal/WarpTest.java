@@ -1,4 +1,4 @@
-package io.github.lumbre.sampling;
+package io.github.lumbre.sampling.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
