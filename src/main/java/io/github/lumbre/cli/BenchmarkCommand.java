@@ -126,9 +126,6 @@ final class BenchmarkCommand implements Callable<Integer> {
 
   @ArgGroup Hashes hashes = new Hashes();
 
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
-
   @Mixin OverwriteFlag overwrite;
 
   @Spec CommandSpec spec;

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.Choices;
+import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.parser.Stage.View;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,7 +9,9 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.ArgSpec;
@@ -160,15 +163,25 @@ final class CompletionScript {
   private static String values(OptionSpec option) {
     String kind = "words";
     List<String> values = NAMES.getOrDefault(option.longestName(), List.of());
-    if (option.converters().length == 1 && option.converters()[0] instanceof Choices choices) {
-      kind = choices.isList() ? "list" : kind;
-      values = choices.choices();
+    Optional<Choices> named = choices(option);
+    if (named.isPresent()) {
+      kind = named.get().isList() ? "list" : kind;
+      values = named.get().choices();
     } else if (option.paramLabel().matches(LIST_OF_VALUES)) {
       values = List.of(option.paramLabel().split("\\|"));
     } else if (isFile(option)) {
       kind = "files";
     }
     return "kind=" + kind + " words='" + String.join(" ", values) + "' ends=";
+  }
+
+  /** Returns the named values of a flag; empty if it takes others. */
+  static Optional<Choices> choices(OptionSpec option) {
+    return option.converters().length == 1 && option.converters()[0] instanceof Choices choices
+        ? Optional.of(choices)
+        : Stream.concat(Stream.of(option.type()), Stream.of(option.auxiliaryTypes()))
+            .flatMap(type -> FlagConverters.choices(type).stream())
+            .findFirst();
   }
 
   /** Returns the endings of the files that a command reads, such as {@code .json}; none: any. */

@@ -79,9 +79,6 @@ final class DenoiseCommand implements Callable<Integer> {
       description = "Threads; 0 means one for each processor (${DEFAULT-VALUE}).")
   private int threads;
 
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
-
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Spec private CommandSpec spec;

@@ -82,9 +82,6 @@ final class LayersCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print the layers as a JSON object.")
   private boolean json;
 
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
-
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Spec private CommandSpec spec;

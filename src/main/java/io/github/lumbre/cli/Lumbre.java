@@ -29,7 +29,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
 /**
@@ -98,6 +100,12 @@ public final class Lumbre implements Runnable {
 
   /** Current commands by their names before 0.2; these names will be removed in 0.3. */
   private static final Map<String, String> RENAMED = Map.of("bench", "perf");
+
+  @Option(
+      names = "--debug",
+      scope = ScopeType.INHERIT,
+      description = "Print the stack trace of an error.")
+  private boolean debug;
 
   @Spec private CommandSpec spec;
 
@@ -222,7 +230,7 @@ public final class Lumbre implements Runnable {
     CommandLine command = commandLine(engine, mentioned(current));
     Failures failures = new Failures(COMMANDS.keySet());
     command.setOut(out).setErr(err);
-    FlagConverters.registerNumbers(command);
+    FlagConverters.register(command);
     command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));
     command.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     command.setOverwrittenOptionsAllowed(false).setAbbreviatedOptionsAllowed(false);

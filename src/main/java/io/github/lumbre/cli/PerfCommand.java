@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.FlagChecks;
-import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
@@ -89,7 +88,6 @@ final class PerfCommand implements Callable<Integer> {
   @Option(
       names = "--by",
       paramLabel = "CLOCK",
-      converter = FlagConverters.OfClock.class,
       defaultValue = "cpu",
       description = "Compare by CPU time or wall-clock time: cpu or wall (${DEFAULT-VALUE}).")
   Clock clock;
@@ -104,7 +102,6 @@ final class PerfCommand implements Callable<Integer> {
   @Option(
       names = "--size",
       paramLabel = "WxH",
-      converter = FlagConverters.OfSize.class,
       description = "Frame size in pixels (the scene's, scaled down to a side of 320).")
   Optional<Size> size;
 
@@ -171,9 +168,6 @@ final class PerfCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description = "Write every repetition as JSON, for --compare and for scripts.")
   Optional<Path> json;
-
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  boolean debug;
 
   @Mixin OverwriteFlag overwrite;
 

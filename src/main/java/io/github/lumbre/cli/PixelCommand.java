@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.FlagChecks;
-import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
@@ -65,7 +64,6 @@ final class PixelCommand implements Callable<Integer> {
   @Parameters(
       index = "1",
       paramLabel = "x,y",
-      converter = FlagConverters.OfPixel.class,
       description = "Pixel of the full frame; 0,0 is the top left.")
   private PixelPlace pixel;
 

@@ -5,7 +5,6 @@ import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.FlagChecks;
-import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.PictureFlags;
@@ -117,7 +116,6 @@ final class RenderCommand implements Callable<Integer> {
   @Option(
       names = "--format",
       paramLabel = "NAME",
-      converter = FlagConverters.OfImageFormat.class,
       description = "Format of the picture with -o -: png, exr, pfm or jpg (png).")
   private Optional<ImageFormat> format;
 

@@ -130,9 +130,6 @@ final class ResumeCommand implements Callable<Integer> {
 
   @Mixin private final CheckpointFlags checkpoints = new CheckpointFlags();
 
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
-
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Spec private CommandSpec spec;

@@ -45,9 +45,6 @@ final class SelfTestCommand implements Callable<Integer> {
   @Option(names = "--markdown", description = "Print the page docs/stability.md.")
   private boolean markdown;
 
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
-
   @Spec private CommandSpec spec;
 
   @Override

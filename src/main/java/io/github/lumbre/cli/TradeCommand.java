@@ -82,7 +82,6 @@ final class TradeCommand implements Callable<Integer> {
   @Option(
       names = "--time",
       paramLabel = "DURATION",
-      converter = FlagConverters.OfDuration.class,
       description = "Approximate time for the study (5m; with --quick 1m).")
   Optional<Duration> time = Optional.empty();
 
@@ -128,7 +127,6 @@ final class TradeCommand implements Callable<Integer> {
   @Option(
       names = "--size",
       paramLabel = "WxH",
-      converter = FlagConverters.OfSize.class,
       description =
           "Frame size in pixels (the scene's, scaled down to a side of 160; with --quick 96).")
   Optional<Size> size = Optional.empty();

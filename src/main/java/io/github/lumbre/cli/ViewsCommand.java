@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.FlagChecks;
-import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
@@ -100,7 +99,6 @@ final class ViewsCommand implements Callable<Integer> {
   @Option(
       names = "--size",
       paramLabel = "WxH",
-      converter = FlagConverters.OfSize.class,
       description = "Size of each picture in pixels (1024x768).")
   private Optional<Size> size;
 
@@ -113,9 +111,6 @@ final class ViewsCommand implements Callable<Integer> {
   @Mixin private final ModelFlags flags = new ModelFlags();
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
-
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
 
   @Spec private CommandSpec spec;
 

@@ -9,11 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** Runs the completion script in bash. */
@@ -95,9 +97,10 @@ class CompletionScriptTest {
   void everyNameIsAccepted() throws Exception {
     for (CommandLine command : Lumbre.commandLine().getSubcommands().values()) {
       for (OptionSpec option : command.getCommandSpec().options()) {
-        if (option.converters().length == 1 && option.converters()[0] instanceof Choices choices) {
-          for (String name : choices.choices()) {
-            assertThat(option.converters()[0].convert(name)).isNotNull();
+        Optional<Choices> choices = CompletionScript.choices(option);
+        if (choices.isPresent()) {
+          for (String name : choices.get().choices()) {
+            assertThat(((ITypeConverter<?>) choices.get()).convert(name)).isNotNull();
           }
         }
       }

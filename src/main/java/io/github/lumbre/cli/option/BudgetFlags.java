@@ -27,7 +27,6 @@ public final class BudgetFlags {
   @Option(
       names = "--time",
       paramLabel = "DURATION",
-      converter = FlagConverters.OfDuration.class,
       description =
           "Take as many samples as fit into this time, loading and saving included (in 'view':"
               + " rendering alone), but at least 1 per pixel: 90s, 5m, 2h. Frames share the time."

@@ -27,7 +27,6 @@ public final class CheckpointFlags {
       names = "--checkpoint-interval",
       paramLabel = "DURATION",
       defaultValue = "60s",
-      converter = FlagConverters.OfDuration.class,
       description = "Time between two saves of the checkpoint file (${DEFAULT-VALUE}).")
   private Duration interval;
 

@@ -23,7 +23,6 @@ public final class DenoiserFlags {
   @Option(
       names = "--denoiser",
       paramLabel = "NAME",
-      converter = FlagConverters.OfDenoiser.class,
       description =
           "Denoiser: builtin, with the same bits on every machine, or oidn (builtin, or oidn with"
               + " --oidn).")
@@ -40,7 +39,6 @@ public final class DenoiserFlags {
   @Option(
       names = "--denoise-timeout",
       paramLabel = "DURATION",
-      converter = FlagConverters.OfDuration.class,
       description = "Time after which oidnDenoise is ended: 90s, 5m, 2h (10m).")
   private Optional<Duration> limit;
 

@@ -28,7 +28,6 @@ import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
@@ -40,9 +39,6 @@ public final class DevelopFlags {
   @Mixin private final SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
   @Mixin private final PictureFlags stored = new PictureFlags();
-
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
 
   /** A source of a film. */
   public interface Source {

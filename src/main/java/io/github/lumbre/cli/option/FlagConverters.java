@@ -12,6 +12,7 @@ import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -21,10 +22,27 @@ import picocli.CommandLine.TypeConversionException;
 
 /** Converters of flag values from text; errors state what was expected and what was found. */
 public final class FlagConverters {
+  private static final String DIGITS = "(\\d{1,9})";
+  private static final Pattern PIXEL = Pattern.compile(DIGITS + "," + DIGITS);
+  private static final Pattern CROP =
+      Pattern.compile(String.join(",", DIGITS, DIGITS, DIGITS, DIGITS));
+  private static final Pattern DURATION = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)([smh])");
+  private static final Map<String, Double> SECONDS = Map.of("s", 1., "m", 60., "h", 3600.);
+
+  private static final List<OfChoice<?>> CHOICES =
+      List.of(
+          new OfChoice<>(Mode.class),
+          new OfChoice<>(Clock.class),
+          new OfChoice<>(Quality.class),
+          new OfChoice<>(Kernel.class),
+          new OfChoice<>(ImageFormat.class),
+          new OfChoice<>(DenoiserFlags.Engine.class),
+          new OfChoice<>(ProgressStyle.class));
+
   private FlagConverters() {}
 
-  /** Registers converters of numbers whose errors state what was expected. */
-  public static void registerNumbers(CommandLine command) {
+  /** Registers the converters of all types of values. */
+  public static void register(CommandLine command) {
     String integer = "an integer up to ";
     ITypeConverter<Integer> ofInt =
         text -> number(Integer::valueOf, integer + Integer.MAX_VALUE, text);
@@ -33,6 +51,19 @@ public final class FlagConverters {
     command.registerConverter(Long.class, ofLong);
     command.registerConverter(Double.class, text -> number(Double::valueOf, "a number", text));
     command.registerConverter(BigDecimal.class, text -> number(BigDecimal::new, "a number", text));
+    command.registerConverter(Duration.class, FlagConverters::duration);
+    command.registerConverter(Size.class, text -> explained(Size::of, text));
+    command.registerConverter(Crop.class, FlagConverters::crop);
+    command.registerConverter(PixelPlace.class, FlagConverters::pixel);
+    CHOICES.forEach(choice -> choice.register(command));
+  }
+
+  /** Returns the converter that lists the named values of a type; empty without such values. */
+  public static Optional<Choices> choices(Class<?> type) {
+    return CHOICES.stream()
+        .filter(choice -> choice.type == type)
+        .map(Choices.class::cast)
+        .findFirst();
   }
 
   private static <N> N number(Function<String, N> parser, String expected, String text) {
@@ -43,77 +74,48 @@ public final class FlagConverters {
     }
   }
 
-  /** {@code 640x480}. */
-  public static final class OfSize implements ITypeConverter<Size> {
-    @Override
-    public Size convert(String text) {
-      try {
-        return Size.of(text);
-      } catch (IllegalArgumentException e) {
-        throw new TypeConversionException(e.getMessage());
-      }
-    }
+  private static PixelPlace pixel(String text) {
+    Matcher found = matched(PIXEL, "x,y in pixels, such as 100,50", text);
+    return new PixelPlace(number(found, 1), number(found, 2));
   }
 
-  /** {@code 100,50}. */
-  public static final class OfPixel implements ITypeConverter<PixelPlace> {
-    private static final Pattern FORM = Pattern.compile("(\\d{1,9}),(\\d{1,9})");
-
-    @Override
-    public PixelPlace convert(String text) {
-      Matcher found = FORM.matcher(text);
-      if (!found.matches()) {
-        throw unexpected("x,y in pixels, such as 100,50", text);
-      }
-      return new PixelPlace(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
-    }
+  private static Crop crop(String text) {
+    Matcher found = matched(CROP, "x,y,w,h in pixels, such as 100,50,64,48", text);
+    return explained(
+        all -> new Crop(number(found, 1), number(found, 2), number(found, 3), number(found, 4)),
+        text);
   }
 
-  /** {@code 100,50,64,48}. */
-  static final class OfCrop implements ITypeConverter<Crop> {
-    private static final Pattern FORM =
-        Pattern.compile("(\\d{1,9}),(\\d{1,9}),(\\d{1,9}),(\\d{1,9})");
-
-    @Override
-    public Crop convert(String text) {
-      Matcher found = FORM.matcher(text);
-      if (!found.matches()) {
-        throw unexpected("x,y,w,h in pixels, such as 100,50,64,48", text);
-      }
-      try {
-        return new Crop(number(found, 1), number(found, 2), number(found, 3), number(found, 4));
-      } catch (IllegalArgumentException e) {
-        throw new TypeConversionException(e.getMessage());
-      }
+  private static Matcher matched(Pattern form, String expected, String text) {
+    Matcher found = form.matcher(text);
+    if (!found.matches()) {
+      throw unexpected(expected, text);
     }
-
-    private static int number(Matcher found, int group) {
-      return Integer.parseInt(found.group(group));
-    }
+    return found;
   }
 
-  /** {@code 90s}, {@code 5m}, {@code 2h} or {@code 1.5h}; always longer than 0. */
-  public static final class OfDuration implements ITypeConverter<Duration> {
-    private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)([smh])");
-    private static final Map<String, Double> SECONDS = Map.of("s", 1., "m", 60., "h", 3600.);
-
-    @Override
-    public Duration convert(String text) {
-      Matcher found = FORM.matcher(text);
-      double seconds =
-          found.matches() ? Double.parseDouble(found.group(1)) * SECONDS.get(found.group(2)) : 0;
-      Duration duration = Duration.ofNanos((long) Math.min(seconds * 1e9, Long.MAX_VALUE / 2));
-      if (duration.isZero()) {
-        throw unexpected("a duration above 0, such as 90s, 5m or 2h", text);
-      }
-      return duration;
-    }
+  private static int number(Matcher found, int group) {
+    return Integer.parseInt(found.group(group));
   }
 
-  /** {@code builtin} or {@code oidn}. */
-  static final class OfDenoiser extends OfChoice<DenoiserFlags.Engine> {
-    OfDenoiser() {
-      super(DenoiserFlags.Engine.class);
+  /** Returns a duration such as {@code 90s}, {@code 5m} or {@code 1.5h}, always longer than 0. */
+  private static Duration duration(String text) {
+    Matcher found = DURATION.matcher(text);
+    double seconds =
+        found.matches() ? Double.parseDouble(found.group(1)) * SECONDS.get(found.group(2)) : 0;
+    Duration duration = Duration.ofNanos((long) Math.min(seconds * 1e9, Long.MAX_VALUE / 2));
+    if (duration.isZero()) {
+      throw unexpected("a duration above 0, such as 90s, 5m or 2h", text);
+    }
+    return duration;
+  }
+
+  /** Parses a text with a parser whose errors state what was expected. */
+  private static <V> V explained(Function<String, V> parser, String text) {
+    try {
+      return parser.apply(text);
+    } catch (IllegalArgumentException e) {
+      throw new TypeConversionException(e.getMessage());
     }
   }
 
@@ -132,41 +134,6 @@ public final class FlagConverters {
     }
   }
 
-  /** {@code ray} or {@code path}. */
-  public static final class OfMode extends OfChoice<Mode> {
-    public OfMode() {
-      super(Mode.class);
-    }
-  }
-
-  /** {@code cpu} or {@code wall}. */
-  public static final class OfClock extends OfChoice<Clock> {
-    public OfClock() {
-      super(Clock.class);
-    }
-  }
-
-  /** {@code draft}, {@code preview}, {@code final} or {@code reference}. */
-  static final class OfQuality extends OfChoice<Quality> {
-    OfQuality() {
-      super(Quality.class);
-    }
-  }
-
-  /** {@code auto}, {@code vector} or {@code scalar}. */
-  static final class OfKernel extends OfChoice<Kernel> {
-    OfKernel() {
-      super(Kernel.class);
-    }
-  }
-
-  /** {@code png}, {@code exr}, {@code pfm} or {@code jpg}. */
-  public static final class OfImageFormat extends OfChoice<ImageFormat> {
-    public OfImageFormat() {
-      super(ImageFormat.class);
-    }
-  }
-
   /** How a render shows its progress. */
   enum ProgressStyle {
     BAR,
@@ -174,33 +141,28 @@ public final class FlagConverters {
     NONE
   }
 
-  /** {@code bar}, {@code json} or {@code none}. */
-  static final class OfProgressStyle extends OfChoice<ProgressStyle> {
-    OfProgressStyle() {
-      super(ProgressStyle.class);
-    }
-  }
-
   /** The constants of an enum, written as in scene files. */
-  private abstract static class OfChoice<E extends Enum<E>> implements ITypeConverter<E>, Choices {
-    private final ChoiceType<E> type;
+  private static final class OfChoice<E extends Enum<E>> implements ITypeConverter<E>, Choices {
+    private final Class<E> type;
+    private final ChoiceType<E> names;
 
     OfChoice(Class<E> type) {
-      this.type = new ChoiceType<>(type);
+      this.type = type;
+      names = new ChoiceType<>(type);
+    }
+
+    void register(CommandLine command) {
+      command.registerConverter(type, this);
     }
 
     @Override
     public E convert(String text) {
-      try {
-        return type.parse(text);
-      } catch (IllegalArgumentException e) {
-        throw new TypeConversionException(e.getMessage());
-      }
+      return explained(names::parse, text);
     }
 
     @Override
     public List<String> choices() {
-      return type.names();
+      return names.names();
     }
   }
 

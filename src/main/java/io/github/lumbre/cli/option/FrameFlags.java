@@ -20,7 +20,6 @@ public final class FrameFlags {
   @Option(
       names = "--size",
       paramLabel = "WxH",
-      converter = FlagConverters.OfSize.class,
       description =
           "Size of the full frame in pixels (scene or 1920x1080; models: 1024 for the longer"
               + " side, with the aspect ratio of the camera, or 1024x768).")
@@ -29,7 +28,6 @@ public final class FrameFlags {
   @Option(
       names = "--crop",
       paramLabel = "x,y,w,h",
-      converter = FlagConverters.OfCrop.class,
       description = "Render only this window of the full frame, with the same pixel values.")
   private Optional<Crop> crop;
 

@@ -25,7 +25,6 @@ public final class KernelFlag {
   @Option(
       names = "--kernel",
       paramLabel = "NAME",
-      converter = FlagConverters.OfKernel.class,
       description =
           "Ray traversal kernel: vector, scalar or auto (auto: scalar first; a long render changes"
               + " to vector where this is faster). The picture is bit-identical.")

@@ -12,7 +12,6 @@ public final class QualityFlags {
   @Option(
       names = "--quality",
       paramLabel = "NAME",
-      converter = FlagConverters.OfQuality.class,
       description =
           "Set --target-error and --depth together: draft (20%%, 3), preview (10%%, 5), final (3%%,"
               + " 16), reference (1%%, 1000). These flags override the preset.")

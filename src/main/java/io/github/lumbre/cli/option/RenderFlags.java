@@ -26,7 +26,6 @@ public final class RenderFlags {
   @Option(
       names = "--mode",
       paramLabel = "MODE",
-      converter = FlagConverters.OfMode.class,
       description = "Render mode: ray (Whitted) or path (path tracing). Default: scene or path.")
   private Optional<Mode> mode;
 

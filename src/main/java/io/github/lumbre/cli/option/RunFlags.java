@@ -29,7 +29,6 @@ public final class RunFlags {
   @Option(
       names = "--timeout",
       paramLabel = "DURATION",
-      converter = FlagConverters.OfDuration.class,
       description =
           "Stop after this time, loading included: 90s, 5m, 2h. The unfinished picture is written"
               + " and marked as partial; exit code 5 if a picture was not begun.")
@@ -38,7 +37,6 @@ public final class RunFlags {
   @Option(
       names = "--progress",
       paramLabel = "STYLE",
-      converter = FlagConverters.OfProgressStyle.class,
       description =
           "Show progress on standard error: bar, none or json (one JSON object per second and"
               + " line). Default: bar on a terminal, else none.")

@@ -44,9 +44,6 @@ public final class SceneOptions {
 
   @ArgGroup private Strictness strictness = new Strictness();
 
-  @Option(names = "--debug", description = "Print the stack trace of an error.")
-  private boolean debug;
-
   /** The treatment of warnings; at most one of the two flags. */
   static final class Strictness {
     @Option(
