@@ -25,6 +25,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Reads each material at its first use. */
@@ -91,7 +93,7 @@ final class MaterialReader {
         .flatMap(
             c ->
                 Stream.of(
-                    c.equals("normal") || c.endsWith("Normal") ? c + "Strength" : c,
+                    c.equals("normal") ? c + "Strength" : c,
                     c + TEXTURE,
                     c + "Offset",
                     c + "Scale"))
@@ -210,9 +212,15 @@ final class MaterialReader {
   }
 
   private static String[] metallicRoughnessKeys() {
+    Set<String> normals =
+        MaterialParameter.all().stream()
+            .filter(p -> p.kind() == MaterialParameter.Kind.NORMALS)
+            .map(MaterialParameter::key)
+            .collect(Collectors.toSet());
     Stream<String> keys =
         MaterialParameter.all().stream()
-            .flatMap(p -> p.isTextured() ? Stream.of(keys(p.key())) : Stream.of(p.key()));
+            .flatMap(p -> p.isTextured() ? Stream.of(keys(p.key())) : Stream.of(p.key()))
+            .map(key -> normals.contains(key) ? key + "Strength" : key);
     return Stream.of(keys, Stream.of(keys("normal")), Stream.of("twoSided"))
         .flatMap(each -> each)
         .toArray(String[]::new);
