@@ -20,6 +20,8 @@ public final class MaterialParameter {
   private static final String COAT_EXTENSION = "KHR_materials_clearcoat";
   private static final String SHEEN_EXTENSION = "KHR_materials_sheen";
 
+  private static final String ANISOTROPY_EXTENSION = "KHR_materials_anisotropy";
+
   private static final int RED = 0;
   private static final int GREEN = 1;
   private static final int BLUE = 2;
@@ -115,6 +117,25 @@ public final class MaterialParameter {
           .gltf(SHEEN_EXTENSION, "sheenRoughnessFactor", "sheenRoughnessTexture", ALPHA)
           .of(SHEEN_COLOR);
 
+  /** Strength of the anisotropy: how much rougher the surface is along one direction. */
+  public static final MaterialParameter ANISOTROPY =
+      number("anisotropy", 0)
+          .gltf(ANISOTROPY_EXTENSION, "anisotropyStrength", "anisotropyTexture", BLUE);
+
+  /** Angle from increasing u to the rougher direction, counterclockwise, in degrees. */
+  public static final MaterialParameter ANISOTROPY_ROTATION =
+      number("anisotropyRotation", 0)
+          .within(-Double.MAX_VALUE, Double.MAX_VALUE)
+          .gltf(ANISOTROPY_EXTENSION, "anisotropyRotation")
+          .gltfUnit(180 / Math.PI)
+          .of(ANISOTROPY);
+
+  /** Directions, in red and green, that the rotation turns; without a map, increasing u. */
+  public static final MaterialParameter ANISOTROPY_DIRECTION =
+      normals("anisotropyDirection")
+          .gltf(ANISOTROPY_EXTENSION, "", "anisotropyTexture", 0)
+          .of(ANISOTROPY);
+
   private final Kind kind;
   private final String key;
   private final Rgb missing;
@@ -124,6 +145,7 @@ public final class MaterialParameter {
   private String gltfFactor = "";
   private String gltfTexture = "";
   private int channel;
+  private double gltfUnit = 1;
   private String mtl = "";
   private MaterialParameter strength = this;
 
@@ -171,6 +193,11 @@ public final class MaterialParameter {
     gltfFactor = factor;
     gltfTexture = texture;
     channel = newChannel;
+    return this;
+  }
+
+  private MaterialParameter gltfUnit(double newUnit) {
+    gltfUnit = newUnit;
     return this;
   }
 
@@ -247,6 +274,11 @@ public final class MaterialParameter {
   /** Returns the channel of a number in glTF's texture: 0 to 3 for red, green, blue and alpha. */
   public int gltfChannel() {
     return channel;
+  }
+
+  /** Returns the value of a 1 in glTF: 1, except for angles, which are in radians there. */
+  public double gltfUnit() {
+    return gltfUnit;
   }
 
   /** Returns the key in material libraries, in lower case; empty if there is none. */

@@ -42,8 +42,12 @@ public final class MetallicRoughness implements Material {
   private final Optional<NormalChannel> coatNormals;
   private final ColorChannel sheenColor;
   private final ScalarChannel sheenRoughness;
+  private final ScalarChannel anisotropy;
+  private final ScalarChannel anisotropyRotation;
+  private final Optional<NormalChannel> anisotropyDirection;
   private final double ior;
   private final Rgb absorption;
+  private final boolean isAnisotropic;
   private final boolean isThin;
   private final boolean isThinlyTransmissive;
   private final boolean isTransparent;
@@ -62,9 +66,13 @@ public final class MetallicRoughness implements Material {
     transmission = values.number(MaterialParameter.TRANSMISSION);
     clearcoat = values.number(MaterialParameter.CLEARCOAT);
     clearcoatRoughness = values.number(MaterialParameter.CLEARCOAT_ROUGHNESS);
-    coatNormals = stated(MaterialParameter.CLEARCOAT_NORMAL).map(NormalChannel.class::cast);
+    coatNormals = values.normals(MaterialParameter.CLEARCOAT_NORMAL);
     sheenColor = values.color(MaterialParameter.SHEEN_COLOR);
     sheenRoughness = values.number(MaterialParameter.SHEEN_ROUGHNESS);
+    anisotropy = values.number(MaterialParameter.ANISOTROPY);
+    anisotropyRotation = values.number(MaterialParameter.ANISOTROPY_ROTATION);
+    anisotropyDirection = values.normals(MaterialParameter.ANISOTROPY_DIRECTION);
+    isAnisotropic = stated.containsKey(MaterialParameter.ANISOTROPY);
     ior = values.number(MaterialParameter.IOR).at(ORIGIN);
     absorption =
         absorption(
@@ -284,16 +292,39 @@ public final class MetallicRoughness implements Material {
   private Bsdf solid(SurfaceHit hit, Rgb color, double metallic, double alpha) {
     Rgb f0 = dielectricF0(hit);
     double f90 = f90(hit);
-    Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
+    double facetAlpha = Math.max(MIN_ALPHA, alpha);
+    double strength = isAnisotropic ? unit(anisotropy.at(hit)) : 0;
     // Schlick's approximation is linear in F0 and F90: the mean of both reflections is one lobe.
     Rgb mixedF0 = f0.times(1 - metallic).plus(color.times(metallic));
     double mixedF90 = f90 * (1 - metallic) + metallic;
-    Lobe reflection = new SchlickReflection(mixedF0, mixedF90, facets);
+    Lobe reflection =
+        strength > 0
+            ? anisotropic(hit, mixedF0, mixedF90, facetAlpha, strength)
+            : new SchlickReflection(mixedF0, mixedF90, new Ggx(facetAlpha));
     if (metallic == 1 || color.isBlack()) {
       return reflection;
     }
     Rgb albedo = color.times(1 - metallic);
-    return new Mixture(new LayeredDiffuse(albedo, f0.max(), f90, facets.alpha()), reflection);
+    LayeredDiffuse diffuse =
+        strength > 0
+            ? AnisotropicReflection.below(albedo, f0.max(), f90, facetAlpha, strength)
+            : new LayeredDiffuse(albedo, f0.max(), f90, facetAlpha);
+    return new Mixture(diffuse, reflection);
+  }
+
+  private Lobe anisotropic(SurfaceHit hit, Rgb f0, double f90, double alpha, double strength) {
+    double degrees = anisotropyRotation.at(hit);
+    double cos = Elementary.cosDegrees(degrees);
+    double sin = Elementary.sinDegrees(degrees);
+    Vec3 direction =
+        anisotropyDirection
+            .map(texture -> texture.map().normal(hit.u(texture.uvSet()), hit.v(texture.uvSet())))
+            .orElse(Vec3.X);
+    double length = Math.sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+    double x = length > 0 ? direction.x() / length : 1;
+    double y = length > 0 ? direction.y() / length : 0;
+    double along = AnisotropicReflection.alphaAlong(alpha, strength);
+    return new AnisotropicReflection(f0, f90, along, alpha, cos * x - sin * y, sin * x + cos * y);
   }
 
   private Bsdf glass(SurfaceHit hit, Rgb tint, double alpha) {
@@ -358,6 +389,10 @@ public final class MetallicRoughness implements Material {
 
     private ColorChannel color(MaterialParameter parameter) {
       return (ColorChannel) value(parameter);
+    }
+
+    private Optional<NormalChannel> normals(MaterialParameter parameter) {
+      return Optional.ofNullable((NormalChannel) stated.get(parameter));
     }
 
     private ScalarChannel number(MaterialParameter parameter) {

@@ -133,7 +133,7 @@ final class GltfMaterials {
     if (!parameter.accepts(value)) {
       throw json.expected(member, parameter.expected());
     }
-    return value;
+    return value * parameter.gltfUnit();
   }
 
   private Rgb rgb(GltfJson json, MaterialParameter parameter) throws ModelFormatException {

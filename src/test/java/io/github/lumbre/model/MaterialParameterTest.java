@@ -209,7 +209,7 @@ class MaterialParameterTest {
     assertThat(read.uses(parameter)).isTrue();
     MetallicRoughness material =
         (MetallicRoughness) new ModelMaterials(Transform.IDENTITY, 1000).of(read, true);
-    Rgb expected = factor(parameter);
+    Rgb expected = factor(parameter).times(parameter.gltfUnit());
     if (parameter.kind() == Kind.COLOR && parameter.isTextured()) {
       expected = expected.times(texel(ImageTexture.Role.COLOR));
     } else if (parameter.kind() == Kind.NUMBER && parameter.isTextured()) {

@@ -64,7 +64,8 @@ class TextureRolesTest {
     SHEEN_ROUGHNESS(
         "sheen",
         "'sheenColorFactor': [1, 1, 1], 'sheenRoughnessFactor': 1, 'sheenRoughnessTexture': T",
-        true);
+        true),
+    ANISOTROPY("anisotropy", "'anisotropyStrength': 1, 'anisotropyTexture': T", true);
 
     private final String material;
 
