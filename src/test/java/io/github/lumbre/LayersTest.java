@@ -45,8 +45,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String LIBRARY =
-      "math image sampling texture geometry file text limit path material camera light scene model"
-          + " guiding integrator render parser checkpoint denoise stopping preview audit compare";
+      "math image sampling texture geometry file text limit json path material camera light scene"
+          + " model guiding integrator render parser checkpoint denoise stopping preview audit"
+          + " compare";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -55,7 +56,8 @@ class LayersTest {
           Map.entry("file", ""),
           Map.entry("text", ""),
           Map.entry("limit", ""),
-          Map.entry("image", "file"),
+          Map.entry("json", "text limit"),
+          Map.entry("image", "file limit"),
           Map.entry("path", "math image"),
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
@@ -70,11 +72,11 @@ class LayersTest {
               "math image sampling texture geometry path material camera light scene guiding"),
           Map.entry("render", "limit math image sampling path camera scene guiding integrator"),
           Map.entry(
-              "model", "math image texture geometry file text limit material light scene"),
+              "model", "math image texture geometry file text limit json material light scene"),
           Map.entry(
               "parser",
-              "math image sampling texture geometry file text limit material camera light scene"
-                  + " model"),
+              "math image sampling texture geometry file text limit json material camera light"
+                  + " scene model"),
           Map.entry("checkpoint", "file image scene render"),
           Map.entry("denoise", "math image sampling scene render"),
           Map.entry("stopping", "math scene render"),
@@ -121,7 +123,7 @@ class LayersTest {
       Map.ofEntries(
           Map.entry("geometry", List.of("jdk.incubator.vector..")),
           Map.entry("image", List.of("com.google.gson..")),
-          Map.entry("model", List.of("com.google.gson..")),
+          Map.entry("json", List.of("com.google.gson..")),
           Map.entry("parser", List.of("com.google.gson..")),
           Map.entry("lab", List.of("com.sun.management..")),
           Map.entry("lab.perf", List.of("com.google.gson..")),

@@ -9,10 +9,9 @@ import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.image.internal.PngFile;
 import io.github.lumbre.image.internal.PngTransparency;
-import java.io.ByteArrayInputStream;
+import io.github.lumbre.limit.Interrupts;
 import java.io.EOFException;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -145,7 +144,8 @@ public final class ImageReader {
     javax.imageio.ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
     List<String> complaints = new ArrayList<>();
     reader.addIIOReadWarningListener((source, warning) -> complaints.add(warning));
-    try (ImageInputStream in = new MemoryCacheImageInputStream(interruptible(content))) {
+    try (ImageInputStream in =
+        new MemoryCacheImageInputStream(Interrupts.over(content, 0, content.length))) {
       reader.setInput(in, true, true);
       Pixels pixels = decoding.from(reader);
       for (String complaint : complaints) {
@@ -162,21 +162,6 @@ public final class ImageReader {
     } finally {
       reader.dispose();
     }
-  }
-
-  /**
-   * Returns a stream that throws a CancellationException once the reading thread is interrupted.
-   */
-  private static InputStream interruptible(byte[] content) {
-    return new ByteArrayInputStream(content) {
-      @Override
-      public synchronized int read(byte[] target, int offset, int length) {
-        if (Thread.currentThread().isInterrupted()) {
-          throw new CancellationException("decoding was interrupted");
-        }
-        return super.read(target, offset, length);
-      }
-    };
   }
 
   /**

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import java.io.IOException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;

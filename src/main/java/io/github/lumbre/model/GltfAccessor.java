@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -60,7 +61,7 @@ final class GltfAccessor {
    */
   static GltfAccessor of(GltfJson json, GltfDocument document, GltfBuffers buffers)
       throws ModelFormatException, IOException {
-    GltfInterrupts.check();
+    Interrupts.check();
     return new GltfAccessor(json, document, buffers);
   }
 

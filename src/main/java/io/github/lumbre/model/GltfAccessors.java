@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -64,7 +65,7 @@ final class GltfAccessors {
   }
 
   private double[] allocate(GltfAccessor accessor) throws ModelFormatException {
-    GltfInterrupts.check();
+    Interrupts.check();
     long length = (long) accessor.count() * accessor.components();
     document.budget().allocate(accessor.location(), Double.BYTES * length);
     // MAX_COUNT elements of a 4×4 matrix would not fit into an array.

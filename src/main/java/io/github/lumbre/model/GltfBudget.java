@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException.Kind;
 
@@ -23,11 +24,6 @@ final class GltfBudget {
   /** Heap bytes of a node and its transforms. */
   private static final long BYTES_PER_NODE = 500;
 
-  private static final long MAX_TOKENS = 100_000_000;
-
-  /** Heap bytes per token of JSON, plus headroom for the garbage collector. */
-  private static final long BYTES_PER_TOKEN = 160;
-
   private final long maxBytes;
   private final Limits limits;
   private long triangles;
@@ -35,7 +31,6 @@ final class GltfBudget {
   private long vertices;
   private long indices;
   private long parts;
-  private long tokens;
 
   /**
    * @param maxBytes of arrays and objects that are made of the file
@@ -61,10 +56,9 @@ final class GltfBudget {
     ModelLimits.requireTriangles(location, triangles, limits);
   }
 
-  /** Adds a token of JSON, and the bytes that it needs. */
-  void addToken() throws ModelFormatException {
-    require("", "JSON tokens", MAX_TOKENS, ++tokens);
-    allocate("", BYTES_PER_TOKEN);
+  /** Returns the number of tokens of JSON that may be read. */
+  long tokens() {
+    return JsonTree.maxTokens(maxBytes - bytes);
   }
 
   /** Adds nodes, and the bytes that they need. */

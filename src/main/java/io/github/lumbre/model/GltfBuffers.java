@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -98,7 +99,7 @@ final class GltfBuffers {
 
   /** Returns the data that the member {@code uri} of an object names or contains. */
   byte[] load(GltfJson json) throws ModelFormatException, IOException {
-    GltfInterrupts.check();
+    Interrupts.check();
     String uri = json.text("uri", "");
     String location = json.location("uri");
     if (GltfUri.isData(uri)) {

@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;

@@ -1,62 +1,64 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.json.JsonException;
+import io.github.lumbre.json.JsonTree;
+import io.github.lumbre.json.JsonValue;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Predicate;
 
-/** A value in the JSON of a glTF file, and its place in the file. Immutable. */
-final class GltfJson {
-  /** The value of a JSON null. */
-  static final Object NULL = new Object();
-
-  private final GltfJson parent;
-  private final String key;
-  private final int index;
-  private final Object value;
-
-  private GltfJson(GltfJson parent, String key, int index, Object value) {
-    this.parent = parent == null ? this : parent;
-    this.key = key;
-    this.index = index;
-    this.value = value;
-  }
+/**
+ * A value in the JSON of a glTF file. Its queries throw an exception that names its place in the
+ * file if a value is not as glTF has it.
+ */
+record GltfJson(JsonValue value) {
+  /** The largest nesting depth of arrays and objects; glTF itself needs about ten. */
+  private static final int MAX_LEVELS = 256;
 
   /**
-   * Returns the outermost object.
+   * Returns the outermost object of a text.
    *
-   * @throws ModelFormatException if the value is not a map
+   * @param text in UTF-8, in an array-backed buffer
+   * @throws ModelFormatException if the text is not JSON, not an object, or beyond the limits
    */
-  static GltfJson root(Object value) throws ModelFormatException {
-    if (!(value instanceof Map)) {
+  static GltfJson read(ByteBuffer text, GltfBudget budget) throws ModelFormatException {
+    JsonTree.Result read;
+    try {
+      read = JsonTree.read(text, MAX_LEVELS, budget.tokens());
+    } catch (JsonException e) {
       throw new ModelFormatException(
-          Kind.MALFORMED, "", "expected a JSON object, found " + found(value));
+          e.isTooLarge() ? Kind.TOO_LARGE : Kind.MALFORMED, shown(e.path()), e.getMessage());
     }
-    return new GltfJson(null, "", -1, value);
+    budget.allocate("", JsonTree.BYTES_PER_TOKEN * read.tokens());
+    if (!read.flaws().isEmpty()) {
+      JsonTree.Flaw first = read.flaws().get(0);
+      throw new GltfJson(first.value()).malformed(first.message());
+    }
+    if (!read.root().isObject()) {
+      throw new GltfJson(read.root())
+          .malformed("expected a JSON object, found " + read.root().found());
+    }
+    return new GltfJson(read.root());
   }
 
   /** Returns the place in the file, such as {@code nodes[3].mesh}; empty for the root. */
   String location() {
-    return GltfText.path(place());
+    return shown(value.path());
   }
 
   /** Returns the place of a member. */
   String location(String member) {
-    return GltfText.path(place(member));
+    return shown(value.path() + '.' + member);
   }
 
-  private String place() {
-    if (parent == this) {
-      return "";
-    }
-    return index >= 0 ? parent.place() + '[' + index + ']' : parent.place(key);
-  }
-
-  private String place(String member) {
-    String place = place();
-    return place.isEmpty() ? member : place + '.' + member;
+  private static String shown(String path) {
+    return PrintableText.path(path.replaceFirst("^[$][.]?", ""));
   }
 
   /** Returns whether this object has a member. */
@@ -69,18 +71,27 @@ final class GltfJson {
     return new ArrayList<>(members().keySet());
   }
 
-  @SuppressWarnings("unchecked") // GltfJsonReader makes these maps.
-  private Map<String, Object> members() {
-    return (Map<String, Object>) value;
+  private Map<String, JsonValue> members() {
+    return value.members();
+  }
+
+  private Optional<JsonValue> find(String member) {
+    return Optional.ofNullable(members().get(member));
   }
 
   /** Returns a member that is an object. */
   Optional<GltfJson> object(String member) throws ModelFormatException {
-    Object found = members().get(member);
-    if (found != null && !(found instanceof Map)) {
-      throw expected(member, "an object");
+    return checked(member, JsonValue::isObject, "an object").map(GltfJson::new);
+  }
+
+  /** Returns a member of a type; empty if it is missing. */
+  private Optional<JsonValue> checked(String member, Predicate<JsonValue> type, String expected)
+      throws ModelFormatException {
+    Optional<JsonValue> found = find(member);
+    if (found.isPresent() && !type.test(found.get())) {
+      throw expected(member, expected);
     }
-    return found == null ? Optional.empty() : Optional.of(new GltfJson(this, member, -1, found));
+    return found;
   }
 
   /** Returns a member that is an object, and must exist. */
@@ -96,43 +107,31 @@ final class GltfJson {
 
   /** Returns the objects in a member that is an array; empty if it is missing. */
   List<GltfJson> objects(String member) throws ModelFormatException {
-    List<?> items = items(member);
-    GltfJson array = new GltfJson(this, member, -1, items);
-    List<GltfJson> objects = new ArrayList<>(items.size());
-    for (int i = 0; i < items.size(); i++) {
-      GltfJson item = new GltfJson(array, "", i, items.get(i));
-      if (!(item.value instanceof Map)) {
-        throw new ModelFormatException(
-            Kind.MALFORMED, item.location(), "expected an object, found " + found(item.value));
-      }
-      objects.add(item);
-    }
-    return objects;
+    return items(member, JsonValue::isObject, "an object").stream().map(GltfJson::new).toList();
   }
 
   /** Returns the texts in a member that is an array; empty if it is missing. */
   List<String> texts(String member) throws ModelFormatException {
-    List<String> texts = new ArrayList<>();
-    for (Object item : items(member)) {
-      if (!(item instanceof String text)) {
-        throw malformed(item(member, texts.size()), "expected a text, found " + found(item));
-      }
-      texts.add(text);
-    }
-    return texts;
+    return items(member, JsonValue::isString, "a text").stream().map(JsonValue::text).toList();
   }
 
   /** Returns the numbers in a member that is an array; empty if it is missing. */
   double[] numbers(String member) throws ModelFormatException {
-    List<?> items = items(member);
-    double[] numbers = new double[items.size()];
-    for (int i = 0; i < numbers.length; i++) {
-      if (!(items.get(i) instanceof Double number)) {
-        throw malformed(item(member, i), "expected a number, found " + found(items.get(i)));
+    return items(member, JsonValue::isNumber, "a number").stream()
+        .mapToDouble(JsonValue::number)
+        .toArray();
+  }
+
+  private List<JsonValue> items(String member, Predicate<JsonValue> type, String expected)
+      throws ModelFormatException {
+    Optional<JsonValue> array = checked(member, JsonValue::isArray, "an array");
+    List<JsonValue> items = array.map(JsonValue::elements).orElse(List.of());
+    for (JsonValue item : items) {
+      if (!type.test(item)) {
+        throw new GltfJson(item).malformed("expected " + expected + ", found " + item.found());
       }
-      numbers[i] = number;
     }
-    return numbers;
+    return items;
   }
 
   /** Returns a member that is an array of as many numbers as there are in its default. */
@@ -149,33 +148,20 @@ final class GltfJson {
 
   /** Returns the indices in a member that is an array; empty if it is missing. */
   int[] indices(String member, int size) throws ModelFormatException {
-    List<?> items = items(member);
+    List<JsonValue> items = items(member, item -> true, "");
     int[] indices = new int[items.size()];
     for (int i = 0; i < indices.length; i++) {
-      indices[i] = index(item(member, i), items.get(i), size);
+      indices[i] = new GltfJson(items.get(i)).index(size);
     }
     return indices;
   }
 
-  private List<?> items(String member) throws ModelFormatException {
-    Object found = members().get(member);
-    if (found == null) {
-      return List.of();
-    }
-    if (!(found instanceof List<?> items)) {
-      throw expected(member, "an array");
-    }
-    return items;
-  }
-
-  private static String item(String member, int i) {
-    return member + '[' + i + ']';
-  }
-
   /** Returns a member that is an index into a list; empty if it is missing. */
   OptionalInt index(String member, int size) throws ModelFormatException {
-    Object found = members().get(member);
-    return found == null ? OptionalInt.empty() : OptionalInt.of(index(member, found, size));
+    Optional<JsonValue> found = find(member);
+    return found.isEmpty()
+        ? OptionalInt.empty()
+        : OptionalInt.of(new GltfJson(found.get()).index(size));
   }
 
   /** Returns a member that is an index into a list, and must exist. */
@@ -187,17 +173,17 @@ final class GltfJson {
     return index.getAsInt();
   }
 
-  private int index(String place, Object found, int size) throws ModelFormatException {
+  private int index(int size) throws ModelFormatException {
     if (size == 0) {
-      throw malformed(place, "expected no index into an empty list, found " + found(found));
+      throw malformed("expected no index into an empty list, found " + value.found());
     }
-    return (int) whole(place, found, 0, size - 1L);
+    return (int) whole(0, size - 1L);
   }
 
   /** Returns a member that is a whole number. */
   long whole(String member, long fallback, long min, long max) throws ModelFormatException {
-    Object found = members().get(member);
-    return found == null ? fallback : whole(member, found, min, max);
+    Optional<JsonValue> found = find(member);
+    return found.isEmpty() ? fallback : new GltfJson(found.get()).whole(min, max);
   }
 
   /** Returns a member that is a whole number, and must exist. */
@@ -208,30 +194,23 @@ final class GltfJson {
     return whole(member, 0, min, max);
   }
 
-  private long whole(String place, Object found, long min, long max) throws ModelFormatException {
-    if (!(found instanceof Double number)) {
-      throw malformed(place, "expected a whole number, found " + found(found));
+  private long whole(long min, long max) throws ModelFormatException {
+    if (!value.isNumber()) {
+      throw malformed("expected a whole number, found " + value.found());
     }
+    double number = value.number();
     if (number != Math.rint(number) || number < min || number > max) {
       throw malformed(
-          place,
           (max == Long.MAX_VALUE ? "expected at least " + min : "expected " + min + " to " + max)
               + ", found "
-              + found(found));
+              + value.found());
     }
-    return number.longValue();
+    return (long) number;
   }
 
   /** Returns a member that is a finite number. */
   double number(String member, double fallback) throws ModelFormatException {
-    Object found = members().get(member);
-    if (found == null) {
-      return fallback;
-    }
-    if (!(found instanceof Double number)) {
-      throw expected(member, "a number");
-    }
-    return number;
+    return checked(member, JsonValue::isNumber, "a number").map(JsonValue::number).orElse(fallback);
   }
 
   /** Returns a member that is a number above 0, and must exist. */
@@ -245,14 +224,7 @@ final class GltfJson {
 
   /** Returns a member that is a text. */
   String text(String member, String fallback) throws ModelFormatException {
-    Object found = members().get(member);
-    if (found == null) {
-      return fallback;
-    }
-    if (!(found instanceof String text)) {
-      throw expected(member, "a text");
-    }
-    return text;
+    return checked(member, JsonValue::isString, "a text").map(JsonValue::text).orElse(fallback);
   }
 
   /** Returns a member that is one of some texts. */
@@ -266,21 +238,15 @@ final class GltfJson {
 
   /** Returns a member that is true or false. */
   boolean flag(String member, boolean fallback) throws ModelFormatException {
-    Object found = members().get(member);
-    if (found == null) {
-      return fallback;
-    }
-    if (!(found instanceof Boolean flag)) {
-      throw expected(member, "true or false");
-    }
-    return flag;
+    return checked(member, JsonValue::isFlag, "true or false")
+        .map(JsonValue::flag)
+        .orElse(fallback);
   }
 
   /** Returns an error about a member that does not have the expected value. */
   ModelFormatException expected(String member, String what) {
-    Object found = members().get(member);
-    return malformed(
-        member, "expected " + what + ", found " + (found == null ? "nothing" : found(found)));
+    String found = find(member).map(JsonValue::found).orElse("nothing");
+    return malformed(member, "expected " + what + ", found " + found);
   }
 
   /** Returns an error about a member. */
@@ -288,15 +254,7 @@ final class GltfJson {
     return new ModelFormatException(Kind.MALFORMED, location(member), message);
   }
 
-  private static String found(Object value) {
-    if (value instanceof Double number) {
-      return GltfText.number(number);
-    }
-    if (value instanceof String text) {
-      return PrintableText.quoted(text);
-    }
-    return value instanceof Map
-        ? "an object"
-        : value instanceof List ? "an array" : value == NULL ? "null" : value.toString();
+  private ModelFormatException malformed(String message) {
+    return new ModelFormatException(Kind.MALFORMED, location(), message);
   }
 }

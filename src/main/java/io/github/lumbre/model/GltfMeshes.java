@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.io.IOException;
@@ -84,7 +85,7 @@ final class GltfMeshes {
 
   private Optional<ModelGeometry> rest(GltfJson primitive)
       throws ModelFormatException, IOException {
-    GltfInterrupts.check();
+    Interrupts.check();
     int mode = (int) primitive.whole("mode", GltfTriangles.LIST, 0, MAX_MODE);
     GltfJson json = primitive.requireObject("attributes");
     if (mode < GltfTriangles.LIST || !json.has("POSITION")) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import java.io.IOException;
 import java.util.BitSet;
 import java.util.List;
@@ -53,7 +54,7 @@ final class GltfMorph {
     if (sum.length == 0 || !target.has(name)) {
       return;
     }
-    GltfInterrupts.check();
+    Interrupts.check();
     GltfAccessor accessor = attributes.of(target, name, delta.length / 3).requireComponents(3);
     accessor.read(delta);
     if (!name.equals("POSITION") && GltfAccessors.indexOfInfinite(delta) >= 0) {

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -76,7 +77,7 @@ final class GltfReader {
     GltfContainer container = GltfContainer.of(content);
     // The text of the JSON is also kept as strings.
     budget.allocate("", (long) content.length + container.json().remaining());
-    GltfJson root = GltfJsonReader.read(container.json(), budget);
+    GltfJson root = GltfJson.read(container.json(), budget);
     GltfDocument document = new GltfDocument(root, budget);
     container.warnings().forEach(warning -> document.warnings().add("", warning));
     GltfExtensions.check(document);
@@ -89,7 +90,7 @@ final class GltfReader {
     nodes.place(pose);
     for (int index : nodes.visible()) {
       GltfNode node = nodes.get(index);
-      GltfInterrupts.check();
+      Interrupts.check();
       if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
         add(index, node, nodes.toWorld(index));
       }

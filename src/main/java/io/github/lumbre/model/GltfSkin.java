@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.io.IOException;
 import java.util.Arrays;
@@ -68,7 +69,7 @@ final class GltfSkin {
     double[] sum = new double[12];
     for (int i = 0; i < vertices; i++) {
       if (i % VERTICES_PER_CHECK == 0) {
-        GltfInterrupts.check();
+        Interrupts.check();
       }
       blend(sets, i, sum, json);
       movePoint(positions, 3 * i, sum);

@@ -1,25 +1,15 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.text.PrintableText;
 import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
 
 /** Writes texts and numbers of a glTF file into messages. */
 final class GltfText {
-  private static final int MAX_PATH = 200;
   private static final int MAX_CHOICES = 20;
 
   private GltfText() {}
-
-  /** Returns a path that is safe to print: escaped, and shortened in the middle. */
-  static String path(String path) {
-    String shown = PrintableText.escaped(path);
-    if (shown.length() <= MAX_PATH) {
-      return shown;
-    }
-    int end = MAX_PATH / 2;
-    return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
-  }
 
   /** Returns a number without a fraction if it is whole. */
   static String number(double value) {

@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelTexture.Wrap;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.List;

@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;

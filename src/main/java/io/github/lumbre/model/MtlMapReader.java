@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.model.ModelTexture.Wrap;
+import io.github.lumbre.text.PrintableText;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;

@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.text.PrintableText;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

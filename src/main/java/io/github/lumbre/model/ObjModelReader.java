@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;

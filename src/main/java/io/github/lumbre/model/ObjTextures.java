@@ -5,6 +5,7 @@ import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 

@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.text.PrintableText;
+
 /** Reads the numbers of a PLY text: each item has its line. Mutable. */
 final class PlyTextBody implements PlyBody {
   private final byte[] text;

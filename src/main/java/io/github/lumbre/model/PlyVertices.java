@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.image.internal.Srgb;
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.limit.Limits;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

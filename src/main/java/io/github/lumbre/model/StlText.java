@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.text.PrintableText;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

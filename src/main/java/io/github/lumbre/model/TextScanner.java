@@ -1,6 +1,8 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 

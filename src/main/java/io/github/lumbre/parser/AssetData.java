@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;
@@ -228,7 +229,8 @@ final class AssetData {
 
     static Unusable unreadable(String name, String reason) {
       return new Unusable(
-          Kind.ASSET, "expected a readable file, found " + Problems.quoted(name) + ": " + reason);
+          Kind.ASSET,
+          "expected a readable file, found " + PrintableText.quoted(name) + ": " + reason);
     }
   }
 
@@ -275,7 +277,7 @@ final class AssetData {
     if (!Files.readAttributes(path, BasicFileAttributes.class).isRegularFile()) {
       String found = Files.isDirectory(path) ? "a folder" : "no regular file";
       throw new Unusable(
-          Kind.ASSET, "expected a file, found " + found + " at " + Problems.quoted(name));
+          Kind.ASSET, "expected a file, found " + found + " at " + PrintableText.quoted(name));
     }
     if (Files.size(path) > MAX_BYTES) {
       throw new Unusable(
@@ -303,19 +305,21 @@ final class AssetData {
     if (path.isEmpty() || !path.get().startsWith(folder)) {
       throw new Unusable(
           Kind.INVALID,
-          "expected a relative path inside the scene's folder, found " + Problems.quoted(name));
+          "expected a relative path inside the scene's folder, found "
+              + PrintableText.quoted(name));
     }
     Path real;
     try {
       real = path.get().toRealPath();
     } catch (NoSuchFileException e) {
-      throw new Unusable(Kind.ASSET, "expected a file, found none at " + Problems.quoted(name));
+      throw new Unusable(
+          Kind.ASSET, "expected a file, found none at " + PrintableText.quoted(name));
     }
     if (!real.startsWith(folder)) {
       throw new Unusable(
           Kind.INVALID,
           "expected a file inside the scene's folder, found the link "
-              + Problems.quoted(name)
+              + PrintableText.quoted(name)
               + ", which points outside it; copy the file into the folder");
     }
     return real;

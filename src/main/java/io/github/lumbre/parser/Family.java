@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.text.PrintableText;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
@@ -62,7 +63,8 @@ final class Family<F> {
       return Optional.empty();
     }
     if (!readers.containsKey(name.get())) {
-      node.error(typeKey, "expected one of " + names() + ", found " + Problems.quoted(name.get()));
+      node.error(
+          typeKey, "expected one of " + names() + ", found " + PrintableText.quoted(name.get()));
     }
     return Optional.ofNullable(readers.get(name.get()));
   }

@@ -1,14 +1,17 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.json.JsonException;
+import io.github.lumbre.json.JsonTree;
+import io.github.lumbre.json.JsonValue;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.text.Spelling;
 import java.math.BigDecimal;
-import java.util.ArrayDeque;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
-import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,137 +20,75 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /**
- * A value of a JSON text that knows its path. Immutable once {@link JsonTree} has read the text.
+ * A value of a scene file.
  *
  * <p>The queries check the type and range of a key's value. If a value is wrong, they add an error
  * to the {@link Problems} and return the default, so that one run finds many errors. A key whose
  * value is {@code null} counts as missing.
+ *
+ * @param problems the collection that this node's methods add to
  */
-final class JsonNode {
+record JsonNode(JsonValue value, Problems problems) {
+  /** The largest nesting depth of arrays and objects. */
+  static final int MAX_LEVELS = 4096;
+
   /** All integers of this many characters fit into 64 bits. */
   private static final int SAFE_DIGITS = 18;
 
   private static final Set<String> VECTOR_KEYS = Set.of("x", "y", "z");
   private static final Set<String> COLOR_KEYS = Set.of("r", "g", "b", "a");
 
-  /** A JSON number: its text and its nearest double. */
-  private record Literal(String text, double value) {}
-
-  private enum Null {
-    INSTANCE
-  }
-
-  private final Problems problems;
-  private final JsonNode parent;
-  private final String key;
-  private final int index;
-  private final int position;
-  private final Object value;
-
-  /** The place of a value: its key or its index in its parent. */
-  record Place(Problems problems, JsonNode parent, String key, int index, int position) {
-    /** Returns the place of the value that has no parent. */
-    static Place outermost(Problems problems) {
-      return new Place(problems, null, "", 0, 0);
-    }
-  }
-
-  private JsonNode(Place place, Object value) {
-    this.problems = place.problems;
-    this.parent = place.parent;
-    this.key = place.key;
-    this.index = place.index;
-    this.position = place.position;
-    this.value = value;
-  }
-
-  static JsonNode object(Place place) {
-    return new JsonNode(place, new LinkedHashMap<String, JsonNode>());
-  }
-
-  static JsonNode array(Place place) {
-    return new JsonNode(place, new ArrayList<JsonNode>());
-  }
-
-  static JsonNode string(Place place, String text) {
-    return new JsonNode(place, text);
-  }
-
-  static JsonNode number(Place place, String text) {
-    return new JsonNode(place, new Literal(text, Double.parseDouble(text)));
-  }
-
-  static JsonNode flag(Place place, boolean flag) {
-    return new JsonNode(place, flag);
-  }
-
-  static JsonNode nothing(Place place) {
-    return new JsonNode(place, Null.INSTANCE);
-  }
-
-  /** Returns the number of keys in the text up to this value. */
-  int position() {
-    return position;
-  }
-
-  /** Returns the place of this object's value of a key, or of this array's next element. */
-  Place placeFor(String childKey, int childPosition) {
-    return new Place(problems, this, childKey, isArray() ? elements().size() : 0, childPosition);
-  }
-
   /**
-   * Adds a child to an object or array under construction. Returns the earlier value of the same
-   * key; empty if there is none.
+   * Returns the outermost value of a text. Repeated keys and numbers that overflow are added to the
+   * problems.
+   *
+   * @param limits whose memory the values fit into
+   * @throws SceneFormatException if the text is not JSON, nested too deeply, or too large
    */
-  Optional<JsonNode> add(JsonNode child) {
-    if (isArray()) {
-      elements().add(child);
-      return Optional.empty();
+  static JsonNode read(byte[] text, Problems problems, Limits limits) throws SceneFormatException {
+    return read(text, problems, JsonTree.maxTokens(limits.heap()));
+  }
+
+  static JsonNode read(byte[] text, Problems problems, long maxTokens) throws SceneFormatException {
+    try {
+      JsonTree.Result read = JsonTree.read(ByteBuffer.wrap(text), MAX_LEVELS, maxTokens);
+      for (JsonTree.Flaw flaw : read.flaws()) {
+        new JsonNode(flaw.value(), problems).error(flaw.message());
+      }
+      return new JsonNode(read.root(), problems);
+    } catch (JsonException e) {
+      problems.error(e.isTooLarge() ? Kind.LIMIT : Kind.INVALID, e::path, e.getMessage());
+      throw problems.exception();
     }
-    return Optional.ofNullable(members().putIfAbsent(child.key, child));
   }
 
   boolean isObject() {
-    return value instanceof Map;
+    return value.isObject();
   }
 
   boolean isArray() {
-    return value instanceof List;
+    return value.isArray();
   }
 
   boolean isNumber() {
-    return value instanceof Literal;
+    return value.isNumber();
   }
 
-  boolean isInfinite() {
-    return value instanceof Literal literal && !Double.isFinite(literal.value);
+  private Map<String, JsonValue> members() {
+    return value.members();
   }
 
-  @SuppressWarnings("unchecked")
-  private Map<String, JsonNode> members() {
-    return (Map<String, JsonNode>) value;
-  }
-
-  @SuppressWarnings("unchecked")
   private List<JsonNode> elements() {
-    return (List<JsonNode>) value;
+    return value.elements().stream().map(this::at).toList();
+  }
+
+  private JsonNode at(JsonValue child) {
+    return new JsonNode(child, problems);
   }
 
   /** Returns the path, such as {@code $.objects[3].radius}. */
   String path() {
-    Deque<JsonNode> way = new ArrayDeque<>();
-    for (JsonNode node = this; node.parent != null; node = node.parent) {
-      way.push(node);
-    }
-    StringBuilder path = new StringBuilder("$");
-    for (JsonNode node : way) {
-      if (node.parent.isArray()) {
-        path.append('[').append(node.index).append(']');
-      } else {
-        path.append('.').append(Problems.shortened(node.key));
-      }
-    }
-    return path.toString();
+    return value.path();
   }
 
   private String path(String childKey) {
@@ -165,20 +106,20 @@ final class JsonNode {
   }
 
   void error(String message) {
-    problems.error(SceneFormatException.Kind.INVALID, this::path, message);
+    problems.error(Kind.INVALID, this::path, message);
   }
 
-  void error(SceneFormatException.Kind kind, String message) {
+  void error(Kind kind, String message) {
     problems.error(kind, this::path, message);
   }
 
   /** Adds an error at the value of a key, or where it is missing. */
   void error(String childKey, String message) {
-    error(SceneFormatException.Kind.INVALID, childKey, message);
+    error(Kind.INVALID, childKey, message);
   }
 
   /** Adds an error of the given kind at the value of a key, or where it is missing. */
-  void error(SceneFormatException.Kind kind, String childKey, String message) {
+  void error(Kind kind, String childKey, String message) {
     problems.error(kind, () -> path(childKey), message);
   }
 
@@ -197,16 +138,7 @@ final class JsonNode {
 
   /** Returns the value as text for an error message. */
   String found() {
-    if (value instanceof String text) {
-      return Problems.quoted(text);
-    }
-    if (value instanceof Literal literal) {
-      return Problems.shortened(literal.text);
-    }
-    if (value == Null.INSTANCE) {
-      return "null";
-    }
-    return isObject() ? "an object" : isArray() ? "an array" : value.toString();
+    return value.found();
   }
 
   private void unexpected(String expected) {
@@ -224,7 +156,7 @@ final class JsonNode {
 
   /** Returns the value of a key, or empty if it is missing or {@code null}. */
   Optional<JsonNode> find(String childKey) {
-    return Optional.ofNullable(members().get(childKey)).filter(n -> n.value != Null.INSTANCE);
+    return Optional.ofNullable(members().get(childKey)).filter(v -> !v.isNull()).map(this::at);
   }
 
   boolean has(String childKey) {
@@ -253,19 +185,19 @@ final class JsonNode {
   }
 
   private double number(double instead, Range range) {
-    if (!(value instanceof Literal literal)) {
+    if (!isNumber()) {
       unexpected(range.ifLow());
       return instead;
     }
     // Overflow was already reported when the text was read.
-    if (isInfinite()) {
+    if (value.isInfinite()) {
       return instead;
     }
-    if (!range.contains(literal.value)) {
-      unexpected(range.expectedFor(literal.value));
+    if (!range.contains(value.number())) {
+      unexpected(range.expectedFor(value.number()));
       return instead;
     }
-    return literal.value;
+    return value.number();
   }
 
   int integer(String childKey, int missing, int low, int high) {
@@ -277,7 +209,7 @@ final class JsonNode {
   }
 
   private long integer(long instead, long low, long high) {
-    if (isInfinite()) {
+    if (value.isInfinite()) {
       return instead;
     }
     Optional<Long> found = exactLong().filter(n -> n >= low && n <= high);
@@ -290,8 +222,8 @@ final class JsonNode {
 
   /** Returns the expected range as text; the full range only for an integer outside it. */
   private String expectedInteger(long low, long high) {
-    boolean isWhole = value instanceof Literal l && l.value == Math.rint(l.value);
-    boolean isTooLarge = value instanceof Literal l && l.value > high;
+    boolean isWhole = isNumber() && value.number() == Math.rint(value.number());
+    boolean isTooLarge = isNumber() && value.number() > high;
     if (!isWhole && low <= Integer.MIN_VALUE && high >= Integer.MAX_VALUE) {
       return "an integer";
     }
@@ -303,11 +235,11 @@ final class JsonNode {
 
   /** Returns the value as a 64-bit integer; empty if it is not one. */
   private Optional<Long> exactLong() {
-    if (!(value instanceof Literal literal) || isInfinite()) {
+    if (!isNumber() || value.isInfinite()) {
       return Optional.empty();
     }
     try {
-      String text = literal.text;
+      String text = value.text();
       // The first decimal makes Java compute tables, which takes 20 ms.
       return Optional.of(
           isShortInteger(text) ? Long.parseLong(text) : new BigDecimal(text).longValueExact());
@@ -347,8 +279,8 @@ final class JsonNode {
   }
 
   private boolean flag(boolean instead) {
-    if (value instanceof Boolean flag) {
-      return flag;
+    if (value.isFlag()) {
+      return value.flag();
     }
     unexpected("true or false");
     return instead;
@@ -360,20 +292,19 @@ final class JsonNode {
 
   /** Returns the value if it is a string; otherwise empty, without adding an error. */
   Optional<String> text() {
-    return value instanceof String text ? Optional.of(text) : Optional.empty();
+    return value.isString() ? Optional.of(value.text()) : Optional.empty();
   }
 
   private Optional<String> asString() {
-    if (value instanceof String text) {
-      return Optional.of(text);
+    if (!value.isString()) {
+      unexpected("a string");
     }
-    unexpected("a string");
-    return Optional.empty();
+    return text();
   }
 
   /** Returns whether the value is a string equal to {@code text}. */
   boolean isText(String text) {
-    return text.equals(value);
+    return text().equals(Optional.of(text));
   }
 
   /** Returns the choice that a key names, or the default if the key is missing or wrong. */
@@ -387,8 +318,8 @@ final class JsonNode {
   }
 
   private <T> Optional<T> choice(Map<String, T> choices) {
-    if (value instanceof String text && choices.containsKey(text)) {
-      return Optional.of(choices.get(text));
+    if (value.isString() && choices.containsKey(value.text())) {
+      return Optional.of(choices.get(value.text()));
     }
     unexpected("one of " + String.join(", ", choices.keySet()));
     return Optional.empty();
@@ -440,7 +371,7 @@ final class JsonNode {
     List<String> members = new ArrayList<>();
     for (String each : keys) {
       int i = members.size();
-      boolean isNumber = i < given.size() && given.get(i).value instanceof Literal;
+      boolean isNumber = i < given.size() && given.get(i).isNumber();
       members.add('"' + each + "\": " + (isNumber ? given.get(i).found() : "1"));
     }
     child.get().unexpected("an object such as {" + String.join(", ", members) + "}");
@@ -468,11 +399,6 @@ final class JsonNode {
         number("b", 1, Range.NOT_NEGATIVE));
   }
 
-  /** Returns the collection of problems that this node's methods add to. */
-  Problems problems() {
-    return problems;
-  }
-
   /** Returns the keys of an object, in the order of the file. */
   List<String> keys() {
     return List.copyOf(members().keySet());
@@ -480,9 +406,9 @@ final class JsonNode {
 
   /** Warns of every key that is not in {@code known}, and suggests a similar one. */
   void warnUnknown(Set<String> known) {
-    for (JsonNode member : members().values()) {
-      if (!known.contains(member.key)) {
-        problems.warn(member::path, () -> "unknown key" + Spelling.suggestion(member.key, known));
+    for (JsonValue member : members().values()) {
+      if (!known.contains(member.key())) {
+        problems.warn(member::path, () -> "unknown key" + Spelling.suggestion(member.key(), known));
       }
     }
   }

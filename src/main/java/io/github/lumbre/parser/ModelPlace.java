@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 
 /** Where a model stands: its problems are reported there, and its parts have their places there. */
 interface ModelPlace {
@@ -27,7 +28,8 @@ interface ModelPlace {
   }
 
   private static Origin shown(String path, String name) {
-    return new Origin(Problems.shownPath(Problems.escaped(path)), Problems.shortened(name));
+    return new Origin(
+        PrintableText.path(PrintableText.escaped(path)), PrintableText.shortened(name));
   }
 
   /** A model that is rendered by itself: all places are in its own file. */
@@ -49,7 +51,8 @@ interface ModelPlace {
 
     @Override
     public void error(ModelFormatException e) {
-      problems.error(kind(e), () -> Problems.escaped(e.location()), Problems.escaped(e.detail()));
+      problems.error(
+          kind(e), () -> PrintableText.escaped(e.location()), PrintableText.escaped(e.detail()));
     }
   }
 
@@ -77,7 +80,7 @@ interface ModelPlace {
 
     @Override
     public void error(ModelFormatException e) {
-      String message = Problems.escaped(e.getMessage());
+      String message = PrintableText.escaped(e.getMessage());
       object.error(kind(e), AssetData.FILE_KEY, file + ": " + message);
     }
   }

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.text.PrintableText;
 import java.util.Objects;
 
 /**
@@ -19,8 +20,9 @@ public record Origin(String path, String name) {
   }
 
   static Origin of(JsonNode node) {
-    String name = node.find("name").flatMap(JsonNode::text).map(Problems::shortened).orElse("");
-    return new Origin(Problems.shownPath(node.path()), name);
+    String name =
+        node.find("name").flatMap(JsonNode::text).map(PrintableText::shortened).orElse("");
+    return new Origin(PrintableText.path(node.path()), name);
   }
 
   /** Returns the path, followed by the quoted name if there is one. */

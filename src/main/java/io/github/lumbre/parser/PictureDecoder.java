@@ -7,6 +7,7 @@ import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.util.Optional;
 
@@ -28,7 +29,7 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
           : Optional.of(new Picture.Decoded(decoded(content), filter));
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, Problems.escaped(e.getMessage()));
+      content.error(tooLarge ? Kind.LIMIT : Kind.ASSET, PrintableText.escaped(e.getMessage()));
       return Optional.empty();
     }
   }
@@ -87,7 +88,7 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
             space ->
                 content.warn(
                     "the picture has "
-                        + Problems.shortened(space)
+                        + PrintableText.shortened(space)
                         + ", which is ignored; its colors are read as sRGB;"
                         + " convert it to sRGB"));
   }

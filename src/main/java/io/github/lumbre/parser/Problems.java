@@ -1,7 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.model.PrintableText;
+import io.github.lumbre.text.PrintableText;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,9 +12,6 @@ import java.util.function.Supplier;
 final class Problems {
   static final int MAX_ERRORS = 20;
   static final int MAX_WARNINGS = 1000;
-
-  /** Longer paths, in characters, are shortened in the middle. */
-  private static final int MAX_PATH = 200;
 
   private final String file;
   private final boolean isModel;
@@ -36,7 +33,7 @@ final class Problems {
    *     path in the scene around it, which no file contains
    */
   Problems(String file, boolean isModel) {
-    this.file = escaped(file);
+    this.file = PrintableText.escaped(file);
     this.isModel = isModel;
   }
 
@@ -60,7 +57,7 @@ final class Problems {
   }
 
   private String place(String path) {
-    return shownPath(isModel && path.startsWith("$") ? "" : path);
+    return PrintableText.path(isModel && path.startsWith("$") ? "" : path);
   }
 
   boolean hasErrors() {
@@ -92,33 +89,10 @@ final class Problems {
     }
   }
 
-  /** Returns a path that is safe to print: escaped, and shortened in the middle. */
-  static String shownPath(String path) {
-    String shown = escaped(path);
-    if (shown.length() <= MAX_PATH) {
-      return shown;
-    }
-    int end = MAX_PATH / 2;
-    return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
-  }
-
   /** Returns where a file was sought, if its path says more than its name. */
   static String at(Path file) {
-    return file.getNameCount() == 1 && !file.isAbsolute() ? "" : " at " + quoted(file.toString());
-  }
-
-  /** Returns a text from a scene that is safe to print: quoted, escaped and shortened. */
-  static String quoted(String text) {
-    return PrintableText.quoted(text);
-  }
-
-  /** Returns a text from a scene that is safe to print: escaped and shortened. */
-  static String shortened(String text) {
-    return PrintableText.shortened(text);
-  }
-
-  /** Returns a text with invisible characters written as JSON escapes. */
-  static String escaped(String text) {
-    return PrintableText.escaped(text);
+    return file.getNameCount() == 1 && !file.isAbsolute()
+        ? ""
+        : " at " + PrintableText.quoted(file.toString());
   }
 }

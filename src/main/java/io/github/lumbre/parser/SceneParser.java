@@ -10,6 +10,7 @@ import io.github.lumbre.model.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.InputStream;
@@ -190,7 +191,7 @@ public final class SceneParser {
     Path file = here.resolve(name).normalize();
     if (!here.equals(file.getParent())) {
       throw new IllegalArgumentException(
-          "name: expected a name without folders, found " + Problems.quoted(name));
+          "name: expected a name without folders, found " + PrintableText.quoted(name));
     }
     Stage lenient = stage.reading(stage.options().lenient(true));
     return timed(
@@ -374,7 +375,7 @@ public final class SceneParser {
   public static Set<Path> files(byte[] content, Path file)
       throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
-    JsonNode root = JsonTree.read(content, problems);
+    JsonNode root = JsonNode.read(content, problems, Limits.NONE);
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
@@ -422,7 +423,7 @@ public final class SceneParser {
       throw problems.exception();
     }
     requireScene(text, file, problems);
-    JsonNode root = JsonTree.read(text, problems, limits);
+    JsonNode root = JsonNode.read(text, problems, limits);
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }

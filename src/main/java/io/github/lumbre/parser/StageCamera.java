@@ -12,6 +12,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelScene;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.text.Spelling;
 import java.util.List;
 import java.util.Optional;
@@ -52,14 +53,14 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
     List<String> names = ModelContents.cameraNames(model);
     int index = names.indexOf(stage.camera().get());
     if (index < 0) {
-      String wanted = Problems.quoted(stage.camera().get());
+      String wanted = PrintableText.quoted(stage.camera().get());
       throw new ModelFormatException(
           Kind.MALFORMED,
           "cameras",
           names.isEmpty()
               ? "expected a camera " + wanted + ", found none in the model"
               : "expected "
-                  + names.stream().limit(20).map(Problems::quoted).collect(joining(" or "))
+                  + names.stream().limit(20).map(PrintableText::quoted).collect(joining(" or "))
                   + ", found "
                   + wanted
                   + Spelling.suggestion(stage.camera().get(), names));

@@ -21,6 +21,7 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
@@ -108,7 +109,7 @@ final class StagedModel {
       problems.error(
           Kind.ASSET,
           () -> SKY,
-          "expected a file, found " + found + " at " + Problems.quoted(stage.sky().name()));
+          "expected a file, found " + found + " at " + PrintableText.quoted(stage.sky().name()));
       throw problems.exception();
     }
   }

@@ -7,6 +7,7 @@ import io.github.lumbre.geometry.Bvh;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ObjReader;
@@ -91,7 +92,7 @@ class InterruptedReadingTest {
   @Test
   void readingJsonEnds() {
     byte[] text = "[1]".getBytes(java.nio.charset.StandardCharsets.US_ASCII);
-    assertCancelled(() -> JsonTree.read(text, new Problems("a.json")));
+    assertCancelled(() -> JsonNode.read(text, new Problems("a.json"), Limits.NONE));
   }
 
   @Test

@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Vec3;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -21,7 +22,7 @@ class JsonNodeTest {
 
   private JsonNode root(String text) {
     try {
-      return JsonTree.read(text.getBytes(StandardCharsets.UTF_8), problems);
+      return JsonNode.read(text.getBytes(StandardCharsets.UTF_8), problems, Limits.NONE);
     } catch (SceneFormatException e) {
       throw new AssertionError(e);
     }

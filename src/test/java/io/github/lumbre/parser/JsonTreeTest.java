@@ -3,6 +3,8 @@ package io.github.lumbre.parser;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.github.lumbre.json.JsonTree;
+import io.github.lumbre.limit.Limits;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,7 +16,7 @@ class JsonTreeTest {
   private final Problems problems = new Problems("s.json");
 
   private JsonNode read(String text) throws SceneFormatException {
-    return JsonTree.read(text.getBytes(StandardCharsets.UTF_8), problems);
+    return JsonNode.read(text.getBytes(StandardCharsets.UTF_8), problems, Limits.NONE);
   }
 
   private SceneFormatException refusal(String text) {
@@ -135,7 +137,8 @@ class JsonTreeTest {
     byte[] bytes = "{\"a\": \"?\"}".getBytes(StandardCharsets.UTF_8);
     bytes[7] = (byte) 0xff;
     assertThat(
-            catchThrowableOfType(SceneFormatException.class, () -> JsonTree.read(bytes, problems)))
+            catchThrowableOfType(
+                SceneFormatException.class, () -> JsonNode.read(bytes, problems, Limits.NONE)))
         .hasMessage("s.json: expected UTF-8, found invalid bytes");
   }
 
@@ -156,7 +159,7 @@ class JsonTreeTest {
 
   @Test
   void manyLevelsAreFineAndTooManyAreRefusedAtOnce() throws SceneFormatException {
-    int most = JsonTree.MAX_LEVELS;
+    int most = JsonNode.MAX_LEVELS;
     read("[".repeat(most) + "]".repeat(most));
     assertThat(problems.hasErrors()).isFalse();
     SceneFormatException refusal = refusal("[".repeat(1_000_000));
@@ -169,10 +172,10 @@ class JsonTreeTest {
   @Test
   void moreTokensThanFitIntoTheHeapAreRefused() throws SceneFormatException {
     byte[] nineTokens = "{\"a\": [1, 2], \"b\": 3}".getBytes(StandardCharsets.UTF_8);
-    assertThat(JsonTree.read(nineTokens, problems, 9).isObject()).isTrue();
+    assertThat(JsonNode.read(nineTokens, problems, 9).isObject()).isTrue();
     SceneFormatException refusal =
         catchThrowableOfType(
-            SceneFormatException.class, () -> JsonTree.read(nineTokens, problems, 8));
+            SceneFormatException.class, () -> JsonNode.read(nineTokens, problems, 8));
     assertThat(refusal.kind()).isEqualTo(SceneFormatException.Kind.LIMIT);
     assertThat(refusal.problems())
         .map(Object::toString)

@@ -4,6 +4,7 @@ import static io.github.lumbre.parser.SceneFixture.json;
 import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -22,8 +23,10 @@ class ObjectTreeTest {
     Problems problems = new Problems("s.json");
     try {
       JsonNode root =
-          JsonTree.read(
-              json("{'objects': [" + text + "]}").getBytes(StandardCharsets.UTF_8), problems);
+          JsonNode.read(
+              json("{'objects': [" + text + "]}").getBytes(StandardCharsets.UTF_8),
+              problems,
+              Limits.NONE);
       return ObjectTree.of(root).objects();
     } catch (SceneFormatException e) {
       throw new AssertionError(e);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.nio.charset.StandardCharsets;
@@ -19,7 +20,7 @@ class SettingsReaderTest {
 
   private JsonNode options(String text) {
     try {
-      return JsonTree.read(text.getBytes(StandardCharsets.UTF_8), problems);
+      return JsonNode.read(text.getBytes(StandardCharsets.UTF_8), problems, Limits.NONE);
     } catch (SceneFormatException e) {
       throw new AssertionError(e);
     }

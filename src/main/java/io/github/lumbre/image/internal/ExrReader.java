@@ -6,6 +6,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.ExrHeader.Window;
+import io.github.lumbre.limit.Interrupts;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -16,7 +17,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
-import java.util.concurrent.CancellationException;
 import java.util.zip.DataFormatException;
 
 /**
@@ -215,9 +215,7 @@ public final class ExrReader {
           throw malformed("OpenEXR is damaged: a block is not of the first part");
         }
       }
-      if (Thread.currentThread().isInterrupted()) {
-        throw new CancellationException("decoding was interrupted");
-      }
+      Interrupts.check();
       if (header.tiles().isPresent()) {
         readTile(rows);
       } else {

@@ -4,8 +4,8 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.limit.Interrupts;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.CancellationException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -76,9 +76,7 @@ final class HdrReader {
     boolean fromLastLine = resolution.group(1).equals(hasColumns ? "-" : "+");
     boolean fromLastPixel = resolution.group(4).equals(hasColumns ? "+" : "-");
     for (int i = 0; i < lines; i++) {
-      if (Thread.currentThread().isInterrupted()) {
-        throw new CancellationException("decoding was interrupted");
-      }
+      Interrupts.check();
       readScan(scan, length);
       int major = fromLastLine ? lines - 1 - i : i;
       for (int k = 0; k < length; k++) {

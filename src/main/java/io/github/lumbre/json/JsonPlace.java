@@ -1,4 +1,4 @@
-package io.github.lumbre.text;
+package io.github.lumbre.json;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

@@ -1,4 +1,4 @@
-package io.github.lumbre.text;
+package io.github.lumbre.json;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;

@@ -1,8 +1,11 @@
-package io.github.lumbre.model;
+package io.github.lumbre.text;
 
 /** Makes texts from files safe to print. Stateless. */
 public final class PrintableText {
   private static final int MAX_TEXT = 60;
+
+  /** Longer paths, in characters, are shortened in the middle. */
+  private static final int MAX_PATH = 200;
 
   private PrintableText() {}
 
@@ -18,6 +21,16 @@ public final class PrintableText {
   /** Returns a text that is safe to print: escaped and shortened. */
   public static String shortened(String text) {
     return text.length() <= MAX_TEXT ? escaped(text) : escaped(text.substring(0, MAX_TEXT)) + "…";
+  }
+
+  /** Returns a path that is safe to print: escaped, and shortened in the middle. */
+  public static String path(String path) {
+    String shown = escaped(path);
+    if (shown.length() <= MAX_PATH) {
+      return shown;
+    }
+    int end = MAX_PATH / 2;
+    return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
   }
 
   /** Returns a text with invisible characters written as JSON escapes. */

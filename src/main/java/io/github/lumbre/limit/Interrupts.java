@@ -1,11 +1,11 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.limit;
 
 import java.io.ByteArrayInputStream;
 import java.io.InputStream;
 import java.util.concurrent.CancellationException;
 
-/** Stops the reading of a scene when its thread is interrupted; checks at coarse intervals. */
-final class Interrupts {
+/** Stops the reading of a file when its thread is interrupted; checks at coarse intervals. */
+public final class Interrupts {
   private Interrupts() {}
 
   /**
@@ -13,19 +13,19 @@ final class Interrupts {
    *
    * @throws CancellationException if the thread is interrupted
    */
-  static void check() {
+  public static void check() {
     if (Thread.currentThread().isInterrupted()) {
-      throw new CancellationException("reading the scene was interrupted");
+      throw new CancellationException("reading was interrupted");
     }
   }
 
   /** Returns a stream over bytes that calls {@link #check} before it reads a block. */
-  static InputStream over(byte[] bytes) {
-    return new ByteArrayInputStream(bytes) {
+  public static InputStream over(byte[] bytes, int offset, int length) {
+    return new ByteArrayInputStream(bytes, offset, length) {
       @Override
-      public synchronized int read(byte[] target, int offset, int length) {
+      public synchronized int read(byte[] target, int to, int count) {
         check();
-        return super.read(target, offset, length);
+        return super.read(target, to, count);
       }
     };
   }

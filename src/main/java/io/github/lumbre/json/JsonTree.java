@@ -1,12 +1,10 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.json;
 
 import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import com.google.gson.stream.JsonToken;
 import com.google.gson.stream.MalformedJsonException;
-import io.github.lumbre.limit.Limits;
-import io.github.lumbre.text.JsonMistake;
-import io.github.lumbre.text.JsonPlace;
+import io.github.lumbre.limit.Interrupts;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -24,65 +22,70 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Reads a whole JSON text into {@link JsonNode}s, strictly by RFC 8259 and without recursion. Not
+ * Reads a whole JSON text into {@link JsonValue}s, strictly by RFC 8259 and without recursion. Not
  * reusable.
  */
-final class JsonTree {
-  /** The largest nesting depth of arrays and objects. */
-  static final int MAX_LEVELS = 4096;
-
+public final class JsonTree {
   private static final long MAX_TOKENS = 100_000_000;
 
   /** Heap bytes per token: 90 to 130 measured, plus headroom for the garbage collector. */
-  private static final long BYTES_PER_TOKEN = 160;
+  public static final long BYTES_PER_TOKEN = 160;
+
+  /** The largest number of flaws that are reported. */
+  private static final int MAX_FLAWS = 20;
 
   /** Two values of the same key. */
-  private record Duplicate(JsonNode first, JsonNode second) {}
+  private record Duplicate(JsonValue first, JsonValue second) {}
 
-  private final byte[] text;
-  private final Problems problems;
+  /**
+   * A value that JSON allows and readers do not: a number that overflows, or one of a repeated key.
+   *
+   * @param message what was expected and found
+   */
+  public record Flaw(JsonValue value, String message) {}
+
+  /**
+   * What was read.
+   *
+   * @param flaws at most 20 of each kind. Of two values of one key, the first counts
+   * @param tokens number of tokens of the text
+   */
+  public record Result(JsonValue root, List<Flaw> flaws, long tokens) {}
+
+  private final ByteBuffer text;
+  private final int maxLevels;
   private final long maxTokens;
   private final List<Duplicate> duplicates = new ArrayList<>();
-  private Optional<JsonNode> root = Optional.empty();
-  private final Deque<JsonNode> open = new ArrayDeque<>();
+  private final List<Flaw> flaws = new ArrayList<>();
+  private Optional<JsonValue> root = Optional.empty();
+  private final Deque<JsonValue> open = new ArrayDeque<>();
   private String key = "";
   private int names;
+  private long tokens;
 
-  private JsonTree(byte[] text, Problems problems, long maxTokens) {
+  private JsonTree(ByteBuffer text, int maxLevels, long maxTokens) {
     this.text = text;
-    this.problems = problems;
+    this.maxLevels = maxLevels;
     this.maxTokens = maxTokens;
   }
 
   /**
    * Returns the outermost value.
    *
-   * <p>Duplicate keys and numbers that overflow are added to the problems. Of two values of one
-   * key, the first counts.
-   *
-   * @param text in UTF-8, with or without a byte order mark
-   * @throws SceneFormatException if the text is not JSON, nested too deeply, or has more tokens
-   *     than fit into the heap
+   * @param text in UTF-8, with or without a byte order mark, in an array-backed buffer
+   * @param maxLevels the largest nesting depth of arrays and objects
+   * @throws JsonException if the text is not JSON, nested too deeply, or has too many tokens
    */
-  static JsonNode read(byte[] text, Problems problems) throws SceneFormatException {
-    return read(text, problems, maxTokens(Limits.NONE.heap()));
-  }
-
-  /** Returns the outermost value, whose nodes fit into the memory that limits allow. */
-  static JsonNode read(byte[] text, Problems problems, Limits limits) throws SceneFormatException {
-    return read(text, problems, maxTokens(limits.heap()));
-  }
-
-  static JsonNode read(byte[] text, Problems problems, long maxTokens) throws SceneFormatException {
-    return new JsonTree(text, problems, maxTokens).read();
+  public static Result read(ByteBuffer text, int maxLevels, long maxTokens) throws JsonException {
+    return new JsonTree(text, maxLevels, maxTokens).read();
   }
 
   /** Returns the number of tokens that fit into a heap of this size; at most 10^8. */
-  static long maxTokens(long maxHeapBytes) {
+  public static long maxTokens(long maxHeapBytes) {
     return Math.min(MAX_TOKENS, maxHeapBytes / BYTES_PER_TOKEN);
   }
 
-  private JsonNode read() throws SceneFormatException {
+  private Result read() throws JsonException {
     JsonReader in = reader();
     try {
       readAll(in);
@@ -92,7 +95,7 @@ final class JsonTree {
       throw broken(
           in.getPath(),
           "expected JSON (RFC 8259), found "
-              + JsonMistake.of(ByteBuffer.wrap(text), place(in), String.valueOf(e.getMessage())));
+              + JsonMistake.of(text, place(in), String.valueOf(e.getMessage())));
     } catch (EOFException e) {
       throw root.isEmpty()
           ? broken("$", "expected an object, found an empty file")
@@ -101,41 +104,38 @@ final class JsonTree {
       throw new UncheckedIOException(e);
     }
     reportDuplicates();
-    return root.orElseThrow();
+    return new Result(root.orElseThrow(), flaws, tokens);
   }
 
   private JsonReader reader() {
     JsonReader in =
         new JsonReader(
             new InputStreamReader(
-                Interrupts.over(text),
+                Interrupts.over(
+                    text.array(), text.arrayOffset() + text.position(), text.remaining()),
                 StandardCharsets.UTF_8
                     .newDecoder()
                     .onMalformedInput(CodingErrorAction.REPORT)
                     .onUnmappableCharacter(CodingErrorAction.REPORT)));
     in.setStrictness(Strictness.STRICT);
-    in.setNestingLimit(MAX_LEVELS + 1);
+    in.setNestingLimit(maxLevels + 1);
     return in;
   }
 
-  private SceneFormatException broken(String path, String message) {
+  private static JsonException broken(String path, String message) {
     // Where a name is expected, the path ends with a dot.
-    String place = path.replaceFirst("[.]$", "");
-    problems.error(SceneFormatException.Kind.INVALID, () -> place, message);
-    return problems.exception();
+    return new JsonException(path.replaceFirst("[.]$", ""), false, message);
   }
 
-  private SceneFormatException tooLarge(String path, String message) {
-    problems.error(SceneFormatException.Kind.LIMIT, () -> path, message);
-    return problems.exception();
+  private static JsonException tooLarge(String path, String message) {
+    return new JsonException(path, true, message);
   }
 
   private static JsonPlace place(JsonReader in) {
     return JsonPlace.of(in.toString());
   }
 
-  private void readAll(JsonReader in) throws IOException, SceneFormatException {
-    long tokens = 0;
+  private void readAll(JsonReader in) throws IOException, JsonException {
     do {
       readToken(in, in.peek());
       if (++tokens > maxTokens) {
@@ -147,7 +147,7 @@ final class JsonTree {
     in.peek();
   }
 
-  private void readToken(JsonReader in, JsonToken token) throws IOException, SceneFormatException {
+  private void readToken(JsonReader in, JsonToken token) throws IOException, JsonException {
     switch (token) {
       case NAME -> {
         key = in.nextName();
@@ -165,51 +165,50 @@ final class JsonTree {
     }
   }
 
-  private JsonNode value(JsonReader in, JsonToken token) throws IOException {
-    JsonNode.Place place =
-        open.isEmpty() ? JsonNode.Place.outermost(problems) : open.peek().placeFor(key, names);
+  private JsonValue value(JsonReader in, JsonToken token) throws IOException {
+    JsonValue.Maker maker = new JsonValue.Maker(Optional.ofNullable(open.peek()), key, names);
     return switch (token) {
       case BEGIN_OBJECT -> {
         in.beginObject();
-        yield JsonNode.object(place);
+        yield maker.object();
       }
       case BEGIN_ARRAY -> {
         in.beginArray();
-        yield JsonNode.array(place);
+        yield maker.array();
       }
-      case NUMBER -> JsonNode.number(place, in.nextString());
-      case BOOLEAN -> JsonNode.flag(place, in.nextBoolean());
+      case NUMBER -> maker.number(in.nextString());
+      case BOOLEAN -> maker.flag(in.nextBoolean());
       case NULL -> {
         in.nextNull();
-        yield JsonNode.nothing(place);
+        yield maker.nothing();
       }
-      default -> JsonNode.string(place, in.nextString());
+      default -> maker.string(in.nextString());
     };
   }
 
-  private void add(JsonNode node) throws SceneFormatException {
+  private void add(JsonValue value) throws JsonException {
     if (open.isEmpty()) {
-      root = Optional.of(node);
+      root = Optional.of(value);
     } else {
-      open.peek().add(node).ifPresent(first -> duplicates.add(new Duplicate(first, node)));
+      open.peek().add(value).ifPresent(first -> duplicates.add(new Duplicate(first, value)));
     }
-    if (node.isInfinite()) {
-      node.error("expected a finite number, found " + node.found());
+    if (value.isInfinite() && flaws.size() < MAX_FLAWS) {
+      flaws.add(new Flaw(value, "expected a finite number, found " + value.found()));
     }
-    if (node.isObject() || node.isArray()) {
-      open.push(node);
-      if (open.size() > MAX_LEVELS) {
+    if (value.isObject() || value.isArray()) {
+      open.push(value);
+      if (open.size() > maxLevels) {
         throw tooLarge(
-            node.path(), "expected at most " + MAX_LEVELS + " nested JSON values, found more");
+            value.path(), "expected at most " + maxLevels + " nested JSON values, found more");
       }
     }
   }
 
   private void reportDuplicates() {
-    if (duplicates.isEmpty()) {
+    List<Duplicate> shown = duplicates.subList(0, Math.min(duplicates.size(), MAX_FLAWS));
+    if (shown.isEmpty()) {
       return;
     }
-    List<Duplicate> shown = duplicates.subList(0, Math.min(duplicates.size(), Problems.MAX_ERRORS));
     Map<Integer, Integer> lines = new HashMap<>();
     for (Duplicate duplicate : shown) {
       lines.put(duplicate.first.position(), 0);
@@ -217,11 +216,12 @@ final class JsonTree {
     }
     findLines(lines);
     for (Duplicate duplicate : shown) {
-      duplicate.second.error(
+      String message =
           "expected each key once, found it on line "
               + lines.get(duplicate.first.position())
               + " and on line "
-              + lines.get(duplicate.second.position()));
+              + lines.get(duplicate.second.position());
+      flaws.add(new Flaw(duplicate.second, message));
     }
   }
 
