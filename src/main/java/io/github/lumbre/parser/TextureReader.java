@@ -48,7 +48,6 @@ final class TextureReader {
   private final AssetTable assets;
   private final AssetData data;
   private final TextureChange change;
-  private final PictureDecoder decoder;
   private final ProceduralReader procedurals;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
   private final List<TextureUse> uses = new ArrayList<>();
@@ -81,7 +80,6 @@ final class TextureReader {
     this.assets = assets;
     this.data = data;
     this.change = change;
-    decoder = new PictureDecoder(data.allowance(), assets.isLenient());
     procedurals = new ProceduralReader(seed);
   }
 
@@ -145,7 +143,10 @@ final class TextureReader {
 
   private Optional<Picture> image(JsonNode texture) {
     Filter filter = filter(texture);
-    return data.read(texture, BASE64_KEY).flatMap(content -> decoder.read(content, filter));
+    return data.read(texture, BASE64_KEY)
+        .flatMap(
+            content ->
+                new PictureDecoder(data.allowance(), assets.isLenient()).read(content, filter));
   }
 
   private Optional<Picture> computed(
