@@ -38,13 +38,13 @@ final class GltfAccessor {
     components = COMPONENTS[TYPES.indexOf(json.choice("type", "", TYPES))];
     normalized = json.flag("normalized", false);
     long found = json.requireWhole("count", 0, Long.MAX_VALUE);
-    GltfBudget.require(json.location("count"), "elements", GltfBudget.MAX_COUNT, found);
+    ModelLimits.require(json.location("count"), "elements", GltfBudget.MAX_COUNT, found);
     count = (int) found;
     if (json.has("bufferView")) {
       source = Optional.of(source(json, buffers, component, components, count));
     } else {
       source = Optional.empty();
-      GltfBudget.require(
+      ModelLimits.require(
           json.location("count"), "elements without a bufferView", GltfBudget.MAX_ZEROS, found);
     }
     Optional<GltfJson> differences = json.object("sparse");

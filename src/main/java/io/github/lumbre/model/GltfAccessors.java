@@ -69,7 +69,7 @@ final class GltfAccessors {
     long length = (long) accessor.count() * accessor.components();
     document.budget().allocate(accessor.location(), Double.BYTES * length);
     // MAX_COUNT elements of a 4×4 matrix would not fit into an array.
-    GltfBudget.require(accessor.location(), "numbers", 4 * GltfBudget.MAX_COUNT, length);
+    ModelLimits.require(accessor.location(), "numbers", 4 * GltfBudget.MAX_COUNT, length);
     return new double[(int) length];
   }
 

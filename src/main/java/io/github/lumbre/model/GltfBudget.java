@@ -2,7 +2,6 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.limit.Limits;
-import io.github.lumbre.model.ModelFormatException.Kind;
 
 /** Limits on the memory that the content of one glTF file may use. Mutable. */
 final class GltfBudget {
@@ -63,26 +62,26 @@ final class GltfBudget {
 
   /** Adds nodes, and the bytes that they need. */
   void addNodes(long count) throws ModelFormatException {
-    require("nodes", "nodes", MAX_PARTS, count);
+    ModelLimits.require("nodes", "nodes", MAX_PARTS, count);
     allocate("nodes", BYTES_PER_NODE * count);
   }
 
   /** Adds vertices of a mesh, whose arrays {@link #allocate} counts. */
   void addVertices(String location, long count) throws ModelFormatException {
     vertices += count;
-    require(location, "vertices in the model", MAX_COUNT, vertices);
+    ModelLimits.require(location, "vertices in the model", MAX_COUNT, vertices);
   }
 
   /** Adds indices, and the bytes that they need. */
   void addIndices(String location, long count) throws ModelFormatException {
     indices += count;
-    require(location, "indices in the model", MAX_COUNT, indices);
+    ModelLimits.require(location, "indices in the model", MAX_COUNT, indices);
     allocate(location, Integer.BYTES * count);
   }
 
   /** Adds a part, and the bytes that it needs. */
   void addPart(String location) throws ModelFormatException {
-    require(location, "parts in the model", MAX_PARTS, ++parts);
+    ModelLimits.require(location, "parts in the model", MAX_PARTS, ++parts);
     allocate(location, BYTES_PER_PART);
   }
 
@@ -93,15 +92,6 @@ final class GltfBudget {
    */
   void allocate(String location, long more) throws ModelFormatException {
     bytes += more;
-    require(location, "bytes of memory for the model", maxBytes, bytes);
-  }
-
-  /** Checks a number of things against a limit. */
-  static void require(String location, String things, long max, long found)
-      throws ModelFormatException {
-    if (found > max) {
-      throw new ModelFormatException(
-          Kind.TOO_LARGE, location, "expected at most " + max + " " + things + ", found " + found);
-    }
+    ModelLimits.require(location, "bytes of memory for the model", maxBytes, bytes);
   }
 }

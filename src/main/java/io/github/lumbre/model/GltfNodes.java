@@ -91,7 +91,7 @@ final class GltfNodes {
       GltfMatrix local = pose.local(node, nodes.get(node));
       placed[node] = parent == NONE ? local : placed[parent].times(local);
       depths[node] = parent == NONE ? 1 : depths[parent] + 1;
-      GltfBudget.require(nodes.get(node).location(), "levels", GltfBudget.MAX_DEPTH, depths[node]);
+      ModelLimits.require(nodes.get(node).location(), "levels", GltfBudget.MAX_DEPTH, depths[node]);
       end = appendChildren(node, queue, end, seen);
     }
     for (int i = 0; i < placed.length; i++) {

@@ -44,7 +44,18 @@ final class ModelLimits {
    */
   static void requireTriangles(String location, long found, Limits limits)
       throws ModelFormatException {
-    Optional<String> excess = Limits.excess("triangles", limits.triangles(), found);
+    require(location, "triangles", limits.triangles(), found);
+  }
+
+  /**
+   * Checks a number of things against a limit.
+   *
+   * @param things what is counted, in the plural
+   * @throws ModelFormatException if there are more
+   */
+  static void require(String location, String things, long max, long found)
+      throws ModelFormatException {
+    Optional<String> excess = Limits.excess(things, max, found);
     if (excess.isPresent()) {
       throw new ModelFormatException(Kind.TOO_LARGE, location, excess.get());
     }

@@ -37,7 +37,7 @@ final class AssetData {
   private static final Pattern URL = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]*:.*", Pattern.DOTALL);
 
   /** The largest file, in bytes, that fits into a Java array. */
-  private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
+  static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
   private final Path sceneFile;
   private final SceneHash hash;

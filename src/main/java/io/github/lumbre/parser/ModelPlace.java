@@ -29,7 +29,7 @@ interface ModelPlace {
 
   private static Origin shown(String path, String name) {
     return new Origin(
-        PrintableText.path(PrintableText.escaped(path)), PrintableText.shortened(name));
+        PrintableText.path(path), PrintableText.shortened(name));
   }
 
   /** A model that is rendered by itself: all places are in its own file. */

@@ -38,9 +38,6 @@ public final class SceneParser {
   /** The largest limit that can be set: width × height in pixels. */
   public static final int MAX_PIXELS_EVER = 1 << 29;
 
-  /** The largest file, in bytes, that fits into a Java array. */
-  private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
-
   /** Top-level keys of a scene file; {@code $schema} names the schema for editors. */
   static final Set<String> KEYS =
       Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
@@ -362,7 +359,7 @@ public final class SceneParser {
    */
   public static Set<Path> files(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
-    return files(read(file, problems, "scene", "bytes", MAX_BYTES), file);
+    return files(read(file, problems, "scene", "bytes", AssetData.MAX_BYTES), file);
   }
 
   /**
@@ -394,7 +391,7 @@ public final class SceneParser {
   private static byte[] read(Path file, Problems problems, String what, String bytes, long maxBytes)
       throws SceneFormatException, IOException {
     try {
-      long max = Math.min(MAX_BYTES, maxBytes);
+      long max = Math.min(AssetData.MAX_BYTES, maxBytes);
       Optional<String> excess = Limits.excess(bytes, max, Files.size(file));
       if (excess.isPresent()) {
         problems.error(Kind.LIMIT, () -> "$", excess.get());

@@ -259,8 +259,8 @@ class UploadLimitsTest {
     String vertices = "v 0 0 0\n".repeat(60_000);
     assertRefused(file("a.obj", vertices + TRIANGLE), limits, "needs at most 1048576 bytes");
     String numbers = "0,".repeat(60_000) + "0";
-    assertRefused(file("a.gltf", "{\"a\":[" + numbers + "]}"), limits, "bytes of memory");
-    assertRefused(file("s.json", "{\"a\":[" + numbers + "]}"), limits, "expected");
+    assertRefused(file("a.gltf", "{\"a\":[" + numbers + "]}"), limits, "JSON tokens");
+    assertRefused(file("s.json", "{\"a\":[" + numbers + "]}"), limits, "JSON tokens");
   }
 
   @Test
