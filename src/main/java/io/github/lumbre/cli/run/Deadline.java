@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.limit.Limits;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -36,13 +37,16 @@ public final class Deadline {
 
   /** Returns whether the deadline has passed. */
   boolean hasPassed() {
-    return time.isPresent() && clock.getAsLong() - start >= time.get().toNanos();
+    return secondsLeft().orElse(1) <= 0;
+  }
+
+  /** Returns the time until the deadline, negative after it; no limit if it never passes. */
+  Duration left() {
+    return time.map(t -> t.minusNanos(clock.getAsLong() - start)).orElse(Limits.NO_TIME_LIMIT);
   }
 
   /** Returns the seconds until the deadline, negative after it; empty if it never passes. */
   OptionalDouble secondsLeft() {
-    return time.isEmpty()
-        ? OptionalDouble.empty()
-        : OptionalDouble.of(1e-9 * (start + time.get().toNanos() - clock.getAsLong()));
+    return time.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(1e-9 * left().toNanos());
   }
 }

@@ -6,6 +6,7 @@ import io.github.lumbre.cli.output.Signals;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.parser.SceneFormatException;
 import java.io.InterruptedIOException;
 import java.util.List;
@@ -136,27 +137,27 @@ public final class Interruption implements AutoCloseable {
    * @throws TaskException if reading fails or is stopped
    */
   <T> T reading(Deadline deadline, Reading<T> action) throws TaskException, SceneFormatException {
-    Optional<Thread> alarm = beginWaiting(deadline);
-    try {
+    TimeLimit alarm = beginWaiting(deadline);
+    try (alarm) {
       return action.read();
     } catch (CancellationException e) {
       throw withoutPicture(!requested);
     } catch (TaskException e) {
       throw e.getCause() instanceof InterruptedIOException ? withoutPicture(!requested) : e;
     } finally {
-      endWaiting(alarm);
+      endWaiting();
     }
   }
 
   /** Returns the result of a computation; empty if a signal or the deadline stops it. */
   <T> Optional<T> unlessStopped(Deadline deadline, Waiting<T> action) {
-    Optional<Thread> alarm = beginWaiting(deadline);
-    try {
+    TimeLimit alarm = beginWaiting(deadline);
+    try (alarm) {
       return Optional.of(action.get());
     } catch (InterruptedException e) {
       return Optional.empty();
     } finally {
-      endWaiting(alarm);
+      endWaiting();
     }
   }
 
@@ -169,39 +170,20 @@ public final class Interruption implements AutoCloseable {
   }
 
   /** Arranges that a signal or the deadline interrupts this thread. */
-  private synchronized Optional<Thread> beginWaiting(Deadline deadline) {
+  private synchronized TimeLimit beginWaiting(Deadline deadline) {
     waiting = Optional.of(Thread.currentThread());
     if (requested || deadline.hasPassed()) {
       interruptWaiting();
     }
-    return deadline.secondsLeft().stream().mapToObj(this::alarm).findAny();
-  }
-
-  private Thread alarm(double seconds) {
-    Thread alarm =
-        new Thread(
-            () -> {
-              try {
-                TimeUnit.NANOSECONDS.sleep((long) (1e9 * seconds));
-                interruptWaiting();
-              } catch (InterruptedException e) {
-                // The wait has ended.
-                return;
-              }
-            },
-            "lumbre-alarm");
-    alarm.setDaemon(true);
-    alarm.start();
-    return alarm;
+    return TimeLimit.start(deadline.left());
   }
 
   private synchronized void interruptWaiting() {
     waiting.ifPresent(Thread::interrupt);
   }
 
-  private synchronized void endWaiting(Optional<Thread> alarm) {
+  private synchronized void endWaiting() {
     waiting = Optional.empty();
-    alarm.ifPresent(Thread::interrupt);
     // The command writes its outputs next, and an interrupted thread cannot write.
     Thread.interrupted();
   }
