@@ -78,7 +78,7 @@ public final class FilmRenderer implements PassRenderer {
     this(
         settings,
         scene,
-        IntegratorSource.of(integrator),
+        IntegratorSource.of(settings, scene, integrator),
         samplers,
         UnaryOperator.identity(),
         new OwnThreads());
