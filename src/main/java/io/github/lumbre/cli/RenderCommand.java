@@ -17,7 +17,6 @@ import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.StandardOutput;
@@ -31,12 +30,10 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
-import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -44,7 +41,6 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.stopping.Budget;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -225,7 +221,7 @@ final class RenderCommand implements Callable<Integer> {
     }
     Instant begin = frames.isSingle() ? course.start : Instant.now();
     Messages messages = run.errors();
-    try (FilmKeeper keeper = keeper(messages);
+    try (FilmKeeper keeper = checkpoints.newKeeper(checkpoint, messages);
         RenderMonitor monitor = run.monitor(course.interruption, course.deadline)) {
       SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
       if (dryRun) {
@@ -306,20 +302,6 @@ final class RenderCommand implements Callable<Integer> {
     return flags.over(parser, isOpen, quality.isAdaptive(), quality.depth());
   }
 
-  private FilmKeeper keeper(Messages messages) throws TaskException {
-    if (checkpoint.isEmpty()) {
-      return FilmKeeper.none(messages);
-    }
-    Path path = checkpoint.get();
-    for (Path existing : List.of(path, OutputFile.previous(path))) {
-      if (Files.exists(existing)) {
-        throw new TaskException(
-            Kind.OUTPUT, existing + ": already exists; 'lumbre resume " + path + "' continues it");
-      }
-    }
-    return checkpoints.keeper(path, messages);
-  }
-
   private RenderJob job(
       SceneFile file,
       Frames frames,
@@ -391,13 +373,8 @@ final class RenderCommand implements Callable<Integer> {
 
   private void checkOutputs(List<Path> targets) throws TaskException {
     OutputGuard guard = options.guardedBy(overwrite.guard());
-    for (Path target : targets) {
-      if (!isStandardOutput()) {
-        guard.writes("-o", target, OutputContent.PICTURE);
-      }
-      if (stored.isDenoising()) {
-        guard.writes("-o", Denoising.beside(target), OutputContent.PICTURE);
-      }
+    if (!isStandardOutput()) {
+      targets.forEach(target -> stored.guarding(guard, target));
     }
     // An existing checkpoint file is rejected later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));

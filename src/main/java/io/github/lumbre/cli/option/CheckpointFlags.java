@@ -4,12 +4,14 @@ import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmKeeper;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -52,6 +54,25 @@ public final class CheckpointFlags {
 
   public Fallback fallback() {
     return fallback.map(Fallback::new).orElse(Fallback.TEMPORARY);
+  }
+
+  /**
+   * Reserves the checkpoint file of a new render; without a path, none.
+   *
+   * @throws TaskException if it exists already, or cannot be written
+   */
+  public FilmKeeper newKeeper(Optional<Path> path, Messages messages) throws TaskException {
+    if (path.isEmpty()) {
+      return FilmKeeper.none(messages);
+    }
+    for (Path existing : List.of(path.get(), OutputFile.previous(path.get()))) {
+      if (Files.exists(existing)) {
+        throw new TaskException(
+            Kind.OUTPUT,
+            existing + ": already exists; 'lumbre resume " + path.get() + "' continues it");
+      }
+    }
+    return keeper(path.get(), messages);
   }
 
   /**

@@ -6,7 +6,6 @@ import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.DenoisedPicture;
@@ -85,10 +84,7 @@ public final class DevelopFlags {
 
   /** Adds the files that {@link #develop} writes. */
   public OutputGuard guarding(OutputGuard guard, Path output) {
-    guard.writes("-o", output, OutputContent.PICTURE);
-    return stored.isDenoising()
-        ? guard.writes("-o", Denoising.beside(output), OutputContent.PICTURE)
-        : guard;
+    return stored.guarding(guard, output);
   }
 
   private void requireLayers(PictureOutput picture) {

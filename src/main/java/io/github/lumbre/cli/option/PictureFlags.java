@@ -1,7 +1,10 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.lab.TaskException;
+import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -70,5 +73,11 @@ public final class PictureFlags {
    */
   public Optional<Denoising> denoising() throws TaskException {
     return denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
+  }
+
+  /** Adds the picture, and the denoised one beside it, to the files that a command writes. */
+  public OutputGuard guarding(OutputGuard guard, Path output) {
+    guard.writes("-o", output, OutputContent.PICTURE);
+    return denoise ? guard.writes("-o", Denoising.beside(output), OutputContent.PICTURE) : guard;
   }
 }
