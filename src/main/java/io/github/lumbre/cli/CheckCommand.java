@@ -56,9 +56,7 @@ final class CheckCommand implements Callable<Integer> {
 
   @Option(
       names = "--plan",
-      description =
-          "Also print which rendering steps this scene does not need and skips, and what"
-              + " --guide auto would choose.")
+      description = "Also print which rendering steps this scene does not need and skips.")
   private boolean plan;
 
   @Spec private CommandSpec spec;

@@ -155,7 +155,7 @@ final class MergeCommand implements Callable<Integer> {
     List<FilmMerge.Named> named = new ArrayList<>();
     for (Path film : films) {
       FilmFile file = FilmInput.read(film, messages);
-      FilmInput.requireFixedSplit(film, file.header());
+      FilmInput.requireNoChoice(film, file.header());
       named.add(new FilmMerge.Named(film.toString(), file));
     }
     try {

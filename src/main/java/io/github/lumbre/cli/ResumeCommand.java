@@ -148,7 +148,7 @@ final class ResumeCommand implements Callable<Integer> {
     try (FilmKeeper keeper = checkpoints.keeper(film, run.errors())) {
       CheckpointFile.Loaded loaded = FilmInput.load(film, run.errors());
       FilmHeader header = loaded.file().header();
-      FilmInput.requireFixedSplit(film, header);
+      FilmInput.requireNoChoice(film, header);
       requireNoGaps(header);
       FilmNotes notes = new FilmNotes(film, header);
       Path target = target(notes);

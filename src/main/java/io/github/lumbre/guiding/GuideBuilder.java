@@ -23,15 +23,13 @@ public final class GuideBuilder {
   private final Connections connections;
 
   /**
-   * A guide and its use.
+   * A guide.
    *
-   * @param gain the second moment of what directions give, without the guide, in that with it: the
-   *     larger, the more it lowers noise; 1 if nothing was learned
    * @param rays rays that were traced for it
    */
-  public record Built(Guide guide, double gain, long rays) {
+  public record Built(Guide guide, long rays) {
     /** Nothing was learned. */
-    public static final Built NONE = new Built(Guide.NONE, 1, 0);
+    public static final Built NONE = new Built(Guide.NONE, 0);
   }
 
   private GuideBuilder(
@@ -56,8 +54,7 @@ public final class GuideBuilder {
    * @param drawnBy the guide of {@link #train} that drew their directions, or {@link Guide#NONE}
    * @param sights returns a sight of the scene for a thread
    */
-  public static Built build(
-      GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
+  public static Built build(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
     return build(records, drawnBy, sights, Guide.MOST_INTS, false);
   }
 
@@ -65,8 +62,7 @@ public final class GuideBuilder {
    * Returns a guide to record paths for a better one: all cells have the same mixture. The
    * parameters are those of {@link #build}.
    */
-  public static Built train(
-      GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
+  public static Built train(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
     return build(records, drawnBy, sights, Guide.MOST_INTS, true);
   }
 
@@ -104,12 +100,7 @@ public final class GuideBuilder {
     List<RecordRange> ranges = trees.stream().flatMap(tree -> tree.leaves().stream()).toList();
     int share = limit / Math.max(1, ranges.size());
     List<Cell> cells = ranges.parallelStream().map(range -> cell(range, share)).toList();
-    GuideGain gain = new GuideGain(records, values, connections);
-    for (int i = 0; i < cells.size(); i++) {
-      gain.add(ranges.get(i), cells.get(i).mean, cells.get(i).fraction);
-    }
-    long rays = cells.stream().mapToLong(Cell::rays).sum();
-    return new Built(guide(trees, cells), gain.get(), rays);
+    return new Built(guide(trees, cells), cells.stream().mapToLong(Cell::rays).sum());
   }
 
   private Cell cell(RecordRange range, int share) {

@@ -13,7 +13,6 @@ import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Guiding;
 import io.github.lumbre.scene.Scene;
 import java.util.List;
 
@@ -32,17 +31,8 @@ final class GuidePilot {
 
   private static final int PASSES = 5;
 
-  /**
-   * The predicted gain from which on {@code auto} tries the guide; see {@link
-   * GuideBuilder.Built#gain}.
-   */
-  private static final double LEAST_GAIN = 1.15;
-
   /** The pass after which the pilot ends if it has learned nothing; it has then done 7/31. */
   private static final int CHECKED_PASS = 2;
-
-  /** The predicted gain below which {@code auto} then ends the pilot. */
-  private static final double LEAST_EARLY_GAIN = 1.04;
 
   /** The largest number of vertices that one pass keeps: 70 MB. */
   static final int MOST_RECORDS = 1 << 20;
@@ -83,7 +73,7 @@ final class GuidePilot {
       throws InterruptedException, PilotRows.Stopped {
     return findsLight(settings, scene)
         ? new GuidePilot(settings, scene, crew).learn()
-        : new Learned(Guide.NONE, GuideReport.unused(Outcome.NO_LIGHT, 1, 0));
+        : new Learned(Guide.NONE, GuideReport.unused(Outcome.NO_LIGHT, 0));
   }
 
   /** Returns the largest number of bytes that the pilot of some settings needs. */
@@ -106,7 +96,6 @@ final class GuidePilot {
 
   private Learned learn() throws InterruptedException, PilotRows.Stopped {
     int paths = paths(settings);
-    boolean isAuto = settings.guiding() == Guiding.AUTO;
     GuideBuilder.Built built = GuideBuilder.Built.NONE;
     for (int pass = 0; pass < PASSES; pass++) {
       long share = ((long) paths << pass) / ((1 << PASSES) - 1);
@@ -117,31 +106,10 @@ final class GuidePilot {
               : GuideBuilder.train(records, built.guide(), () -> new GuideSight(scene));
       rays += built.rays();
       if (pass >= CHECKED_PASS && built.guide().isEmpty()) {
-        return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOTHING_LEARNED, 1, rays));
-      }
-      if (isAuto && pass == CHECKED_PASS && built.gain() < LEAST_EARLY_GAIN) {
-        return notBetter(built.gain());
+        return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOTHING_LEARNED, rays));
       }
     }
-    if (!isAuto) {
-      return used(built.guide(), built.gain(), false);
-    }
-    if (built.gain() < LEAST_GAIN) {
-      return notBetter(built.gain());
-    }
-    GuideTrial.Outcome trial = GuideTrial.of(settings, scene, built.guide(), paths, crew);
-    rays += trial.rays();
-    return trial.isBetter()
-        ? used(built.guide(), trial.gain(), true)
-        : new Learned(Guide.NONE, GuideReport.tried(trial.gain(), rays));
-  }
-
-  private Learned used(Guide guide, double gain, boolean isMeasured) {
-    return new Learned(guide, GuideReport.used(guide, gain, isMeasured, rays));
-  }
-
-  private Learned notBetter(double gain) {
-    return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOT_BETTER, gain, rays));
+    return new Learned(built.guide(), GuideReport.used(built.guide(), rays));
   }
 
   /** Traces the paths of a pass. */

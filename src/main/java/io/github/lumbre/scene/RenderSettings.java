@@ -223,9 +223,7 @@ public final class RenderSettings {
     /** There is no pilot render. */
     OFF,
     /** Paths are guided. */
-    ON,
-    /** Paths are guided if the pilot render finds that more efficient. */
-    AUTO
+    ON
   }
 
   /** The light transport algorithm. */

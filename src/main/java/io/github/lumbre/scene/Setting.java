@@ -117,9 +117,9 @@ public final class Setting<T> {
               Group.TRANSPORT,
               new ChoiceType<>(RenderSettings.Guiding.class),
               RenderSettings.Guiding.OFF,
-              "Path mode: off, on or auto. Learn in a pilot render where light comes from, and"
-                  + " guide paths there. Less noise where little light is found by chance, such as"
-                  + " behind a door; auto guides them if that has less noise in a trial.")
+              "Path mode: off or on. Learn in a pilot render where light comes from, and guide"
+                  + " paths there. Less noise where little light is found by chance, such as behind"
+                  + " a door; more noise in most other scenes.")
           .withFlag("--guide", "MODE")
           .changingSamples();
 

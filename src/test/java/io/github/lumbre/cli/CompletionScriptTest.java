@@ -47,7 +47,7 @@ class CompletionScriptTest {
         "render --kernel ''           | auto vector scalar",
         "render --denoiser ''         | builtin oidn",
         "render --tonemap a           | aces agx",
-        "render --guide ''            | off on auto",
+        "render --guide ''            | off on",
         "render --layers al           | all albedo",
         "render --layers depth,al     | depth,all depth,albedo",
         "render --up ''               | y z",

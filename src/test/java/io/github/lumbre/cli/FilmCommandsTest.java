@@ -193,6 +193,23 @@ class FilmCommandsTest {
   /** An earlier version chose the numbers of branches by a pilot render. */
   @Test
   void filmsOfPlannedSplitsAreOnlyDeveloped() throws IOException {
+    filmsAreOnlyDeveloped(
+        Map.of("split", "auto", "split-pilot", "1024", "split-plan", "0".repeat(64)),
+        "--split auto",
+        "--split N");
+  }
+
+  /** An earlier version chose by a trial whether paths are guided. */
+  @Test
+  void filmsOfChosenGuidesAreOnlyDeveloped() throws IOException {
+    filmsAreOnlyDeveloped(
+        Map.of("guide", "auto", "guide-hash", "0".repeat(8)),
+        "--guide auto",
+        "--guide on or --guide off");
+  }
+
+  private void filmsAreOnlyDeveloped(Map<String, String> changed, String... said)
+      throws IOException {
     assertDone(
         render(
             "a.pfm",
@@ -206,9 +223,7 @@ class FilmCommandsTest {
             path("a.film")));
     FilmFile film = FilmFile.read(directory.resolve("a.film"));
     Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
-    identity.put("split", "auto");
-    identity.put("split-pilot", "1024");
-    identity.put("split-plan", "0".repeat(64));
+    identity.putAll(changed);
     try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
       file.save(
           FilmFile.of(
@@ -218,10 +233,9 @@ class FilmCommandsTest {
               film.header().notes(),
               film.header().faults()));
     }
-    Outcome.of("resume", path("a.film"))
-        .assertFailed(ExitCodes.SCENE, "a.film: ", "--split auto", "--split N");
+    Outcome.of("resume", path("a.film")).assertFailed(ExitCodes.SCENE, said);
     Outcome.of("merge", path("a.film"), path("a.film"), "-o", path("b.film"))
-        .assertFailed(ExitCodes.SCENE, "a.film: ", "--split auto", "--split N");
+        .assertFailed(ExitCodes.SCENE, said);
     assertDone(Outcome.of("layers", path("a.film")));
     assertDone(Outcome.of("denoise", path("a.film"), "-o", path("c.png")));
     assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));

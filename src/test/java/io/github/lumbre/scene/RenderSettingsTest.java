@@ -47,7 +47,7 @@ class RenderSettingsTest {
         .maxTraceDepth(7)
         .rayDepths(8, 9)
         .split(3)
-        .guiding(RenderSettings.Guiding.AUTO)
+        .guiding(RenderSettings.Guiding.ON)
         .clamp(12.5)
         .samples(11)
         .adaptive(true)
@@ -73,7 +73,7 @@ class RenderSettingsTest {
     assertThat(settings.reflectionTraceDepth()).isEqualTo(8);
     assertThat(settings.refractionTraceDepth()).isEqualTo(9);
     assertThat(settings.split()).isEqualTo(3);
-    assertThat(settings.guiding()).isEqualTo(RenderSettings.Guiding.AUTO);
+    assertThat(settings.guiding()).isEqualTo(RenderSettings.Guiding.ON);
     assertThat(settings.clamp()).isEqualTo(12.5);
     assertThat(settings.samples()).isEqualTo(11);
     assertThat(settings.adaptive()).isTrue();

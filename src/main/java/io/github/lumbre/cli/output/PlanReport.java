@@ -13,7 +13,6 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneOrigins;
-import io.github.lumbre.render.GuideReport;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -118,12 +117,9 @@ public final class PlanReport {
     if (settings.mode() == RenderSettings.Mode.RAY) {
       return "skipped, ray mode has no paths";
     }
-    try {
-      return "with --guide auto, " + GuideReport.of(settings, scene).text();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return "not measured, because the pilot render was interrupted";
-    }
+    return settings.guiding() == RenderSettings.Guiding.OFF
+        ? "skipped, it is off"
+        : "by what a pilot render learns";
   }
 
   private String lens() {

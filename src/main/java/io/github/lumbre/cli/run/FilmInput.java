@@ -49,17 +49,24 @@ public final class FilmInput {
   }
 
   /**
-   * Requires that the paths of a film are split into a number of branches.
+   * Requires that the settings of a film say how its paths are split and guided.
    *
-   * @throws TaskException if a pilot render of an earlier version chose the numbers
+   * @throws TaskException if a pilot render of an earlier version chose it
    */
-  public static void requireFixedSplit(Path path, FilmHeader header) throws TaskException {
-    if (SettingType.AUTO.equals(header.identity().get(Setting.SPLIT.name()))) {
+  public static void requireNoChoice(Path path, FilmHeader header) throws TaskException {
+    requireNoChoice(path, header, Setting.SPLIT, "--split N");
+    requireNoChoice(path, header, Setting.GUIDE, "--guide on or --guide off");
+  }
+
+  private static void requireNoChoice(
+      Path path, FilmHeader header, Setting<?> setting, String instead) throws TaskException {
+    if (SettingType.AUTO.equals(header.identity().get(setting.name()))) {
       throw new TaskException(
           Kind.SCENE,
-          path
-              + ": has samples of --split auto, which earlier versions had; it can be developed and"
-              + " denoised, but not resumed or merged: start a new film with --split N");
+          "%s: has samples of --%s auto, which earlier versions had; it can be developed and"
+                  .formatted(path, setting.name())
+              + " denoised, but not resumed or merged: start a new film with "
+              + instead);
     }
   }
 
