@@ -7,6 +7,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Pixels;
@@ -144,7 +145,7 @@ class MaterialParameterTest {
 
   private static JsonElement value(MaterialParameter parameter, Rgb value) {
     if (parameter.kind() != Kind.COLOR) {
-      return new com.google.gson.JsonPrimitive(value.r());
+      return new JsonPrimitive(value.r());
     }
     JsonArray array = new JsonArray();
     array.add(value.r());
