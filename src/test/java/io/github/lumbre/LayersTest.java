@@ -92,7 +92,8 @@ class LayersTest {
           Map.entry("lab.report", "scene render parser lab lab.perf"),
           Map.entry(
               "lab.checks",
-              "math image sampling texture geometry material camera light scene render lab"),
+              "math image sampling texture geometry material camera light scene integrator render"
+                  + " lab"),
           Map.entry(
               "lab.trade",
               "math image sampling geometry scene integrator render denoise stopping lab"

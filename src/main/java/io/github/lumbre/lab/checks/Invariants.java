@@ -12,7 +12,12 @@ public final class Invariants {
 
   /** Returns all invariants in the order in which they are printed. */
   public static List<Invariant> all() {
-    return Stream.of(GeometryInvariants.all(), MaterialInvariants.all(), PictureInvariants.all())
+    return Stream.of(
+            GeometryInvariants.all(),
+            NumberInvariants.all(),
+            MaterialInvariants.all(),
+            LightInvariants.all(),
+            PictureInvariants.all())
         .flatMap(List::stream)
         .toList();
   }

@@ -1,5 +1,6 @@
 package io.github.lumbre.lab.checks;
 
+import static io.github.lumbre.material.MaterialParameter.ANISOTROPY;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.METALLIC;
@@ -13,6 +14,7 @@ import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
+import io.github.lumbre.material.Fresnel;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
@@ -52,13 +54,23 @@ final class MaterialInvariants {
 
   private static final double MOST_WIDE_EXPONENT = 52;
 
+  /** Index of refraction; reflectance at 0°, 60° and 80° by the exact Fresnel equations. */
+  private static final double[][] FRESNEL = {
+    {1.1, .0022675736961451, .0130699669001, .193562762457},
+    {1.33, .020059312199525, .0591255992474, .346916096262},
+    {1.5, .04, .0891867128022, .387704354691},
+    {2.4, .16955017301038, .209351260771, .433236034108},
+    {3.0504, .25626031614535, .276636121267, .432822279413},
+    {1e6, .999996000008, .999995000017, .999988135295}
+  };
+
   private MaterialInvariants() {}
 
   static List<Invariant> all() {
     String range =
         "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX), glass,"
-            + " metallic-roughness, clear coat, sheen and thin glass of roughness 1e-3 to 1,"
-            + " mirror; cosines 0.01 to 0.95";
+            + " metallic-roughness, anisotropy, clear coat, sheen and thin glass of roughness 1e-3 to"
+            + " 1, mirror; cosines 0.01 to 0.95";
     return List.of(
         new Invariant(
             "furnace",
@@ -75,8 +87,8 @@ final class MaterialInvariants {
         new Invariant(
             "reciprocity",
             "relative difference of f(wo, wi) and f(wi, wo)",
-            "matte, Phong, Cook-Torrance, metallic-roughness, clear coat, sheen and thin glass;"
-                + " roughness from 0.05, exponents to 1000",
+            "matte, Phong, Cook-Torrance, metallic-roughness, anisotropy, clear coat, sheen and thin"
+                + " glass; roughness from 0.05, exponents to 1000",
             1e-12,
             MaterialInvariants::reciprocity),
         new Invariant(
@@ -84,7 +96,13 @@ final class MaterialInvariants {
             "excess over 1 of the integral of the pdf over all directions",
             "lobes wide enough for a quadrature: exponents to 52, roughness from 0.3",
             2e-3,
-            tries -> integrals()));
+            tries -> integrals()),
+        new Invariant(
+            "fresnel",
+            "relative difference from the Fresnel equations",
+            "indices 1.1 to 1e6, at 0°, 60° and 80°",
+            1e-11,
+            tries -> fresnel()));
   }
 
   private static List<Bsdf> all(List<Material> materials) {
@@ -142,6 +160,7 @@ final class MaterialInvariants {
         ColorChannel white = ColorChannel.of(Rgb.WHITE);
         materials.add(metallic(1, roughness).build());
         materials.add(metallic(0, roughness).build());
+        materials.add(metallic(1, roughness).set(ANISOTROPY, .9).build());
         materials.add(metallic(.5, .6).set(CLEARCOAT, 1).set(CLEARCOAT_ROUGHNESS, varied).build());
         materials.add(
             metallic(0, roughness).set(CLEARCOAT, .5).set(CLEARCOAT_ROUGHNESS, medium).build());
@@ -277,5 +296,17 @@ final class MaterialInvariants {
       }
     }
     return sum * 4 * Math.PI / (ROWS * COLUMNS);
+  }
+
+  private static double fresnel() {
+    double worst = 0;
+    double[] cosines = {1, .5, Elementary.cosDegrees(80)};
+    for (double[] row : FRESNEL) {
+      for (int i = 0; i < cosines.length; i++) {
+        double found = Fresnel.dielectric(cosines[i], row[0]);
+        worst = Math.max(worst, Math.abs(found / row[i + 1] - 1));
+      }
+    }
+    return worst;
   }
 }

@@ -7,34 +7,51 @@ import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.PathTracer;
+import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
 
-/** Invariants of whole pictures. */
+/** Invariants of light transport and whole pictures. */
 final class PictureInvariants {
   private static final int WIDTH = 32;
   private static final int HEIGHT = 24;
   private static final int SAMPLES = 8;
+  private static final int REPLICATES = 256;
+  private static final int SAMPLES_EACH = 64;
+
+  /** The relative tolerance where the standard error is 0 except for rounding. */
+  private static final double ROUNDING = 1e-11;
 
   private PictureInvariants() {}
 
   static List<Invariant> all() {
     return List.of(
+        new Invariant(
+            "enclosure-series",
+            "deviation of radiance in an enclosure from ρ (1 - ρ^N) / (1 - ρ), in standard errors",
+            "reflectances 0.2 to 0.95, depths 1 to 100, with Russian roulette",
+            4.8916,
+            tries -> enclosures()),
         new Invariant(
             "scale-invariance",
             "pixels that change when the scene is scaled by a power of two",
@@ -53,6 +70,55 @@ final class PictureInvariants {
             "8 samples as 1+7, 3+5, 7+1 and one by one; films added in both orders",
             0,
             tries -> passDifferences()));
+  }
+
+  private static double enclosures() {
+    double worst = 0;
+    for (double reflectance : new double[] {.2, .5, .8, .95}) {
+      for (int depth : new int[] {1, 2, 5, 10, 100}) {
+        worst = Math.max(worst, enclosure(reflectance, depth));
+      }
+    }
+    return worst;
+  }
+
+  /**
+   * Returns the deviation in standard errors. Each vertex adds an ambient irradiance of π, and a
+   * path has at most {@code depth} vertices that reflect.
+   */
+  private static double enclosure(double reflectance, int depth) {
+    Scene scene =
+        Scene.builder()
+            .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
+            .add(
+                new Sphere(Transform.IDENTITY, 1),
+                new Matte(Texture.constant(Rgb.grey(reflectance))))
+            .addAmbient(Rgb.grey(Math.PI))
+            .build();
+    Integrator integrator = new PathTracer(scene, depth);
+    Sampler sampler = new SobolSampler(41);
+    RenderContext scratch = new RenderContext();
+    double sum = 0;
+    double squares = 0;
+    for (int replicate = 0; replicate < REPLICATES; replicate++) {
+      double mean = 0;
+      for (int sample = 0; sample < SAMPLES_EACH; sample++) {
+        sampler.startSample(replicate, 0, sample);
+        Ray ray = new Ray(Vec3.ZERO, Vec3.Z);
+        mean += integrator.radiance(ray, sampler, scratch).g() / SAMPLES_EACH;
+      }
+      sum += mean;
+      squares += mean * mean;
+    }
+    double power = 1;
+    for (int i = 0; i < depth; i++) {
+      power *= reflectance;
+    }
+    double expected = reflectance * (1 - power) / (1 - reflectance);
+    double mean = sum / REPLICATES;
+    double distance = Math.abs(mean - expected);
+    double variance = Math.max(0, squares / REPLICATES - mean * mean) / (REPLICATES - 1);
+    return distance <= ROUNDING * expected ? 0 : distance / Math.sqrt(variance);
   }
 
   /** Returns a scene with many features, scaled about the origin. */

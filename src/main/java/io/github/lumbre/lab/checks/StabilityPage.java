@@ -10,12 +10,11 @@ public final class StabilityPage {
 """
 # Stable at the extremes
 
-The renderer's invariants at extreme scales, distances and roughnesses, with measured worst cases.
-`./lumbre selftest` measures them on any machine, one line each, and exits with code 1 if one does
-not hold. `./lumbre selftest --markdown` prints this page. The tests check the same invariants, with
-the code of the package `io.github.lumbre.lab.checks`; other tests compare cameras, transforms,
-samplers, textures, lights and closed rooms with their closed forms. Fixed random keys give the same
-test cases on every machine.
+The renderer's invariants at extreme scales, distances, roughnesses and depths, with measured worst
+cases. `./lumbre selftest` measures them on any machine, one line each, and exits with code 1 if one
+does not hold. `./lumbre selftest --markdown` prints this page. The tests check the same invariants,
+with the code of the package `io.github.lumbre.lab.checks`. Fixed random keys give the same test
+cases on every machine.
 
 The invariants hold while the largest coordinate is at most 1e9 times the smallest visible feature.
 Absolute size does not matter. `lumbre audit` warns about scenes beyond this ratio.\
