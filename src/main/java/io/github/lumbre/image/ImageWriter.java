@@ -73,6 +73,11 @@ public final class ImageWriter {
       metadata.forEach(Options::check);
     }
 
+    /** Returns these options with other metadata. */
+    public Options withMetadata(Map<String, String> other) {
+      return new Options(exposure, curve, pngBits, jpegQuality, other);
+    }
+
     private static void check(String keyword, String text) {
       Objects.requireNonNull(text, keyword);
       boolean printable = keyword.chars().allMatch(c -> c >= ' ' && c <= '~');

@@ -128,10 +128,7 @@ public final class DevelopFlags {
     }
     FilmPicture developed = FilmPicture.of(film.film(), film.header().layers(), layers(name, film));
     metadata.putAll(developed.metadata());
-    picture.write(
-        developed.image(),
-        developed.layers(),
-        new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), metadata));
+    picture.write(developed.image(), developed.layers(), options.withMetadata(metadata));
     return options;
   }
 }

@@ -78,15 +78,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     Denoised denoised = denoised(noisy, kept);
     Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
     metadata.putAll(metadata(denoised));
-    output.write(
-        denoised.image(),
-        List.of(),
-        new ImageWriter.Options(
-            options.exposure(),
-            options.curve(),
-            options.pngBits(),
-            options.jpegQuality(),
-            metadata));
+    output.write(denoised.image(), List.of(), options.withMetadata(metadata));
     String noise =
         denoised.relativeNoise().isPresent()
             ? ", noise before roughly " + Markdown.percent(denoised.relativeNoise().getAsDouble())
