@@ -141,8 +141,10 @@ public final class SceneBuilder {
   }
 
   /**
-   * Adds a surface that scatters and emits light. In path mode, it is also sampled as a light; see
-   * {@link #addEmissive}.
+   * Adds a surface that emits light. In path mode, it is also sampled as a light. An infinite plane
+   * cannot be sampled; it contributes only to paths that hit it.
+   *
+   * @param material how the surface scatters light; {@link Unlit} if it does not
    */
   public SceneBuilder add(Shape shape, Material material, Emission emission) {
     return surface("", shape, material, Optional.of(emission), false);
@@ -168,14 +170,6 @@ public final class SceneBuilder {
         Unlit.INSTANCE,
         Optional.of(Emission.of(radiance)),
         true);
-  }
-
-  /**
-   * Adds an emissive surface that does not scatter light. In path mode, it is also sampled as a
-   * light. An infinite plane cannot be sampled; it contributes only to paths that hit it.
-   */
-  public SceneBuilder addEmissive(Shape shape, Emission emission) {
-    return surface("", shape, Unlit.INSTANCE, Optional.of(emission), false);
   }
 
   private SceneBuilder surface(

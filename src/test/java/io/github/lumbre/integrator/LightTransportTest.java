@@ -24,6 +24,7 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
@@ -379,7 +380,7 @@ class LightTransportTest {
             .add(sphere(.5, .4, .2, .3), matte(.8))
             .addAreaLight(ceilingLamp(2, 1, 1), glow(1))
             .addAreaLight(sphere(1.5, .6, -.5, .3), glow(3))
-            .addEmissive(box, new Emission(glow(2).radiance(), true))
+            .add(box, Unlit.INSTANCE, new Emission(glow(2).radiance(), true))
             .add(EnvironmentLight.uniform(Rgb.grey(.2)))
             .build();
     Estimate both = Estimate.of(new PathTracer(scene, 3), lookingDownAt(0), 1024, 1);

@@ -17,6 +17,7 @@ import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -182,7 +183,7 @@ class SmoothSurfaceTest {
         empty()
             .add(coarse(), matte(.8))
             .add(Mesh.of(ball(6, 9), Transform.translation(new Vec3(1.2, 1.1, 0))), matte(.5))
-            .addEmissive(Sphere.of(new Vec3(3, .5, 0), .8), glow(5))
+            .add(Sphere.of(new Vec3(3, .5, 0), .8), Unlit.INSTANCE, glow(5))
             .add(EnvironmentLight.uniform(Rgb.grey(.3)))
             .build();
     Ray ray = new Ray(new Vec3(.25, .1, 5), new Vec3(0, 0, -1));

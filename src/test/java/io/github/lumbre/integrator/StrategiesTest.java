@@ -22,6 +22,7 @@ import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MicrofacetDistribution.Kind;
 import io.github.lumbre.material.Phong;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -93,8 +94,10 @@ class StrategiesTest {
             scene ->
                 scene
                     .addAreaLight(sphere(1, 3, .6, .8), glow(2))
-                    .addEmissive(
-                        new Box(at(-2, 1, 0).times(turned(9, 20, 30)), 1, 1, 1), glow(3))));
+                    .add(
+                        new Box(at(-2, 1, 0).times(turned(9, 20, 30)), 1, 1, 1),
+                        Unlit.INSTANCE,
+                        glow(3))));
     lights.add(
         new Named<>(
             "dome",

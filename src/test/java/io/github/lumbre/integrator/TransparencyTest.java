@@ -28,6 +28,7 @@ import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.ScalarChannel;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex;
@@ -108,7 +109,7 @@ class TransparencyTest {
     Scene scene =
         empty()
             .add(wall(1), veil(0, opacity), glow(.2 * opacity))
-            .addEmissive(wall(2), glow(1))
+            .add(wall(2), Unlit.INSTANCE, glow(1))
             .build();
     double expected = .2 * opacity + 1 - opacity;
     assertMean(path(scene), FORWARD, expected);
@@ -121,7 +122,7 @@ class TransparencyTest {
     Scene scene =
         empty()
             .add(wall(1), veil(.8, opacity))
-            .addEmissive(wall(2), glow(1))
+            .add(wall(2), Unlit.INSTANCE, glow(1))
             .add(point(Vec3.ZERO, 1))
             .build();
     // A point light of intensity 1 at distance 1: irradiance 1 on the veil, radiance 0.8/π.
@@ -132,7 +133,7 @@ class TransparencyTest {
 
   @Test
   void severalVeilsMultiply() {
-    SceneBuilder scene = empty().addEmissive(wall(9), glow(1));
+    SceneBuilder scene = empty().add(wall(9), Unlit.INSTANCE, glow(1));
     for (int i = 1; i <= 3; i++) {
       scene.add(wall(i), veil(0, .2));
     }
@@ -185,7 +186,10 @@ class TransparencyTest {
   @Test
   void pathsAreTintedOnTheAverage() {
     Scene scene =
-        empty().add(wall(1), tinted(new Rgb(.3, .6, .9))).addEmissive(wall(2), glow(1)).build();
+        empty()
+            .add(wall(1), tinted(new Rgb(.3, .6, .9)))
+            .add(wall(2), Unlit.INSTANCE, glow(1))
+            .build();
     assertMean(path(scene), FORWARD, .3);
     assertMean(ray(scene), FORWARD, .3);
   }
@@ -195,7 +199,7 @@ class TransparencyTest {
   void masksHaveHolesAndNothingInBetween() {
     ScalarChannel half = hit -> hit.u(0) < .5 ? 1 : 0;
     Material mask = plastic(0).set(OPACITY, half).build();
-    Scene scene = empty().add(wall(1), mask).addEmissive(wall(2), glow(1)).build();
+    Scene scene = empty().add(wall(1), mask).add(wall(2), Unlit.INSTANCE, glow(1)).build();
     double sum = 0;
     for (double x : new double[] {-1, 1}) {
       Ray one = new Ray(new Vec3(x, 0, 0), Vec3.Z);
@@ -225,7 +229,10 @@ class TransparencyTest {
       assertThat(radiance(new PathTracer(scene, 1), down).g()).isCloseTo(expected, within(1e-12));
     }
     Scene seen =
-        empty().add(new Box(at(0, 0, 0), 2, 2, 2), single).addEmissive(wall(2), glow(1)).build();
+        empty()
+            .add(new Box(at(0, 0, 0), 2, 2, 2), single)
+            .add(wall(2), Unlit.INSTANCE, glow(1))
+            .build();
     assertThat(radiance(path(seen), FORWARD).g()).isEqualTo(1);
     assertThat(radiance(ray(seen), FORWARD).g()).isEqualTo(1);
     Ray outside = new Ray(new Vec3(0, 0, -3), Vec3.Z);
@@ -249,7 +256,10 @@ class TransparencyTest {
             .set(ATTENUATION_DISTANCE, 1)
             .build();
     Scene scene =
-        empty().add(new Box(at(0, 0, 3), 2, 2, 1.5), medium).addEmissive(wall(9), glow(1)).build();
+        empty()
+            .add(new Box(at(0, 0, 3), 2, 2, 1.5), medium)
+            .add(wall(9), Unlit.INSTANCE, glow(1))
+            .build();
     for (Integrator integrator : new Integrator[] {path(scene), ray(scene)}) {
       Rgb found = radiance(integrator, FORWARD);
       assertThat(found.r()).isCloseTo(Math.exp(-.1 * 1.5), within(1e-9));
@@ -273,7 +283,7 @@ class TransparencyTest {
         empty()
             .add(new Box(at(0, 0, 3), 2, 2, 1.5), medium)
             .add(inside, veil(0, 0))
-            .addEmissive(wall(9), glow(1))
+            .add(wall(9), Unlit.INSTANCE, glow(1))
             .build();
     assertThat(radiance(path(scene), FORWARD).g()).isCloseTo(Math.exp(-.75), within(1e-9));
     assertThat(radiance(ray(scene), FORWARD).g()).isCloseTo(Math.exp(-.75), within(1e-9));
@@ -350,7 +360,7 @@ class TransparencyTest {
 
   @Test
   void eachPassedSurfaceCountsAsARay() {
-    SceneBuilder builder = empty().addEmissive(wall(9), glow(1));
+    SceneBuilder builder = empty().add(wall(9), Unlit.INSTANCE, glow(1));
     for (int i = 1; i <= 5; i++) {
       builder.add(wall(i), veil(0, 0));
     }
@@ -368,7 +378,7 @@ class TransparencyTest {
   @ParameterizedTest
   @ValueSource(ints = {255, 256, 1000, 65_536, 65_537})
   void raysPassManySurfaces(int layers) {
-    SceneBuilder builder = empty().addEmissive(wall(2), glow(1));
+    SceneBuilder builder = empty().add(wall(2), Unlit.INSTANCE, glow(1));
     SceneBuilder lit = empty().add(floor(), matte(.5)).add(point(new Vec3(0, 2, 0), 4));
     for (int i = 1; i <= layers; i++) {
       double place = 1 + .5 * i / layers;
@@ -395,7 +405,7 @@ class TransparencyTest {
 
   @Test
   void rejectedSamplesDoNotChangeTheNextOnes() {
-    SceneBuilder builder = empty().addEmissive(wall(2), glow(1));
+    SceneBuilder builder = empty().add(wall(2), Unlit.INSTANCE, glow(1));
     for (int i = 0; i < 65_537; i++) {
       double z = 1 + i * 0x1p-17;
       builder.add(new Rectangle(at(0, 0, z).times(turned(-90, 0, 0)), 1, 1, true), veil(0, 0));

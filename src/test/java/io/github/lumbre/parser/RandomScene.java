@@ -45,6 +45,7 @@ import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -155,7 +156,7 @@ final class RandomScene {
       scene.addAreaLight("lamp", shape(kind), rgb(4));
     } else if (choice == 3) {
       Texture<Rgb> texture = color(kind);
-      scene.addEmissive(shape(kind), new Emission(texture, true));
+      scene.add(shape(kind), Unlit.INSTANCE, new Emission(texture, true));
       scene.addAreaLight(shape(kind + 1), new Emission(color(kind + 1), random.nextBoolean()));
     } else {
       scene.add("thing " + random.nextInt(4), shape(kind), materials.get(random.nextInt(12)));

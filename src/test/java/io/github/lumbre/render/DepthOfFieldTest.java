@@ -12,6 +12,7 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -106,8 +107,9 @@ class DepthOfFieldTest {
     Scene scene =
         Scene.builder()
             .seenBy(camera)
-            .addEmissive(
+            .add(
                 new Sphere(Transform.translation(new Vec3(0, 0, depth)), BALL),
+                Unlit.INSTANCE,
                 new Emission(Texture.constant(Rgb.WHITE), true))
             .build();
     RenderSettings settings =

@@ -23,6 +23,7 @@ import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -94,7 +95,7 @@ class ExtremePicturesTest {
       Scene scene =
           Scene.builder()
               .seenBy(camera)
-              .addEmissive(new Sphere(Transform.IDENTITY, 1), glow(Rgb.WHITE))
+              .add(new Sphere(Transform.IDENTITY, 1), Unlit.INSTANCE, glow(Rgb.WHITE))
               .addBackground(Rgb.WHITE)
               .build();
       Image image = new PictureRenderer(settings(width, height, 1).build()).render(scene);
@@ -147,7 +148,7 @@ class ExtremePicturesTest {
     Scene scene =
         Scene.builder()
             .seenBy(Lens.pinhole(fov).camera(eye, Frame.WORLD, 1))
-            .addEmissive(new Sphere(at(.3, -.2, .5), 1), glow(Rgb.WHITE))
+            .add(new Sphere(at(.3, -.2, .5), 1), Unlit.INSTANCE, glow(Rgb.WHITE))
             .build();
     int replicates = 100;
     Moments share = new Moments();
@@ -180,9 +181,9 @@ class ExtremePicturesTest {
         Scene scene =
             Scene.builder()
                 .seenBy(Lens.pinhole(20).camera(Vec3.ZERO, Frame.WORLD, 1))
-                .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? RED : GREEN))
-                .addEmissive(new Rectangle(place, 8, 7, true), glow(redFirst ? GREEN : RED))
-                .addEmissive(new Rectangle(place, 9, 9, true), glow(redFirst ? GREEN : RED))
+                .add(new Rectangle(place, 9, 9, true), Unlit.INSTANCE, glow(redFirst ? RED : GREEN))
+                .add(new Rectangle(place, 8, 7, true), Unlit.INSTANCE, glow(redFirst ? GREEN : RED))
+                .add(new Rectangle(place, 9, 9, true), Unlit.INSTANCE, glow(redFirst ? GREEN : RED))
                 .build();
         for (int threads = 1; threads < 4; threads++) {
           RenderSettings settings = settings(24, 24, 1).threads(threads).bucketSize(7).build();
@@ -250,8 +251,10 @@ class ExtremePicturesTest {
     Scene scene =
         Scene.builder()
             .seenBy(Lens.pinhole(90).camera(Vec3.ZERO, Frame.WORLD, 1))
-            .addEmissive(
-                new Rectangle(place, 2.000001, 2.000001, true), new Emission(texture, true))
+            .add(
+                new Rectangle(place, 2.000001, 2.000001, true),
+                Unlit.INSTANCE,
+                new Emission(texture, true))
             .build();
     Moments means = new Moments();
     for (int seed = 0; seed < 100; seed++) {

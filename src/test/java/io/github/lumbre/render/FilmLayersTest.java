@@ -16,6 +16,7 @@ import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -355,7 +356,10 @@ class FilmLayersTest {
   void lightsAndBackgroundsHaveTheirColorAsGuide() throws InterruptedException {
     Scene scene =
         scene()
-            .addEmissive(sphere(0, 0, .8), new Emission(Texture.constant(new Rgb(3, .5, 0)), false))
+            .add(
+                sphere(0, 0, .8),
+                Unlit.INSTANCE,
+                new Emission(Texture.constant(new Rgb(3, .5, 0)), false))
             .addBackground(new Rgb(.25, 2, 0))
             .build();
     Film film = film(settings(ALL).build(), scene);

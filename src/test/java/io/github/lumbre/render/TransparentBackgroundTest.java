@@ -18,6 +18,7 @@ import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
+import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -68,7 +69,7 @@ class TransparentBackgroundTest {
   /** Returns surfaces of one color that no light changes: opaque, and with alpha before nothing. */
   private static SceneBuilder unlit() {
     return scene()
-        .addEmissive(new Sphere(at(-.8, 0, 0), .6), glow(1))
+        .add(new Sphere(at(-.8, 0, 0), .6), Unlit.INSTANCE, glow(1))
         .add(new Rectangle(at(.9, 0, 0).times(UPRIGHT), 1.2, 2, true), veil(.5), glow(.5))
         .add(new Rectangle(at(.9, 0, .1).times(UPRIGHT), 1.5, 1, true), veil(.25), glow(.25));
   }
@@ -147,7 +148,7 @@ class TransparentBackgroundTest {
     Scene scene =
         scene()
             .add(new Rectangle(at(0, -1, 0), 9, 9, false), ShadowCatcher.of(Rgb.WHITE))
-            .addEmissive(new Sphere(at(0, 9, 0), 4), Emission.of(COLOR))
+            .add(new Sphere(at(0, 9, 0), 4), Unlit.INSTANCE, Emission.of(COLOR))
             .add(new Sphere(at(0, -.5, 2), .3), new Mirror(Texture.constant(Rgb.BLACK)))
             .addBackground(SKY)
             .build();

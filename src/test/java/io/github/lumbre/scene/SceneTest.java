@@ -132,7 +132,7 @@ class SceneTest {
   @Test
   void emissiveSurfacesAreEmittersAndNoLights() {
     Sphere shape = sphere(5);
-    Scene scene = empty().addEmissive(shape, glow(2)).addBackground(Rgb.WHITE).build();
+    Scene scene = empty().add(shape, Unlit.INSTANCE, glow(2)).addBackground(Rgb.WHITE).build();
     assertThat(scene.lights()).isEmpty();
     assertThat(scene.emitters()).hasSize(2).contains(new AreaLight(shape, glow(2)));
     assertThat(scene.environments()).hasSize(1);
@@ -145,7 +145,7 @@ class SceneTest {
         empty()
             .add(point(0))
             .addAreaLight(sphere(5), glow(0))
-            .addEmissive(sphere(9), glow(0))
+            .add(sphere(9), Unlit.INSTANCE, glow(0))
             .addBackground(Rgb.BLACK);
     Scene scene = builder.build();
     assertThat(scene.lights()).isEmpty();
@@ -158,7 +158,7 @@ class SceneTest {
   /** An infinite plane cannot be sampled: it lights other things only when a ray hits it. */
   @Test
   void infiniteEmittersAreHitAndNotSampled() {
-    Scene scene = empty().addEmissive(FLOOR, glow(2)).build();
+    Scene scene = empty().add(FLOOR, Unlit.INSTANCE, glow(2)).build();
     assertThat(scene.emitters()).isEmpty();
     hit.aim(new Ray(Vec3.Y, Vec3.Y.negated()));
     assertThat(scene.intersect(hit)).isTrue();
