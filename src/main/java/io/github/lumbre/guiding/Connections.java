@@ -26,7 +26,9 @@ final class Connections {
   private final RecordValues values;
   private final Guide drawnBy;
 
-  /** Number of the records of paths. The connection that starts at record i has number i + count. */
+  /**
+   * Number of the records of paths. The connection that starts at record i has number i + count.
+   */
   private final int count;
 
   /** Sum of the powers of a record and those before it. */
@@ -68,20 +70,12 @@ final class Connections {
     }
   }
 
-  /** Returns the record of a path from which a connection starts; a path's record itself. */
-  int start(int record) {
-    return record < count ? record : record - count;
-  }
-
-  /** Records and their connections, and the rays that these took. */
-  record Connected(RecordOrder order, long rays) {}
-
   /**
    * Weights the records of a range, and returns them and their connections.
    *
    * @param sight of the calling thread
    */
-  Connected connected(RecordRange range, Sight sight) {
+  RecordOrder connected(RecordRange range, Sight sight) {
     int[] all = new int[2 * range.size()];
     int size = 0;
     for (int i = 0; i < range.size(); i++) {
@@ -92,35 +86,13 @@ final class Connections {
       values.scale(record, allPdf > 0 ? pdf / allPdf : 2);
       all[size++] = record;
     }
-    CountedSight counted = new CountedSight(sight);
     for (int i = 0; i < range.size(); i++) {
       double chosen = i * GOLDEN_RATIO;
-      if (connect(range.record(i), chosen - Math.floor(chosen), counted)) {
+      if (connect(range.record(i), chosen - Math.floor(chosen), sight)) {
         all[size++] = range.record(i) + count;
       }
     }
-    return new Connected(new RecordOrder(records, Arrays.copyOf(all, size)), counted.rays);
-  }
-
-  /** A sight that counts its rays. */
-  private static final class CountedSight {
-    private final Sight sight;
-    private long rays;
-
-    CountedSight(Sight sight) {
-      this.sight = sight;
-    }
-
-    boolean isClear(Way way) {
-      rays++;
-      return sight.isClear(
-          way.fromX,
-          way.fromY,
-          way.fromZ,
-          way.length * way.x,
-          way.length * way.y,
-          way.length * way.z);
-    }
+    return new RecordOrder(records, Arrays.copyOf(all, size));
   }
 
   /** Returns the density per solid angle of connecting a record to the next vertex of its path. */
@@ -146,7 +118,7 @@ final class Connections {
    *
    * @param chosen part of the power, in [0,1), up to the chosen record
    */
-  private boolean connect(int from, double chosen, CountedSight sight) {
+  private boolean connect(int from, double chosen, Sight sight) {
     double albedo = records.number(from, GuideRecords.DIFFUSE);
     if (albedo == 0) {
       return false;
@@ -154,7 +126,7 @@ final class Connections {
     int to = record(chosen);
     Way way = new Way(records, from, to);
     double pdf = pdf(way, to);
-    if (!way.isFacing() || !(pdf > 0) || !sight.isClear(way)) {
+    if (!way.isFacing() || !(pdf > 0) || !way.isClear(sight)) {
       return false;
     }
     double bsdfPdf = way.cosineHere / Math.PI;
@@ -233,6 +205,10 @@ final class Connections {
 
     double v() {
       return Octahedron.v(x, y, z);
+    }
+
+    boolean isClear(Sight sight) {
+      return sight.isClear(fromX, fromY, fromZ, length * x, length * y, length * z);
     }
 
     /** Returns whether both sides face each other; false if the way has no length. */

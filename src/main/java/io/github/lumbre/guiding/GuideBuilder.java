@@ -22,16 +22,6 @@ public final class GuideBuilder {
   private final RecordValues values;
   private final Connections connections;
 
-  /**
-   * A guide.
-   *
-   * @param rays rays that were traced for it
-   */
-  public record Built(Guide guide, long rays) {
-    /** Nothing was learned. */
-    public static final Built NONE = new Built(Guide.NONE, 0);
-  }
-
   private GuideBuilder(
       GuideRecords records,
       Guide drawnBy,
@@ -54,7 +44,7 @@ public final class GuideBuilder {
    * @param drawnBy the guide of {@link #train} that drew their directions, or {@link Guide#NONE}
    * @param sights returns a sight of the scene for a thread
    */
-  public static Built build(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
+  public static Guide build(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
     return build(records, drawnBy, sights, Guide.MOST_INTS, false);
   }
 
@@ -62,7 +52,7 @@ public final class GuideBuilder {
    * Returns a guide to record paths for a better one: all cells have the same mixture. The
    * parameters are those of {@link #build}.
    */
-  public static Built train(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
+  public static Guide train(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
     return build(records, drawnBy, sights, Guide.MOST_INTS, true);
   }
 
@@ -72,7 +62,7 @@ public final class GuideBuilder {
    * @param limit number of ints of all quadtrees. A cell with more than an equal share is not
    *     refined
    */
-  static Built build(
+  static Guide build(
       GuideRecords records,
       Guide drawnBy,
       Supplier<? extends Sight> sights,
@@ -83,24 +73,23 @@ public final class GuideBuilder {
         return new GuideBuilder(records, drawnBy, sights, limit, isTraining).build();
       }
     }
-    return Built.NONE;
+    return Guide.NONE;
   }
 
   /**
    * What the records of a cell give.
    *
    * @param squares the nodes of its quadtree
-   * @param fraction best part of its directions that follow the guide
    * @param mean light that it scatters
    */
-  private record Cell(int[] squares, float fraction, float mean, long rays) {}
+  private record Cell(int[] squares, float mean) {}
 
-  private Built build() {
+  private Guide build() {
     List<PlaceTree> trees = Arrays.stream(orders).parallel().map(PlaceTree::new).toList();
     List<RecordRange> ranges = trees.stream().flatMap(tree -> tree.leaves().stream()).toList();
     int share = limit / Math.max(1, ranges.size());
     List<Cell> cells = ranges.parallelStream().map(range -> cell(range, share)).toList();
-    return new Built(guide(trees, cells), cells.stream().mapToLong(Cell::rays).sum());
+    return guide(trees, cells);
   }
 
   private Cell cell(RecordRange range, int share) {
@@ -109,13 +98,13 @@ public final class GuideBuilder {
       int record = range.record(i);
       light += values.value(record) + records.number(record, GuideRecords.DIRECT);
     }
-    Connections.Connected all = connections.connected(range, sights.get());
-    float fraction = CellFraction.best(records, values, all.order());
+    RecordOrder all = connections.connected(range, sights.get());
+    float fraction = CellFraction.best(records, values, all);
     int[] squares =
         new SquareBuilder(records, values, share)
-            .build(all.order(), isTraining ? CellFraction.TRAINING : fraction);
+            .build(all, isTraining ? CellFraction.TRAINING : fraction);
     float mean = (float) Math.min(Float.MAX_VALUE, light / range.size());
-    return new Cell(squares, fraction, mean, all.rays());
+    return new Cell(squares, mean);
   }
 
   private static Guide guide(List<PlaceTree> trees, List<Cell> cells) {

@@ -96,20 +96,19 @@ final class GuidePilot {
 
   private Learned learn() throws InterruptedException, PilotRows.Stopped {
     int paths = paths(settings);
-    GuideBuilder.Built built = GuideBuilder.Built.NONE;
+    Guide guide = Guide.NONE;
     for (int pass = 0; pass < PASSES; pass++) {
       long share = ((long) paths << pass) / ((1 << PASSES) - 1);
-      GuideRecords records = records(built.guide(), (int) Math.max(1, share), pass);
-      built =
+      GuideRecords records = records(guide, (int) Math.max(1, share), pass);
+      guide =
           pass == PASSES - 1
-              ? GuideBuilder.build(records, built.guide(), () -> new GuideSight(scene))
-              : GuideBuilder.train(records, built.guide(), () -> new GuideSight(scene));
-      rays += built.rays();
-      if (pass >= CHECKED_PASS && built.guide().isEmpty()) {
+              ? GuideBuilder.build(records, guide, () -> new GuideSight(scene))
+              : GuideBuilder.train(records, guide, () -> new GuideSight(scene));
+      if (pass >= CHECKED_PASS && guide.isEmpty()) {
         return new Learned(Guide.NONE, GuideReport.unused(Outcome.NOTHING_LEARNED, rays));
       }
     }
-    return new Learned(built.guide(), GuideReport.used(built.guide(), rays));
+    return new Learned(guide, GuideReport.used(guide, rays));
   }
 
   /** Traces the paths of a pass. */

@@ -9,7 +9,7 @@ import java.util.Map;
  * What the pilot render of {@code --guide} did.
  *
  * @param outcome whether the paths are guided, or why not
- * @param rays rays of the pilot; 0 if there was nothing to learn
+ * @param rays rays of the pilot's paths; 0 if there was nothing to learn
  * @param bytes size of the guide
  * @param hash hash of the guide, by which two processes can compare theirs; 0 without a guide
  */

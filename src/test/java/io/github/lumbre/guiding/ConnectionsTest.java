@@ -47,19 +47,25 @@ class ConnectionsTest {
 
   /** Returns the mean value of the floor's records and connections. */
   private static double meanOfFloor(GuideRecords records, Sight sight) {
+    int size = records.size();
     RecordOrder[] orders = RecordOrder.ofAxes(records);
     RecordValues values = new RecordValues(records, orders);
     Connections connections = new Connections(records, values, Guide.NONE);
     RecordOrder floor = orders[Guide.axis(0, 0, 1)];
     int count = floor.size();
-    Connections.Connected connected =
-        connections.connected(new RecordRange(floor, 0, count), sight);
-    assertThat(connected.rays()).isEqualTo(count);
-    RecordOrder all = connected.order();
+    int[] rays = new int[1];
+    Sight counted =
+        (x, y, z, dx, dy, dz) -> {
+          rays[0]++;
+          return sight.isClear(x, y, z, dx, dy, dz);
+        };
+    RecordOrder all = connections.connected(new RecordRange(floor, 0, count), counted);
+    assertThat(rays[0]).isEqualTo(count);
     double sum = 0;
     for (int i = 0; i < all.size(); i++) {
       sum += values.value(all.record(i));
-      assertThat(connections.start(all.record(i))).isEqualTo(floor.record(i % count));
+      int offset = i < count ? 0 : size;
+      assertThat(all.record(i)).isEqualTo(floor.record(i % count) + offset);
     }
     return sum / (2 * count);
   }
@@ -88,7 +94,7 @@ class ConnectionsTest {
     Connections connections = new Connections(records, values, Guide.NONE);
     RecordOrder floor = orders[Guide.axis(0, 0, 1)];
     RecordRange range = new RecordRange(floor, 0, floor.size());
-    RecordOrder all = connections.connected(range, (x, y, z, dx, dy, dz) -> false).order();
+    RecordOrder all = connections.connected(range, (x, y, z, dx, dy, dz) -> false);
     assertThat(all.size()).isEqualTo(floor.size());
     for (int i = 0; i < range.size(); i++) {
       assertThat(records.isConnected(records.size() + range.record(i))).isFalse();
@@ -116,7 +122,7 @@ class ConnectionsTest {
     GuideSample sample = new GuideSample();
     double[] densities = new double[2];
     for (int kind = 0; kind < 2; kind++) {
-      Guide guide = GuideBuilder.build(unmet(kind * ALBEDO), Guide.NONE, () -> CLEAR).guide();
+      Guide guide = GuideBuilder.build(unmet(kind * ALBEDO), Guide.NONE, () -> CLEAR);
       int cell = guide.cell(.5, .5, 0, 0, 0, 1);
       Octahedron.direction(Octahedron.u(2.55, 3.55, 2), Octahedron.v(2.55, 3.55, 2), sample);
       densities[kind] = guide.pdf(cell, sample.x(), sample.y(), sample.z());

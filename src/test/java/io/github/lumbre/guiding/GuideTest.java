@@ -12,11 +12,11 @@ class GuideTest {
   /** Nothing sees anything. */
   private static final Sight BLIND = (x, y, z, dx, dy, dz) -> false;
 
-  private static GuideBuilder.Built build(GuideRecords records) {
+  private static Guide build(GuideRecords records) {
     return GuideBuilder.build(records, Guide.NONE, () -> BLIND);
   }
 
-  private static GuideBuilder.Built train(GuideRecords records) {
+  private static Guide train(GuideRecords records) {
     return GuideBuilder.train(records, Guide.NONE, () -> BLIND);
   }
 
@@ -62,7 +62,7 @@ class GuideTest {
   /** The midpoint rule over the square, whose points have solid angles of 1 over the stretch. */
   @Test
   void theDensityIntegratesToOne() {
-    Guide guide = build(records(50_000, 2)).guide();
+    Guide guide = build(records(50_000, 2));
     int cell = cell(guide);
     GuideSample sample = new GuideSample();
     int side = 2048;
@@ -88,7 +88,7 @@ class GuideTest {
    */
   @Test
   void samplesFollowTheDensity() {
-    Guide guide = build(records(50_000, 3)).guide();
+    Guide guide = build(records(50_000, 3));
     int cell = cell(guide);
     Random random = new Random(4);
     GuideSample sample = new GuideSample();
@@ -130,7 +130,7 @@ class GuideTest {
   /** The spot is 1/26 of the sphere and holds 88 % of the light. */
   @Test
   void samplesGoWhereLightIs() {
-    Guide guide = build(records(50_000, 5)).guide();
+    Guide guide = build(records(50_000, 5));
     int cell = cell(guide);
     Random random = new Random(6);
     GuideSample sample = new GuideSample();
@@ -145,14 +145,14 @@ class GuideTest {
   /** Half of the points of a net lie in each half, so that each half receives a net. */
   @Test
   void theFractionOfTrainingIsOneHalf() {
-    Guide guide = train(records(5_000, 7)).guide();
+    Guide guide = train(records(5_000, 7));
     assertThat(guide.fraction(cell(guide))).isEqualTo(.5);
   }
 
   @Test
   void cellsWhereTheGuideWasNoBetterFollowTheBsdf() {
-    GuideBuilder.Built built = build(records(5_000, 7));
-    assertThat(built.guide().fraction(cell(built.guide()))).isZero();
+    Guide built = build(records(5_000, 7));
+    assertThat(built.fraction(cell(built))).isZero();
   }
 
   /** Records that a mixture of two equal halves drew, with the given density of the guide. */
@@ -171,17 +171,17 @@ class GuideTest {
    */
   @Test
   void theFractionHasTheLeastSecondMoment() {
-    GuideBuilder.Built built = build(mixed(.9, .1));
-    assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
+    Guide built = build(mixed(.9, .1));
+    assertThat(built.fraction(built.cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
   }
 
   /** A fraction of 7/8 would save 24 % here, less than a guided direction is worth. */
   @Test
   void smallGainsAreNotTaken() {
-    GuideBuilder.Built built = build(mixed(1.36, 1));
-    assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isZero();
+    Guide built = build(mixed(1.36, 1));
+    assertThat(built.fraction(built.cell(5, 0, 0, 0, 0, 1))).isZero();
     built = build(mixed(1.4, 1));
-    assertThat(built.guide().fraction(built.guide().cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
+    assertThat(built.fraction(built.cell(5, 0, 0, 0, 0, 1))).isEqualTo(.875);
   }
 
   /** Directions without any record could have light that the pilot missed. */
@@ -193,7 +193,7 @@ class GuideTest {
       records.add(random.nextDouble(), 0, 0, 0, 0, 1, 0, 0);
       records.leave(.1 * random.nextDouble(), .1 * random.nextDouble(), 1, .3, .3, 1, 0, false);
     }
-    Guide guide = build(records).guide();
+    Guide guide = build(records);
     int cell = guide.cell(.5, 0, 0, 0, 0, 1);
     assertThat(guide.pdf(cell, 1, 0, 0)).isPositive();
     assertThat(guide.pdf(cell, -.6, .8, 0)).isPositive();
@@ -201,7 +201,7 @@ class GuideTest {
   }
 
   private static int hash(GuideRecords records) {
-    return build(records).guide().hash();
+    return build(records).hash();
   }
 
   @Test
@@ -210,13 +210,13 @@ class GuideTest {
     GuideRecords parts = new GuideRecords();
     parts.addAll(records(20_000, 8));
     assertThat(hash(parts)).isEqualTo(hash(whole));
-    Guide other = build(records(20_000, 9)).guide();
+    Guide other = build(records(20_000, 9));
     assertThat(other.hash()).isNotEqualTo(hash(whole));
   }
 
   @Test
   void surfacesOfAnotherSideHaveNoCell() {
-    Guide guide = build(records(5_000, 10)).guide();
+    Guide guide = build(records(5_000, 10));
     assertThat(guide.cell(.5, 1.5, 0, 0, 0, -1)).isEqualTo(Guide.NO_CELL);
     assertThat(guide.cell(.5, 1.5, 0, 1, 0, 0)).isEqualTo(Guide.NO_CELL);
     assertThat(Guide.NONE.cell(0, 0, 0, 0, 0, 1)).isEqualTo(Guide.NO_CELL);
@@ -224,13 +224,13 @@ class GuideTest {
 
   @Test
   void nothingIsLearnedWithoutLight() {
-    assertThat(build(new GuideRecords()).guide().isEmpty()).isTrue();
+    assertThat(build(new GuideRecords()).isEmpty()).isTrue();
     GuideRecords black = new GuideRecords();
     for (int i = 0; i < 1000; i++) {
       black.add(i, 0, 0, 0, 0, 1, 0, 0);
       black.leave(0, 0, 1, .3, .3, 0, .5, false);
     }
-    assertThat(build(black).guide().isEmpty()).isTrue();
+    assertThat(build(black).isEmpty()).isTrue();
   }
 
   @Test
@@ -252,8 +252,8 @@ class GuideTest {
   @Test
   void aGuideBeyondItsLimitIsNotRefined() {
     GuideRecords records = records(50_000, 11);
-    Guide free = build(records).guide();
-    Guide full = GuideBuilder.build(records, Guide.NONE, () -> BLIND, 0, false).guide();
+    Guide free = build(records);
+    Guide full = GuideBuilder.build(records, Guide.NONE, () -> BLIND, 0, false);
     assertThat(full.bytes()).isLessThan(free.bytes() / 4);
     assertThat(cell(full)).isNotNegative();
   }

@@ -33,9 +33,9 @@ class GuideRecorderTest {
     Guide guide = Guide.NONE;
     for (int pass = 0; pass < 3; pass++) {
       GuideRecords records = record(scene, guide, pass);
-      guide = GuideBuilder.train(records, guide, () -> new GuideSight(scene)).guide();
+      guide = GuideBuilder.train(records, guide, () -> new GuideSight(scene));
     }
-    guide = GuideBuilder.build(record(scene, guide, 3), guide, () -> new GuideSight(scene)).guide();
+    guide = GuideBuilder.build(record(scene, guide, 3), guide, () -> new GuideSight(scene));
     // It is 0.15; with the weights of guided rays, it is 0.46.
     assertThat(followedPart(guide, scene)).isBetween(0., .25);
   }

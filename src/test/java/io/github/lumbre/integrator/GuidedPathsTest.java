@@ -39,7 +39,7 @@ class GuidedPathsTest {
     GuideRecorder recorder = new GuideRecorder(records);
     samples(scene, Guide.NONE, RECORDED, RenderContext.recordedBy(recorder));
     recorder.endPath();
-    Guide guide = GuideBuilder.train(records, Guide.NONE, () -> new GuideSight(scene)).guide();
+    Guide guide = GuideBuilder.train(records, Guide.NONE, () -> new GuideSight(scene));
     assertThat(guide.isEmpty()).isFalse();
     Moments guided = samples(scene, guide, SAMPLES, new RenderContext());
     Moments unguided = samples(scene, Guide.NONE, SAMPLES, new RenderContext());
