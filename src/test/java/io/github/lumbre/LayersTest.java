@@ -104,7 +104,8 @@ class LayersTest {
                   + " render parser checkpoint stopping lab"),
           Map.entry(
               "cli.run",
-              "image file text limit scene render parser checkpoint denoise stopping lab cli.output"),
+              "image file text limit scene render parser checkpoint denoise stopping lab"
+                  + " cli.output"),
           Map.entry(
               "cli.option",
               "image geometry file scene model render parser checkpoint denoise stopping lab"

@@ -22,7 +22,7 @@ import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.ModelViews;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;

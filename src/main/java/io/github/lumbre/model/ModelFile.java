@@ -3,6 +3,11 @@ package io.github.lumbre.model;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelPart;
+import io.github.lumbre.model.internal.ModelScene;
+import io.github.lumbre.model.internal.ModelSurface;
 import io.github.lumbre.scene.SceneContent;
 import java.util.List;
 import java.util.Map;
@@ -88,7 +93,7 @@ public final class ModelFile implements SceneContent {
   }
 
   /** Returns the content of the file. */
-  public Model model() {
+  Model model() {
     return model;
   }
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -72,7 +72,7 @@ public record ModelOptions(
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */
-  Transform toWorld() {
+  public Transform toWorld() {
     Transform scale = Transform.scale(new Vec3(unit, unit, unit));
     return up == Up.Y
         ? scale

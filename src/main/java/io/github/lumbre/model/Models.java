@@ -1,5 +1,7 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

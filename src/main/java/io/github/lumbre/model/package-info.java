@@ -1,6 +1,6 @@
 /**
- * Readers of model files: glTF 2.0, OBJ with MTL, PLY and STL. {@link
- * io.github.lumbre.model.ModelReader} chooses the reader and returns a {@link
- * io.github.lumbre.model.Model}, which does not depend on the format.
+ * Models from files: glTF 2.0, OBJ with MTL, PLY and STL. {@link io.github.lumbre.model.Models}
+ * reads a {@link io.github.lumbre.model.ModelFile}, which scenes that are built in code place. The
+ * package {@code internal} has the formats.
  */
 package io.github.lumbre.model;

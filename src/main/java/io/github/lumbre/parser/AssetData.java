@@ -1,11 +1,11 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.model.FileSearch;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.FileSearch;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;

@@ -1,9 +1,9 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelAnimation;
-import io.github.lumbre.model.ModelCamera;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelCamera;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

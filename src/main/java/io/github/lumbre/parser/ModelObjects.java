@@ -4,7 +4,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.io.IOException;
 import java.util.HashSet;

@@ -1,6 +1,6 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.text.PrintableText;
 import java.nio.file.Path;
 import java.util.ArrayList;

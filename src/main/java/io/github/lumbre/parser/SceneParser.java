@@ -6,7 +6,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.TimeLimit;
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;

@@ -2,7 +2,7 @@ package io.github.lumbre.models;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.ModelReader;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.model.Model;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.ModelReader;
-import io.github.lumbre.model.ModelScene;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.parser.Stage.View;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -2,7 +2,7 @@ package io.github.lumbre.junit;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.ModelReader;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

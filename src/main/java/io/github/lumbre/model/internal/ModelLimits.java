@@ -1,0 +1,64 @@
+package io.github.lumbre.model.internal;
+
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import java.util.Optional;
+
+/** Limits that are checked before memory is allocated. Stateless. */
+final class ModelLimits {
+  /** The largest number of vertices or triangles: three numbers each fit into one Java array. */
+  static final int MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
+
+  /** The largest number of parts of one model. */
+  static final int MAX_PARTS = 10_000;
+
+  /** Items between two checks for an interrupt, minus 1; a power of two minus 1. */
+  static final int INTERRUPT_MASK = (1 << 14) - 1;
+
+  private ModelLimits() {}
+
+  /**
+   * Checks that a mesh fits into the heap, and the memory that the limits allow.
+   *
+   * @param bytes that the mesh needs at least
+   * @throws ModelFormatException if it does not
+   */
+  static void requireMemory(String location, long bytes, Limits limits)
+      throws ModelFormatException {
+    long max = limits.heap();
+    if (bytes > max) {
+      throw new ModelFormatException(
+          Kind.TOO_LARGE,
+          location,
+          "expected a mesh that needs at most "
+              + max
+              + " bytes of memory, found one that needs "
+              + bytes);
+    }
+  }
+
+  /**
+   * Checks the number of triangles.
+   *
+   * @throws ModelFormatException if there are more than the limits allow
+   */
+  static void requireTriangles(String location, long found, Limits limits)
+      throws ModelFormatException {
+    require(location, "triangles", limits.triangles(), found);
+  }
+
+  /**
+   * Checks a number of things against a limit.
+   *
+   * @param things what is counted, in the plural
+   * @throws ModelFormatException if there are more
+   */
+  static void require(String location, String things, long max, long found)
+      throws ModelFormatException {
+    Optional<String> excess = Limits.excess(things, max, found);
+    if (excess.isPresent()) {
+      throw new ModelFormatException(Kind.TOO_LARGE, location, excess.get());
+    }
+  }
+}

@@ -1,0 +1,153 @@
+package io.github.lumbre.model.internal;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.MaterialParameter;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * A metallic-roughness material as a model states it: the parameters of glTF 2.0 and of its {@code
+ * KHR_materials_} extensions. Immutable; {@link #builder} builds it.
+ *
+ * @param name empty if it has none
+ * @param location in the file, such as {@code materials[2]}; empty for a default material
+ * @param inputs the parameters that the model states
+ * @param normalMap empty if there is none
+ * @param emission the emitted radiance; the factor includes the emissive strength
+ * @param alphaMode the meaning of {@link MaterialParameter#OPACITY}
+ * @param alphaCutoff the threshold of {@link AlphaMode#MASK}
+ * @param doubleSided whether back faces are visible
+ * @param unlit whether the base color is emitted instead of lit (KHR_materials_unlit)
+ */
+public record ModelMaterial(
+    String name,
+    String location,
+    Map<MaterialParameter, MaterialInput> inputs,
+    Optional<MaterialInput> normalMap,
+    MaterialInput emission,
+    AlphaMode alphaMode,
+    double alphaCutoff,
+    boolean doubleSided,
+    boolean unlit) {
+  /** The meaning of {@link MaterialParameter#OPACITY}. */
+  public enum AlphaMode {
+    /** Opacity is ignored. */
+    OPAQUE,
+    /** A point is visible if its opacity is at least {@link #alphaCutoff}. */
+    MASK,
+    /** Opacity is the fraction of light that the surface stops. */
+    BLEND
+  }
+
+  public ModelMaterial {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(location, "location");
+    inputs = Map.copyOf(inputs);
+    Objects.requireNonNull(normalMap, "normalMap");
+    Objects.requireNonNull(emission, "emission");
+    Objects.requireNonNull(alphaMode, "alphaMode");
+  }
+
+  /**
+   * Returns a builder of a material with the defaults of glTF 2.0: white, metallic 1, roughness 1.
+   *
+   * @param name empty if it has none
+   * @param location in the file, such as {@code materials[2]}; empty for a default material
+   */
+  public static Builder builder(String name, String location) {
+    return new Builder(name, location);
+  }
+
+  /** Returns the value of a parameter; its default if the model does not state it. */
+  public MaterialInput input(MaterialParameter parameter) {
+    return inputs.getOrDefault(parameter, MaterialInput.of(parameter.missing()));
+  }
+
+  /**
+   * Returns whether a parameter has an effect: the model states it, and neither it nor the strength
+   * of its layer is 0.
+   */
+  public boolean uses(MaterialParameter parameter) {
+    MaterialParameter strength = parameter.strength();
+    boolean isOff = strength.missing().isBlack() && input(strength).factor().isBlack();
+    return inputs.containsKey(parameter) && !isOff;
+  }
+
+  /** Builds a {@link ModelMaterial}. Mutable. */
+  public static final class Builder {
+    private final String name;
+    private final String location;
+    private final Map<MaterialParameter, MaterialInput> inputs = new HashMap<>();
+    private Optional<MaterialInput> normalMap = Optional.empty();
+    private MaterialInput emission = MaterialInput.of(Rgb.BLACK);
+    private AlphaMode alphaMode = AlphaMode.OPAQUE;
+    private double alphaCutoff = .5;
+    private boolean doubleSided;
+    private boolean unlit;
+
+    private Builder(String name, String location) {
+      this.name = name;
+      this.location = location;
+    }
+
+    /** Sets a parameter. */
+    public Builder set(MaterialParameter parameter, MaterialInput value) {
+      inputs.put(parameter, value);
+      return this;
+    }
+
+    /** Sets a number without a texture. */
+    public Builder set(MaterialParameter parameter, double value) {
+      return set(parameter, MaterialInput.of(value));
+    }
+
+    /** Sets a color without a texture. */
+    public Builder set(MaterialParameter parameter, Rgb value) {
+      return set(parameter, MaterialInput.of(value));
+    }
+
+    /** Sets {@link ModelMaterial#normalMap}. */
+    public Builder normalMap(Optional<MaterialInput> value) {
+      normalMap = value;
+      return this;
+    }
+
+    /** Sets {@link ModelMaterial#emission}. */
+    public Builder emission(MaterialInput value) {
+      emission = value;
+      return this;
+    }
+
+    /** Sets {@link ModelMaterial#alphaMode}. */
+    public Builder alphaMode(AlphaMode value) {
+      alphaMode = value;
+      return this;
+    }
+
+    /** Sets {@link ModelMaterial#alphaCutoff}. */
+    public Builder alphaCutoff(double value) {
+      alphaCutoff = value;
+      return this;
+    }
+
+    /** Sets {@link ModelMaterial#doubleSided}. */
+    public Builder doubleSided(boolean value) {
+      doubleSided = value;
+      return this;
+    }
+
+    /** Sets {@link ModelMaterial#unlit}. */
+    public Builder unlit(boolean value) {
+      unlit = value;
+      return this;
+    }
+
+    /** Returns the material. */
+    public ModelMaterial build() {
+      return new ModelMaterial(
+          name, location, inputs, normalMap, emission, alphaMode, alphaCutoff, doubleSided, unlit);
+    }
+  }
+}

@@ -1,0 +1,146 @@
+package io.github.lumbre.model.internal;
+
+import io.github.lumbre.file.FileContent;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+
+/** Reads model files of all supported formats. Stateless. */
+public final class ModelReader {
+  /** The name endings of supported files, for messages. */
+  public static final String NAMES = ".gltf, .glb, .obj, .ply, .stl";
+
+  private ModelReader() {}
+
+  /** Returns whether the ending of a file's name is that of a model. */
+  public static boolean isModelName(String name) {
+    return ModelFormat.named(name).isPresent();
+  }
+
+  /**
+   * Returns whether the content of a file is a model, whatever its name.
+   *
+   * @param start the first {@link FileContent#START} bytes, or more; all if the file has fewer
+   * @param size of the file in bytes
+   */
+  public static boolean isModel(byte[] start, long size) {
+    return ModelFormat.in(start, size).isPresent();
+  }
+
+  /**
+   * Returns whether a file is a model, by the ending of its name. If it is neither that of a model
+   * nor .json, the content of the file decides.
+   */
+  public static boolean isModel(Path file) {
+    String name = String.valueOf(file.getFileName());
+    boolean isNamed = isModelName(name);
+    boolean isScene = name.toLowerCase(Locale.ROOT).endsWith(".json");
+    if (isNamed || isScene || !Files.isRegularFile(file)) {
+      return isNamed;
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      return isModel(in.readNBytes(FileContent.START), Files.size(file));
+    } catch (IOException e) {
+      // Reading the file reports the error.
+      return false;
+    }
+  }
+
+  /** Returns the usual name of the format of a file that is a model, such as GLB. */
+  public static String contentOf(byte[] file) {
+    ModelFormat format = ModelFormat.in(file, file.length).orElseThrow();
+    return format == ModelFormat.GLTF && file[0] != 'g' ? "glTF" : format.content();
+  }
+
+  /**
+   * Returns the content of a model file. The ending of its name chooses the format; if it is
+   * unknown, such as .vrm, the content does. The model has a triangle with an area, or a light.
+   *
+   * @param name of the file
+   * @param content bytes of the file
+   * @param folder reads other files that the model names
+   * @throws ModelFormatException if the file is damaged, unsupported or too large
+   * @throws IOException if the thread is interrupted
+   */
+  public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    ModelFormat format = format(name, content);
+    if (format != ModelFormat.GLTF) {
+      requireNone("animations", "an animation ", options.pose().map(Pose::animation));
+      requireNone("variants", "a variant ", options.variant());
+    }
+    try {
+      return checked(read(format, content, folder, options), options);
+    } catch (ModelFormatException e) {
+      Optional<String> other = format.otherThanThis(content);
+      if (other.isEmpty() || e.kind() == Kind.TOO_LARGE || e.kind() == Kind.ASSET) {
+        throw e;
+      }
+      throw new ModelFormatException(
+          Kind.MALFORMED, "", "expected " + format.title() + ", found " + other.get());
+    } catch (CancellationException e) {
+      throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
+    }
+  }
+
+  private static ModelFormat format(String name, byte[] content) throws ModelFormatException {
+    Optional<ModelFormat> named = ModelFormat.named(name);
+    Optional<ModelFormat> format =
+        named.isPresent() ? named : ModelFormat.in(content, content.length);
+    return format.orElseThrow(
+        () ->
+            new ModelFormatException(
+                Kind.UNSUPPORTED,
+                "",
+                "expected a model (%s), found %s"
+                    .formatted(
+                        NAMES,
+                        FileContent.describe(content)
+                            .map(FileContent::withAdvice)
+                            .orElse("another kind of file"))));
+  }
+
+  private static Model read(
+      ModelFormat format, byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return switch (format) {
+      case GLTF -> GltfReader.read(content, folder, options);
+      case OBJ -> ObjModelReader.read(content, folder, options);
+      case PLY -> PlyReader.read(content, folder, options);
+      case STL -> StlReader.read(content, options);
+    };
+  }
+
+  private static Model checked(Model model, ModelOptions options) throws ModelFormatException {
+    long triangles = 0;
+    for (ModelPart part : model.parts()) {
+      triangles += part.geometry().triangleCount();
+      ModelLimits.requireTriangles(part.location(), triangles, options.limits());
+    }
+    if (model.lights().isEmpty()) {
+      model.requireSurface();
+    }
+    return model;
+  }
+
+  private static void requireNone(String location, String what, Optional<String> name)
+      throws ModelFormatException {
+    if (name.isPresent()) {
+      throw new ModelFormatException(
+          Kind.MALFORMED,
+          location,
+          "expected " + what + PrintableText.quoted(name.get()) + ", found none in the model");
+    }
+  }
+}

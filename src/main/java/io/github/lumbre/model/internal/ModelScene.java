@@ -1,0 +1,215 @@
+package io.github.lumbre.model.internal;
+
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshAttributes;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.geometry.SharedMesh;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelFormatException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * Turns a model into parts of a scene. Models are right-handed and scenes left-handed, so that the
+ * transform into the scene includes a reflection of z; see {@link #TO_LEFT_HANDED}.
+ */
+public final class ModelScene {
+  /** Maps a right-handed space to a left-handed one: (x, y, -z). */
+  public static final Transform TO_LEFT_HANDED = Transform.scale(new Vec3(1, 1, -1));
+
+  private final Model model;
+  private final Transform toWorld;
+  private final Kernel kernel;
+  private final ModelMaterials materials;
+
+  /** A geometry, compared by identity, and the coordinates whose tangents it gets. */
+  private record MeshKey(ModelGeometry geometry, Optional<MapCoordinates> tangents) {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof MeshKey key
+          && key.geometry == geometry
+          && key.tangents.equals(tangents);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * System.identityHashCode(geometry) + tangents.hashCode();
+    }
+  }
+
+  private final Map<MeshKey, TriangleMesh> meshes;
+  private final Map<TriangleMesh, SharedMesh> shared;
+
+  /** Whether all meshes are shared, also those that the model places once. */
+  private final boolean sharesAll;
+
+  /**
+   * @param toWorld from the model's world space to the scene's, invertible
+   * @param kernel traversal kernel of shared meshes
+   * @param maxTexels the largest number of texels of all pictures
+   * @param sharesAll whether all meshes have hierarchies in their local space, also those that the
+   *     model places once
+   */
+  public ModelScene(
+      Model model, Transform toWorld, Kernel kernel, long maxTexels, boolean sharesAll) {
+    this.model = Objects.requireNonNull(model, "model");
+    this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
+    this.kernel = Objects.requireNonNull(kernel, "kernel");
+    materials = new ModelMaterials(toWorld, maxTexels);
+    meshes = new ConcurrentHashMap<>();
+    shared = Collections.synchronizedMap(new IdentityHashMap<>());
+    this.sharesAll = sharesAll;
+  }
+
+  private ModelScene(ModelScene other, Transform toWorld, boolean sharesAll) {
+    model = other.model;
+    this.toWorld = toWorld;
+    kernel = other.kernel;
+    materials = other.materials.at(toWorld);
+    meshes = other.meshes;
+    shared = other.shared;
+    this.sharesAll = sharesAll;
+  }
+
+  /**
+   * Returns the model at another place, with the same meshes and textures.
+   *
+   * @param newToWorld from the model's world space to the scene's, invertible
+   * @param sharing whether all meshes have hierarchies in their local space, which are built once
+   */
+  public ModelScene at(Transform newToWorld, boolean sharing) {
+    return new ModelScene(this, newToWorld, sharing);
+  }
+
+  /**
+   * Decodes the textures of all parts.
+   *
+   * @throws ModelFormatException if one is too large
+   */
+  public void decode() throws ModelFormatException {
+    for (ModelPart part : model.parts()) {
+      materials.of(part.material(), true);
+      materials.emission(part.material(), part.geometry().colors().length > 0);
+    }
+  }
+
+  /**
+   * Returns the surfaces, in the order of the model's parts. Parts without a triangle of positive
+   * area are left out, and so are pictures that cannot be decoded.
+   *
+   * @throws ModelFormatException if a picture is too large
+   */
+  public List<ModelSurface> surfaces() throws ModelFormatException {
+    Map<ModelGeometry, Integer> uses = new IdentityHashMap<>();
+    model.parts().forEach(part -> uses.merge(part.geometry(), 1, Integer::sum));
+    List<ModelSurface> surfaces = new ArrayList<>();
+    for (ModelPart part : model.parts()) {
+      TriangleMesh mesh = mesh(part);
+      if (mesh.triangleCount() > 0) {
+        Transform partToWorld = toWorld.times(part.toWorld());
+        Shape shape = shape(mesh, partToWorld, sharesAll || uses.get(part.geometry()) > 1);
+        boolean isClosed = !part.material().doubleSided() && shape.isClosed();
+        surfaces.add(
+            new ModelSurface(
+                part,
+                shape,
+                materials.of(part.material(), isClosed),
+                materials
+                    .emission(part.material(), part.geometry().colors().length > 0)
+                    .map(emission -> EmissiveTriangles.of(mesh, shape, partToWorld, emission))
+                    .orElse(List.of())));
+      }
+    }
+    return surfaces;
+  }
+
+  /** Returns warnings of the pictures that {@link #surfaces} has left out. */
+  public List<String> warnings() {
+    return materials.warnings();
+  }
+
+  /** Returns the number of texels of the pictures that {@link #surfaces} has decoded. */
+  public long texels() {
+    return materials.texels();
+  }
+
+  /** Returns the number of pictures that {@link #surfaces} has decoded. */
+  public int pictures() {
+    return materials.pictures();
+  }
+
+  private TriangleMesh mesh(ModelPart part) {
+    Optional<MapCoordinates> missing = MapCoordinates.missing(part.material(), part.geometry());
+    return meshes.computeIfAbsent(
+        new MeshKey(part.geometry(), missing),
+        key -> mesh(missing.map(m -> m.withTangents(key.geometry)).orElse(key.geometry)));
+  }
+
+  private TriangleMesh mesh(ModelGeometry geometry) {
+    boolean isPlain =
+        geometry.tangents().length == 0
+            && geometry.uv1().length == 0
+            && geometry.colors().length == 0;
+    return TriangleMesh.of(
+        geometry.positions(),
+        geometry.normals(),
+        geometry.uv0(),
+        geometry.indices(),
+        isPlain
+            ? MeshAttributes.NONE
+            : new MeshAttributes(geometry.tangents(), geometry.uv1(), geometry.colors()),
+        model.front());
+  }
+
+  private Shape shape(TriangleMesh mesh, Transform partToWorld, boolean isShared) {
+    return isShared
+        ? new MeshInstance(
+            shared.computeIfAbsent(mesh, m -> new SharedMesh(m, kernel)), partToWorld)
+        : Mesh.baked(mesh, partToWorld);
+  }
+
+  /** Returns the lights, in the order of the file. Their range is ignored: light never ends. */
+  public List<Light> lights() {
+    return model.lights().stream().map(this::light).toList();
+  }
+
+  private Light light(ModelLight light) {
+    Transform transform = toWorld.times(light.toWorld());
+    Vec3 axis = transform.vector(new Vec3(0, 0, -1)).normalized();
+    PointLight point =
+        new PointLight(transform.point(Vec3.ZERO), light.intensity(), Falloff.INVERSE_SQUARE);
+    return switch (light.kind()) {
+      case DIRECTIONAL -> new DirectionalLight(axis, light.intensity());
+      case POINT -> point;
+      case SPOT -> {
+        double outer = Math.toDegrees(light.outerCone());
+        double inner = Math.min(outer, Math.toDegrees(light.innerCone()));
+        yield new SpotLight(point, axis, outer, outer - inner);
+      }
+    };
+  }
+
+  /** Returns the right, up and forward directions of a camera's space. */
+  public static Frame axes(Transform cameraToWorld) {
+    Vec3 forward = cameraToWorld.vector(new Vec3(0, 0, -1)).normalized();
+    Vec3 up = cameraToWorld.vector(Vec3.Y);
+    Vec3 upright = up.plus(-up.dot(forward), forward).normalized();
+    return new Frame(upright.cross(forward), upright, forward);
+  }
+}

@@ -1,0 +1,28 @@
+package io.github.lumbre.model.internal;
+
+import io.github.lumbre.model.internal.ModelTexture.Wrap;
+
+/**
+ * A texture statement of a material library.
+ *
+ * @param file name relative to the model's folder
+ * @param channel the channel of scalar textures, 0 to 3; -1 if none is stated
+ * @param bumpScale factor of a bump or normal map
+ */
+record MtlMap(
+    String location,
+    String file,
+    int channel,
+    double bumpScale,
+    Wrap wrap,
+    UvTransform uvTransform) {
+
+  /** Returns a file name with / between folders, without "./" at its beginning. */
+  static String portable(String name) {
+    String portable = name.replace('\\', '/');
+    while (portable.startsWith("./")) {
+      portable = portable.substring(2);
+    }
+    return portable;
+  }
+}

@@ -1,0 +1,39 @@
+package io.github.lumbre.model.internal;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** Counts the elements of a file that are left out, by the reasons. Mutable. */
+final class Tally {
+  /** What meshes of numbers that are not finite lack. */
+  static final String BROKEN = "left out faces with a vertex that is not a finite number";
+
+  static final String NARROW = "ignored faces of fewer than 3 corners";
+
+  private final Map<String, Counter> counters = new LinkedHashMap<>();
+
+  private static final class Counter {
+    final String place;
+    int count;
+
+    Counter(String place) {
+      this.place = place;
+    }
+  }
+
+  /**
+   * Counts an element.
+   *
+   * @param reason as in the warning; one of few constants
+   * @param place of the element; that of the first one is in the warning
+   */
+  void add(String reason, String place) {
+    counters.computeIfAbsent(reason, r -> new Counter(place)).count++;
+  }
+
+  /** Adds a warning for each reason. */
+  void addTo(Warnings warnings) {
+    counters.forEach(
+        (reason, counter) -> warnings.add(reason, counter.place, reason + ": " + counter.count));
+  }
+}

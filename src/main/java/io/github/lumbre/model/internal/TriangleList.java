@@ -1,0 +1,108 @@
+package io.github.lumbre.model.internal;
+
+import io.github.lumbre.math.Vec3;
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+
+/** A growing list of triangles: three vertex numbers each. Mutable. */
+final class TriangleList {
+  private int[] indices;
+  private int size;
+
+  /**
+   * @param triangles the expected number of triangles
+   */
+  TriangleList(int triangles) {
+    indices = new int[Math.multiplyExact(3, triangles)];
+  }
+
+  /** Adds a triangle. */
+  void add(int a, int b, int c) {
+    if (size + 3 > indices.length) {
+      int larger = (int) Math.min(2L * indices.length + 12, 3L * ModelLimits.MAX_COUNT);
+      indices = Arrays.copyOf(indices, Math.max(larger, Math.addExact(size, 3)));
+    }
+    indices[size] = a;
+    indices[size + 1] = b;
+    indices[size + 2] = c;
+    size += 3;
+  }
+
+  /** Returns a vertex number of the list of all corners. */
+  int vertex(int corner) {
+    return indices[corner];
+  }
+
+  /** Returns the number of triangles. */
+  int count() {
+    return size / 3;
+  }
+
+  /**
+   * Removes triangles with a vertex that is not finite.
+   *
+   * @param positions three coordinates per vertex
+   * @return the number of removed triangles
+   */
+  int removeBroken(double[] positions) {
+    return removeUnless(
+        i -> {
+          double sum = 0;
+          for (int k = 0; k < 9; k++) {
+            sum += positions[3 * indices[i + k / 3] + k % 3];
+          }
+          return Double.isFinite(sum);
+        });
+  }
+
+  private int removeUnless(IntPredicate isKept) {
+    int kept = 0;
+    for (int i = 0; i < size; i += 3) {
+      if (isKept.test(i)) {
+        System.arraycopy(indices, i, indices, kept, 3);
+        kept += 3;
+      }
+    }
+    int removed = (size - kept) / 3;
+    size = kept;
+    return removed;
+  }
+
+  /**
+   * Removes triangles of zero area.
+   *
+   * @param positions three coordinates per vertex
+   * @return the number of removed triangles
+   */
+  int removeFlat(double[] positions) {
+    return removeUnless(i -> hasArea(positions, indices[i], indices[i + 1], indices[i + 2]));
+  }
+
+  /** Returns whether a triangle between three vertices has an area. */
+  static boolean hasArea(double[] positions, int a, int b, int c) {
+    if (a == b || b == c || c == a) {
+      return false;
+    }
+    Vec3 e1 = edge(positions, a, b);
+    Vec3 e2 = edge(positions, a, c);
+    if (e1.cross(e2).maxAbs() > 0x1p-500) {
+      return true;
+    }
+    // Squares of tiny numbers would underflow.
+    return e1.maxAbs() > 0
+        && e2.maxAbs() > 0
+        && e1.normalized().cross(e2.normalized()).maxAbs() > 0;
+  }
+
+  private static Vec3 edge(double[] positions, int from, int to) {
+    return new Vec3(
+        positions[3 * to] - positions[3 * from],
+        positions[3 * to + 1] - positions[3 * from + 1],
+        positions[3 * to + 2] - positions[3 * from + 2]);
+  }
+
+  /** Returns the vertex numbers; the list must not be used afterwards. */
+  int[] toArray() {
+    return size == indices.length ? indices : Arrays.copyOf(indices, size);
+  }
+}

@@ -1,0 +1,333 @@
+package io.github.lumbre.model.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.Channel;
+import io.github.lumbre.material.ColorChannel;
+import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.material.MaterialParameter.Kind;
+import io.github.lumbre.material.MetallicRoughness;
+import io.github.lumbre.material.NormalChannel;
+import io.github.lumbre.material.ScalarChannel;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.SceneWriter;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.texture.NormalMap;
+import io.github.lumbre.texture.TexturePoint;
+import io.github.lumbre.texture.internal.ImageTexture;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Each parameter of materials passes each reader and the writer, and changes how light scatters.
+ */
+class MaterialParameterTest {
+  private static final int[] TEXEL = {51, 102, 153, 204};
+  private static final Pixels PIXELS =
+      Pixels.of(1, 1, 4, new byte[] {51, 102, (byte) 153, (byte) 204});
+  private static final Rgb COLOR = new Rgb(.25, .5, .75);
+  private static final SurfaceHit HIT =
+      new SurfaceHit().set(Vec3.ZERO, Vec3.Z, Frame.WORLD, new TexturePoint(.5, .5), Vec3.Z, 0);
+
+  static List<MaterialParameter> all() {
+    return MaterialParameter.all();
+  }
+
+  static Stream<MaterialParameter> inScenes() {
+    return all().stream().filter(p -> !p.key().isEmpty());
+  }
+
+  static Stream<MaterialParameter> inLibraries() {
+    return all().stream().filter(p -> !p.mtl().isEmpty());
+  }
+
+  /** Returns a value of a parameter that is not its default. */
+  private static double number(MaterialParameter parameter) {
+    return Math.max(.25, 1.3 * parameter.least());
+  }
+
+  private static Rgb factor(MaterialParameter parameter) {
+    return parameter.kind() == Kind.COLOR ? COLOR : Rgb.grey(number(parameter));
+  }
+
+  private static Rgb texel(ImageTexture.Role role) {
+    return new ImageTexture(PIXELS, role, ImageTexture.Filter.NEAREST).at(.5, .5);
+  }
+
+  private static NormalChannel normals(double strength) {
+    Rgb normal = texel(ImageTexture.Role.NORMAL);
+    return new NormalChannel(new NormalMap((u, v) -> normal, strength), 0);
+  }
+
+  private static void assertValue(Channel found, Rgb expected) {
+    if (found instanceof ColorChannel color) {
+      assertNear(color.at(HIT), expected);
+    } else if (found instanceof ScalarChannel number) {
+      assertThat(number.at(HIT)).isCloseTo(expected.r(), within(1e-9));
+    } else {
+      NormalMap map = ((NormalChannel) found).map();
+      assertThat(map.normal(.5, .5)).isEqualTo(normals(expected.r()).map().normal(.5, .5));
+    }
+  }
+
+  private static void assertNear(Rgb found, Rgb expected) {
+    assertThat(found.r()).isCloseTo(expected.r(), within(1e-7));
+    assertThat(found.g()).isCloseTo(expected.g(), within(1e-7));
+    assertThat(found.b()).isCloseTo(expected.b(), within(1e-7));
+  }
+
+  /** Returns a material of metal, plastic and rough glass, with all layers. */
+  private static MetallicRoughness.Builder everything() {
+    MetallicRoughness.Builder builder = MetallicRoughness.builder();
+    for (MaterialParameter parameter : all()) {
+      boolean isLayer = parameter.missing().isBlack() || parameter == MaterialParameter.METALLIC;
+      if (parameter.kind() == Kind.COLOR && parameter != MaterialParameter.ATTENUATION_COLOR) {
+        builder.set(parameter, Rgb.grey(.5));
+      } else if (parameter.kind() == Kind.NUMBER && isLayer) {
+        builder.set(parameter, .6);
+      }
+    }
+    return builder.set(MaterialParameter.ROUGHNESS, .6);
+  }
+
+  /** Returns what a material does at the hit, as text. */
+  private static String effect(MetallicRoughness.Builder builder) {
+    MetallicRoughness material = builder.build();
+    Bsdf bsdf = material.at(HIT);
+    Vec3 wo = new Vec3(.3, .1, 1).normalized();
+    List<Object> all = new ArrayList<>(List.of(material.transmittance(HIT), material.absorption()));
+    for (double z : new double[] {.9, .3, -.5}) {
+      all.add(bsdf.evaluate(wo, new Vec3(-.4, .2, z).normalized()).f());
+    }
+    return all.toString();
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void parametersChangeHowLightScatters(MaterialParameter parameter) {
+    MetallicRoughness.Builder material = everything();
+    if (parameter == MaterialParameter.ATTENUATION_COLOR) {
+      material.set(MaterialParameter.ATTENUATION_DISTANCE, 2);
+    } else if (parameter == MaterialParameter.ATTENUATION_DISTANCE) {
+      material.set(MaterialParameter.ATTENUATION_COLOR, COLOR);
+    }
+    String before = effect(material);
+    switch (parameter.kind()) {
+      case COLOR -> material.set(parameter, COLOR);
+      case NUMBER -> material.set(parameter, number(parameter));
+      case NORMALS -> material.set(parameter, normals(1));
+    }
+    assertThat(effect(material)).isNotEqualTo(before);
+  }
+
+  private static JsonElement value(MaterialParameter parameter, Rgb value) {
+    if (parameter.kind() != Kind.COLOR) {
+      return new JsonPrimitive(value.r());
+    }
+    JsonArray array = new JsonArray();
+    array.add(value.r());
+    array.add(value.g());
+    array.add(value.b());
+    if (parameter == MaterialParameter.BASE_COLOR) {
+      array.add(1);
+    }
+    return array;
+  }
+
+  /** Returns the members of a glTF object that state a parameter and its texture. */
+  private static JsonObject stated(MaterialParameter parameter, JsonObject object) {
+    JsonElement value = value(parameter, factor(parameter));
+    if (parameter == MaterialParameter.OPACITY) {
+      value = JsonParser.parseString("[1, 1, 1, " + number(parameter) + "]");
+    }
+    JsonObject texture = JsonParser.parseString("{\"index\": 0}").getAsJsonObject();
+    if (parameter.gltfFactor().isEmpty()) {
+      texture.add("scale", value);
+    } else {
+      object.add(parameter.gltfFactor(), value);
+    }
+    if (parameter.isTextured()) {
+      object.add(parameter.gltfTexture(), texture);
+    }
+    return object;
+  }
+
+  private static JsonObject gltf(MaterialParameter parameter) {
+    JsonObject extensions = new JsonObject();
+    JsonObject material = new JsonObject();
+    MaterialParameter strength = parameter.strength();
+    if (strength != parameter) {
+      extensions.add(strength.gltfObject(), stated(strength, new JsonObject()));
+    }
+    String name = parameter.gltfObject();
+    JsonObject known = extensions.getAsJsonObject(name);
+    JsonObject object = stated(parameter, known == null ? new JsonObject() : known);
+    if (name.equals(MaterialParameter.VOLUME_EXTENSION)) {
+      object.addProperty("thicknessFactor", 1);
+    }
+    (name.startsWith("KHR_") ? extensions : material).add(name, object);
+    material.add("extensions", extensions);
+    material.addProperty("alphaMode", "BLEND");
+    return material;
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void gltfIsRead(MaterialParameter parameter) throws Exception {
+    GltfFile file = new GltfFile();
+    file.add("nodes", "{'mesh': " + file.triangle(", 'material': 0") + "}");
+    file.add(
+        "images", "{'mimeType': 'image/png', 'bufferView': " + file.view(PIXELS.toPng(), "") + "}");
+    file.add("textures", "{'source': 0}");
+    file.add("materials", gltf(parameter).toString().replace('"', '\''));
+    file.add("extensionsUsed", "'KHR_materials_volume'");
+    Model model = file.read();
+    assertThat(model.warnings()).isEmpty();
+    ModelMaterial read = model.parts().get(0).material();
+    assertThat(read.uses(parameter)).isTrue();
+    MetallicRoughness material =
+        (MetallicRoughness) new ModelMaterials(Transform.IDENTITY, 1000).of(read, true);
+    Rgb expected = factor(parameter).times(parameter.gltfUnit());
+    if (parameter.kind() == Kind.COLOR && parameter.isTextured()) {
+      expected = expected.times(texel(ImageTexture.Role.COLOR));
+    } else if (parameter.kind() == Kind.NUMBER && parameter.isTextured()) {
+      expected = expected.times(TEXEL[parameter.gltfChannel()] / 255.);
+    }
+    assertValue(material.stated(parameter).orElseThrow(), expected);
+  }
+
+  @ParameterizedTest
+  @MethodSource("inLibraries")
+  void librariesAreRead(MaterialParameter parameter) throws Exception {
+    String key = parameter.mtl();
+    for (String statement : new String[] {key + " .25", "map_" + key + " -imfchan b a.png"}) {
+      ModelFixture file =
+          new ModelFixture("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
+              .with("a.mtl", "newmtl m\nPc 1\nPs 1\n" + statement)
+              .with("a.png", PIXELS.toPng());
+      assertThat(file.read().warnings()).isEmpty();
+      boolean isMap = statement.startsWith("map");
+      MetallicRoughness material =
+          (MetallicRoughness)
+              new ModelMaterials(Transform.IDENTITY, 1000).of(file.part().material(), true);
+      Rgb texel =
+          parameter.kind() == Kind.COLOR
+              ? texel(ImageTexture.Role.COLOR)
+              : Rgb.grey(TEXEL[2] / 255.);
+      assertValue(material.stated(parameter).orElseThrow(), isMap ? texel : Rgb.grey(.25));
+    }
+  }
+
+  private static String color(Rgb value) {
+    return "{\"r\": %s, \"g\": %s, \"b\": %s}".formatted(value.r(), value.g(), value.b());
+  }
+
+  private static String scene(MaterialParameter parameter) {
+    String stem = "\"" + parameter.key();
+    String value = parameter.kind() == Kind.COLOR ? color(COLOR) : "" + number(parameter);
+    String stated = stem + (parameter.kind() == Kind.NORMALS ? "Strength" : "") + "\": " + value;
+    if (parameter.isTextured()) {
+      stated += ", " + stem + "TextureId\": 3";
+    }
+    return """
+    {"mainCameraId": 1, "objects": [{"type": "Camera", "id": 1},
+      {"type": "Shape", "shapeType": "Sphere", "materialID": 2}], "assets": [
+      {"id": 2, "assetType": "Material", "materialType": "MetallicRoughness", %s},
+      {"id": 3, "assetType": "Texture", "base64PNG": "%s"}]}
+    """
+        .formatted(stated, Base64.getEncoder().encodeToString(PIXELS.toPng()));
+  }
+
+  @ParameterizedTest
+  @MethodSource("inScenes")
+  void scenesAreReadAndWritten(MaterialParameter parameter) throws Exception {
+    byte[] json = scene(parameter).getBytes(StandardCharsets.UTF_8);
+    SceneFile file = new SceneParser().parse(json, Path.of("a.json"));
+    assertThat(file.warnings()).isEmpty();
+    SceneFile written =
+        SceneWriter.file(
+            Scene.builder()
+                .lookingAt(new Vec3(0, 0, -5), Vec3.ZERO, 50)
+                .add(Sphere.of(Vec3.ZERO, 1), file.scene().primitives().get(0).material())
+                .build(),
+            file.settings());
+    Rgb expected = factor(parameter);
+    if (parameter.kind() == Kind.COLOR && parameter.isTextured()) {
+      expected = expected.times(texel(ImageTexture.Role.COLOR));
+    } else if (parameter.kind() == Kind.NUMBER && parameter.isTextured()) {
+      expected = expected.times(TEXEL[0] / 255.);
+    }
+    for (SceneFile each : List.of(file, written)) {
+      MetallicRoughness material = (MetallicRoughness) each.scene().primitives().get(0).material();
+      assertValue(material.stated(parameter).orElseThrow(), expected);
+    }
+  }
+
+  private static JsonObject schema() throws Exception {
+    String schema = Files.readString(Path.of("docs", "scene.schema.json"));
+    for (JsonElement each : JsonParser.parseString(schema).getAsJsonObject().asMap().values()) {
+      Optional<JsonObject> found = properties(each);
+      if (found.isPresent()) {
+        return found.get();
+      }
+    }
+    throw new AssertionError("no MetallicRoughness");
+  }
+
+  /** Returns the properties of the part of the schema that has the key baseColor. */
+  private static Optional<JsonObject> properties(JsonElement element) {
+    Stream<JsonElement> members = Stream.empty();
+    if (element instanceof JsonObject object) {
+      JsonElement properties = object.get("properties");
+      if (properties instanceof JsonObject found && found.get("baseColor") instanceof JsonObject) {
+        return Optional.of(found);
+      }
+      members = object.asMap().values().stream();
+    } else if (element instanceof JsonArray array) {
+      members = array.asList().stream();
+    }
+    return members.flatMap(member -> properties(member).stream()).findFirst();
+  }
+
+  @ParameterizedTest
+  @MethodSource("inScenes")
+  void schemaHasRangeAndDefault(MaterialParameter parameter) throws Exception {
+    JsonObject schema = schema();
+    String key = parameter.key();
+    if (parameter.kind() == Kind.NUMBER) {
+      JsonObject found = schema.getAsJsonObject(key);
+      if (Double.isFinite(parameter.missing().r())) {
+        assertThat(found.get("default").getAsDouble()).isEqualTo(parameter.missing().r());
+      }
+      if (Math.abs(parameter.most()) < Double.MAX_VALUE) {
+        assertThat(found.get("minimum").getAsDouble()).isEqualTo(parameter.least());
+        assertThat(found.get("maximum").getAsDouble()).isEqualTo(parameter.most());
+      }
+    }
+    assertThat(schema.has(key)).isEqualTo(parameter.kind() != Kind.NORMALS);
+    assertThat(schema.has(key + "TextureId")).isEqualTo(parameter.isTextured());
+  }
+}
