@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
     description =
         "Print the objects in the pixel, and its mean, variance and brightest samples; with"
             + " --sample, the path of that sample, vertex by vertex. With the same scene, seed,"
-            + " size, mode and depth, the samples are bit-identical to those of the render.",
+            + " size, mode and depth, the samples are bit-identical to the samples of the render.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,

@@ -64,7 +64,7 @@ import picocli.CommandLine.Spec;
     header = "Resume a render from its checkpoint file.",
     description =
         "Resume a stopped render or add samples to a finished one. The picture is bit-identical to"
-            + " that of an uninterrupted render. The scene and its files must be unchanged.",
+            + " the picture of an uninterrupted render. The scene and its files must be unchanged.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
@@ -294,7 +294,7 @@ final class ResumeCommand implements Callable<Integer> {
     }
   }
 
-  /** Requires that the scene and its files are those of the film. */
+  /** Requires the scene and the files of the film. */
   private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
       throws TaskException {
     if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {

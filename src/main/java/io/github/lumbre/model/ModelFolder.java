@@ -35,8 +35,8 @@ public interface ModelFolder {
   byte[] read(String name, String location) throws ModelFormatException, IOException;
 
   /**
-   * Returns the names of files that may be meant by a name that cannot be read: those of its last
-   * name, without regard to case, in the folder or below. By default there are none.
+   * Returns files that may be meant by a name that cannot be read: files with its last name,
+   * without regard to case, in the folder or below. By default there are none.
    *
    * @param name of a file, as in {@link #read}
    */

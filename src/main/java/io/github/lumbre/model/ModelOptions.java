@@ -15,8 +15,8 @@ import java.util.Optional;
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
  * @param limits for the model, its textures and its other files
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
- *     with a warning, instead of an error; missing pictures of OBJ files always are, and those of a
- *     model that is rendered by itself
+ *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
+ *     pictures of a model that is rendered by itself
  */
 public record ModelOptions(
     Optional<Pose> pose,

@@ -87,7 +87,7 @@ final class MaterialReader {
     return all.toArray(String[]::new);
   }
 
-  /** Returns the scene file keys of these channels, with those of their textures. */
+  /** Returns the scene file keys of these channels and of their textures. */
   private static String[] keys(String... channels) {
     return Stream.of(channels)
         .flatMap(

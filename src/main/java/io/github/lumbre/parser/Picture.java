@@ -23,7 +23,7 @@ interface Picture {
   /** Returns the texture, with its values interpreted for a role. */
   Texture<Rgb> as(Role role);
 
-  /** Returns the texture as radiance, such as that of a sky. */
+  /** Returns the texture as radiance, for example of a sky. */
   default Texture<Rgb> asLight() {
     return as(Role.COLOR);
   }

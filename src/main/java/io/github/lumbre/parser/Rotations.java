@@ -10,7 +10,7 @@ final class Rotations {
 
   /**
    * Returns the {@code localRotation}, in degrees about z first, then x, then y, that turns the
-   * world's axes to those of a frame.
+   * world's axes to a frame's axes.
    *
    * @param axes right (x), up (y) and forward (z)
    */

@@ -1,7 +1,7 @@
 package io.github.lumbre.parser;
 
 /**
- * The number of objects and assets in a scene, with those of its models.
+ * The number of objects and assets in a scene and its models.
  *
  * @param camera the camera type's name in the scene format
  * @param shapes number of spheres, planes, cubes, mesh instances and parts of models

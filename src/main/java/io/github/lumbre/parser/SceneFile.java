@@ -52,7 +52,7 @@ public record SceneFile(
   }
 
   /**
-   * Returns this scene, seen by its camera from another place. The hash is another one too: that of
+   * Returns this scene, seen by its camera from another place. The hash is another one too, made of
    * this hash and the pose.
    */
   public SceneFile seenFrom(CameraPose pose) {

@@ -161,9 +161,9 @@ public final class SceneParser {
   }
 
   /**
-   * Reads a model and builds the scene around it. The picture's size is that of the parser's
-   * settings; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or
-   * 4:3. The model may lack pictures.
+   * Reads a model and builds the scene around it. The parser's settings may state the picture's
+   * size; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or 4:3.
+   * The model may lack pictures.
    *
    * @param model path of a glTF, OBJ, PLY or STL file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
@@ -323,7 +323,7 @@ public final class SceneParser {
     T read() throws SceneFormatException, IOException;
   }
 
-  /** Reads a scene within the time limit, and turns exceptions into those of this class. */
+  /** Reads a scene within the time limit, and turns exceptions into exceptions of this class. */
   private <T> T timed(Problems problems, Reading<T> reading)
       throws SceneFormatException, IOException {
     try (TimeLimit time = TimeLimit.start(limits.time())) {

@@ -107,7 +107,7 @@ public final class SceneWriter {
       Files.createDirectories(path.getParent());
       if (differs(path, asset.getValue())) {
         throw new FileAlreadyExistsException(
-            path.toString(), null, "its content is not that of its name");
+            path.toString(), null, "its content differs from the content that its name states");
       }
       save(path, asset.getValue());
     }

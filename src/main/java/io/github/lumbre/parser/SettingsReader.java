@@ -66,7 +66,7 @@ final class SettingsReader {
     builder.set(setting, value(setting.type(), setting.name(), setting.missing(), options));
   }
 
-  @SuppressWarnings("unchecked") // The type of the values is that of the setting's type.
+  @SuppressWarnings("unchecked") // The setting's type has the type of the values.
   private static <T> T value(SettingType<T> type, String key, T missing, JsonNode options) {
     if (type instanceof IntegerType range) {
       return (T) (Integer) options.integer(key, (Integer) missing, range.low(), range.high());

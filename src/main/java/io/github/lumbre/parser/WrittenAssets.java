@@ -47,7 +47,7 @@ final class WrittenAssets {
       return known;
     }
     JsonObject asset = new JsonObject();
-    // Textures of a material are made before it: the id is that of the place in the list.
+    // Textures of a material are made before it: the id states the place in the list.
     JsonObject keys = new JsonObject();
     maker.accept(keys);
     int id = assets.size() + 1;

@@ -216,7 +216,7 @@ class ModelCommandsTest {
     Outcome changed = run("develop T/a.film -o T/whole.png");
     assertThat(changed.exitCode()).isEqualTo(ExitCodes.OK);
     assertThat(changed.err())
-        .contains("warning: ", "sample.glb: ", "exposure is that of the whole picture");
+        .contains("warning: ", "sample.glb: ", "exposure is measured over the whole picture");
     assertThat(pixels("whole.png")).isNotEqualTo(pixels("a.png"));
     Files.delete(directory.resolve("sample.glb"));
     assertThat(run("denoise T/a.film -o T/b.png").err())

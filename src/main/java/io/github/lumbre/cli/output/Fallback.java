@@ -16,7 +16,7 @@ public record Fallback(Path directory) {
       new Fallback(Path.of(System.getProperty("java.io.tmpdir")));
 
   /**
-   * Creates an empty file whose name ends with that of the file that could not be written.
+   * Creates an empty file whose name ends with the name of the file that could not be written.
    *
    * @throws IOException with the reason, without the name of the directory
    */

@@ -70,7 +70,7 @@ public final class JsonSummary {
   /**
    * Runs a command as {@link #around(Action, Messages)} does.
    *
-   * @param ofProgram exit code of the program, given that of the failure
+   * @param ofProgram exit code of the program, given the exit code of the failure
    */
   public int around(Action action, Messages out, IntUnaryOperator ofProgram)
       throws SceneFormatException, TaskException {

@@ -188,7 +188,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
       case LIGHT, MIRROR, REFRACTION ->
           line(out, "             direction " + shown(light.wi()) + ", f·cos " + shown(light.f()));
       case EMISSION, ENVIRONMENT, AMBIENT -> {
-        // The direction is that of the ray, or there is none.
+        // The ray has the direction, or there is none.
       }
     }
     if (light.source() != Source.AMBIENT) {

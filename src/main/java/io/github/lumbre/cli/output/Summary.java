@@ -42,7 +42,7 @@ public final class Summary {
 
   /**
    * @param seconds rendering time
-   * @param samplesInAll number of samples of the picture, including those of earlier runs
+   * @param samplesInAll number of samples of the picture, including samples of earlier runs
    */
   public Summary(RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
     this.settings = settings;

@@ -44,8 +44,8 @@ public final class FilmExposure {
       problem = model.getFileName() + ": cannot be read: " + FileFailure.reason(e);
     }
     messages.line(
-        ("warning: %s; without the film's model, %s, the automatic exposure is that of the whole"
-                + " picture")
+        ("warning: %s; without the film's model, %s, the automatic exposure is measured over the"
+                + " whole picture")
             .formatted(problem, model));
     return wanted;
   }

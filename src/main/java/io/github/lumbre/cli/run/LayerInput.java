@@ -26,7 +26,7 @@ public final class LayerInput {
   private LayerInput() {}
 
   /**
-   * Reads all layers of an OpenEXR file, or develops those of a checkpoint file.
+   * Reads all layers of an OpenEXR file, or develops the layers of a checkpoint file.
    *
    * @param messages receives a warning if a checkpoint file is damaged
    * @throws TaskException if the file cannot be read

@@ -35,9 +35,7 @@ record Frame(
     return layers.stream().filter(layer -> layer.name().equals(name)).findFirst();
   }
 
-  /**
-   * Returns a picture whose black pixels, most of them without samples yet, are those of a draft.
-   */
+  /** Returns a picture with a draft's pixels for black ones, most of which have no samples yet. */
   static Image filled(Image image, Image draft) {
     if (image.hasAlpha()) {
       return image;

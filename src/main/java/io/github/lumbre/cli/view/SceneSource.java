@@ -13,7 +13,7 @@ public interface SceneSource {
   /**
    * Reads the scene anew.
    *
-   * @param layers the layers to record besides those of the command line
+   * @param layers the layers to record besides the layers of the command line
    */
   SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException;
 

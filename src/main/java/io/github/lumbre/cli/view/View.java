@@ -39,8 +39,8 @@ public final class View implements AutoCloseable {
    * A picture with its layers.
    *
    * @param metadata attributes that describe the layers
-   * @param isDisplayReferred whether it was decoded from the colors of a screen, as those of a PNG
-   *     or JPEG file, so that exposure and tone curve are already applied
+   * @param isDisplayReferred whether it was decoded from the colors of a screen, as in a PNG or
+   *     JPEG file, so that exposure and tone curve are already applied
    */
   public record Picture(
       Image image,

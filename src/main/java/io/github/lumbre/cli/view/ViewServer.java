@@ -40,8 +40,8 @@ public final class ViewServer implements AutoCloseable {
   private static final int BACKLOG = 128;
 
   static {
-    // Limits of the JDK's server, in seconds, and how often it checks those of requests and
-    // answers, in milliseconds. Without nodelay, each answer waits for 40 ms.
+    // Limits of the JDK's server, in seconds, and how often it checks the limits of requests
+    // and answers, in milliseconds. Without nodelay, each answer waits for 40 ms.
     System.setProperty("sun.net.httpserver.maxReqTime", "1");
     System.setProperty("sun.net.httpserver.timerMillis", "250");
     System.setProperty("sun.net.httpserver.maxRspTime", "120");

@@ -4,7 +4,7 @@ package io.github.lumbre.lab.checks;
  * The number and the seed of an invariant's random test cases.
  *
  * @param times multiple of the cases of a quick test, at least 1
- * @param seed seed of the cases; 0 for those of {@code lumbre selftest}
+ * @param seed seed of the cases; 0 for the cases of {@code lumbre selftest}
  */
 public record Tries(int times, long seed) {
   public Tries {

@@ -51,7 +51,7 @@ public record ReportRow(
     return seconds * samples / rendered;
   }
 
-  /** Returns a scene's settings, overridden by those of the row. */
+  /** Returns a scene's settings, overridden by the row's settings. */
   RenderSettings over(RenderSettings inScene) {
     return settings(inScene, size, mode, samples, bucket, depth);
   }

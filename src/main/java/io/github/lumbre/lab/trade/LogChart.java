@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.stream.DoubleStream;
 
 /**
- * A chart of points with intervals on two logarithmic axes, as SVG. Its colors are those of the
+ * A chart of points with intervals on two logarithmic axes, as SVG. It has the colors of the
  * surrounding style sheet, so that it follows the page's dark mode.
  */
 final class LogChart {

@@ -32,8 +32,8 @@ final class EmissiveTriangles {
   private static final int GRID = 4;
 
   /**
-   * The mean radiance of triangles that seem to be black, as a fraction of that of the mesh: points
-   * between those that were read may be bright.
+   * The mean radiance of triangles that seem to be black, as a fraction of the mesh's radiance:
+   * points between the sampled ones may be bright.
    */
   private static final double DARK = 1e-3;
 

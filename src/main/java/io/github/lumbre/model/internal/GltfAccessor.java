@@ -29,7 +29,7 @@ final class GltfAccessor {
   /** Where elements are stored. */
   private record Source(ByteBuffer bytes, int offset, int stride) {}
 
-  /** Elements that differ from those of the buffer view. */
+  /** Elements that replace elements of the buffer view. */
   private record Sparse(int[] indices, Source values) {}
 
   private GltfAccessor(GltfJson json, GltfDocument document, GltfBuffers buffers)

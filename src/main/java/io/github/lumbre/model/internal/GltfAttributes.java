@@ -38,7 +38,7 @@ final class GltfAttributes {
     this.accessors = accessors;
   }
 
-  /** Returns positions; those of {@link #broken} vertices are 0. */
+  /** Returns positions; {@link #broken} vertices are at 0. */
   double[] positions(GltfAccessor accessor) throws ModelFormatException {
     double[] array = arrays.get(new Key(accessor, Role.POSITION));
     if (array == null) {

@@ -60,7 +60,7 @@ final class GltfMaterials {
     return material.build();
   }
 
-  /** Returns whether the parameters of an object count: those of a volume need a thickness. */
+  /** Returns whether the parameters of an object count: a volume needs a thickness. */
   private boolean isValid(String name, GltfJson json) throws ModelFormatException {
     return !name.equals(MaterialParameter.VOLUME_EXTENSION)
         || clamped(json, "thicknessFactor", json.number("thicknessFactor", 0), Double.MAX_VALUE)

@@ -13,7 +13,7 @@ final class GltfVectors {
   private GltfVectors() {}
 
   /**
-   * Gives vectors unit length; those of length 0 stay.
+   * Gives vectors unit length; vectors of length 0 stay.
    *
    * @param stride numbers from one vector to the next
    */

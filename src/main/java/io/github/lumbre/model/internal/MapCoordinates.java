@@ -17,10 +17,10 @@ record MapCoordinates(int uvSet, UvTransform transform) {
   private static final MapCoordinates FIRST = new MapCoordinates(0, UvTransform.IDENTITY);
 
   /**
-   * Returns the coordinates whose tangents a mesh needs and lacks: those of the normal map, or else
-   * those of a layer's. It is empty if the material has no normal map, if the mesh has tangents or
-   * no texture coordinates, and if each triangle of a flat mesh has the tangents of its first
-   * texture coordinates.
+   * Returns the coordinates whose tangents a mesh needs and lacks: the coordinates of the normal
+   * map, or else of a layer's normal map. It is empty if the material has no normal map, if the
+   * mesh has tangents or no texture coordinates, and if each triangle of a flat mesh has the
+   * tangents of its first texture coordinates.
    */
   static Optional<MapCoordinates> missing(ModelMaterial material, ModelGeometry geometry) {
     Optional<ModelTexture> map =

@@ -81,7 +81,7 @@ enum ModelFormat {
     return triangles > 0 && size == 84 + 50 * triangles;
   }
 
-  /** Returns whether the whole lines of a text are statements, and one is that of a vertex. */
+  /** Returns whether the whole lines of a text are statements, and one states a vertex. */
   private static boolean isObj(String text) {
     String whole = text.substring(0, Math.max(0, text.lastIndexOf('\n')));
     return VERTEX.matcher(whole).find()

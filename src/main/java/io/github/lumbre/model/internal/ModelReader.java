@@ -23,7 +23,7 @@ public final class ModelReader {
 
   private ModelReader() {}
 
-  /** Returns whether the ending of a file's name is that of a model. */
+  /** Returns whether a file's name ends like the name of a model. */
   public static boolean isModelName(String name) {
     return ModelFormat.named(name).isPresent();
   }
@@ -39,8 +39,8 @@ public final class ModelReader {
   }
 
   /**
-   * Returns whether a file is a model, by the ending of its name. If it is neither that of a model
-   * nor .json, the content of the file decides.
+   * Returns whether a file is a model, by the ending of its name. If the ending is of neither a
+   * model nor .json, the content of the file decides.
    */
   public static boolean isModel(Path file) {
     String name = String.valueOf(file.getFileName());

@@ -171,7 +171,7 @@ final class MtlConversion {
     }
   }
 
-  /** Returns the stated channel; alpha, if the picture is that of the color; else red. */
+  /** Returns the stated channel; alpha, if the color has the same picture; else red. */
   private int alphaChannel(MtlMap map) {
     boolean isColor = in.map("map_kd").filter(color -> color.file().equals(map.file())).isPresent();
     return map.channel() >= 0 ? map.channel() : isColor ? 3 : 0;

@@ -39,7 +39,7 @@ final class MtlMapReader {
   /**
    * Reads the rest of the line.
    *
-   * @param folder of the library, with / at its end; empty for that of the model
+   * @param folder of the library, with / at its end; empty for the folder of the model
    */
   MtlMap read(String folder) throws ModelFormatException {
     hasWord = scanner.nextWord();

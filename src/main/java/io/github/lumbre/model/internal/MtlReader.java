@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Reads the statements of a material library: those of Wavefront, and the extension of 2013 for
+ * Reads the statements of a material library by Wavefront, and of its extension of 2013 for
  * physically based materials. Keys are compared without regard to case. Not reusable.
  */
 final class MtlReader {
@@ -18,7 +18,7 @@ final class MtlReader {
 
   private static final Set<String> COLORS = Set.of("kd", "ks", "ke", "tf");
 
-  /** Numbers and maps, besides those of {@link MaterialParameter#mtl}. */
+  /** Numbers and maps besides {@link MaterialParameter#mtl}. */
   private static final Set<String> NUMBERS = Set.of("ns", "d", "tr", "ni", "illum");
 
   private static final Set<String> MAPS =

@@ -24,7 +24,7 @@ final class ObjFaces {
   private final double[] positions;
   private final double[] uvs;
 
-  /** Those of the file, then those of faces and smoothing groups. */
+  /** The normals of the file, then of faces and smoothing groups. */
   private double[] normals;
 
   private int normalCount;

@@ -50,7 +50,7 @@ final class ObjModelReader {
   /** The key of a part; names are empty if there are none. */
   private record Key(String object, String material) {}
 
-  /** A part with its place in the file, and that of its material's name. */
+  /** A part with its place in the file, and the place of its material's name. */
   private record Part(String location, String materialLocation, ObjSurface surface) {}
 
   private final TextScanner scanner;

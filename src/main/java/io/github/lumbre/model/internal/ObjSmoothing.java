@@ -4,7 +4,7 @@ import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 
 /**
- * Smooth normals: those of a vertex in a smoothing group are the average of the group's triangles
+ * Smooth normals: a vertex in a smoothing group has the average normal of the group's triangles
  * around it, weighted by area. Mutable.
  */
 final class ObjSmoothing {
@@ -58,7 +58,7 @@ final class ObjSmoothing {
     return normals[pair];
   }
 
-  /** Stores all unit normals; those of zero length stay as they are. */
+  /** Stores all unit normals; normals of zero length stay as they are. */
   void store(double[] target) {
     for (int i = 0; i < count; i++) {
       Vec3 normal = new Vec3(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]).normalized();

@@ -8,8 +8,8 @@ import java.util.List;
 /** What models without materials, cameras and lights have in common. Stateless. */
 final class PlainModel {
   /**
-   * The reflectance of surfaces without a material: that of light gray paint, which leaves room for
-   * what is brighter.
+   * The reflectance of surfaces without a material: light gray paint, which leaves room for
+   * brighter surfaces.
    */
   static final double ALBEDO = .7;
 

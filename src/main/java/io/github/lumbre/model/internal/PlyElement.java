@@ -9,7 +9,7 @@ import java.util.List;
  */
 record PlyElement(String name, int count, List<PlyProperty> properties) {
 
-  /** Returns whether the name is that of the vertices. */
+  /** Returns whether these are the vertices. */
   boolean isVertex() {
     return name.equals("vertex");
   }

@@ -27,7 +27,7 @@ record PlyHeader(
   /**
    * Returns the header of a file.
    *
-   * @param warnings receives those of unknown lines before the first element
+   * @param warnings receives warnings about unknown lines before the first element
    */
   static PlyHeader read(byte[] file, Warnings warnings) throws ModelFormatException {
     TextScanner scanner = TextScanner.plain(file);

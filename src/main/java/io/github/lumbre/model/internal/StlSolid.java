@@ -46,7 +46,7 @@ final class StlSolid {
     contradictions += side(facet) < 0 ? 1 : 0;
   }
 
-  /** Returns the dot product of the stated normal and that of the vertices. */
+  /** Returns the dot product of the stated normal and the normal by the vertices. */
   private static double side(double[] f) {
     double ux = f[6] - f[3];
     double uy = f[7] - f[4];

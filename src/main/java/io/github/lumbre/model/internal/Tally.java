@@ -25,7 +25,7 @@ final class Tally {
    * Counts an element.
    *
    * @param reason as in the warning; one of few constants
-   * @param place of the element; that of the first one is in the warning
+   * @param place of the element; the warning names the place of the first one
    */
   void add(String reason, String place) {
     counters.computeIfAbsent(reason, r -> new Counter(place)).count++;
