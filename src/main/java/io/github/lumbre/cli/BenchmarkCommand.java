@@ -80,16 +80,16 @@ final class BenchmarkCommand implements Callable<Integer> {
       paramLabel = "N",
       split = ",",
       description = "Render these rows of the table, such as 1,5,14 (all).")
-  List<Integer> rows = List.of();
+  private List<Integer> rows = List.of();
 
-  @ArgGroup Amount amount = new Amount();
+  @ArgGroup private Amount amount = new Amount();
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       defaultValue = "0",
       description = "Number of threads; 0: one per processor (${DEFAULT-VALUE}).")
-  int threads;
+  private int threads;
 
   @Option(
       names = "--warmup",
@@ -98,20 +98,20 @@ final class BenchmarkCommand implements Callable<Integer> {
       description =
           "Render each row N times with 1 sample per pixel before the timed renders"
               + " (${DEFAULT-VALUE}).")
-  int warmup;
+  private int warmup;
 
   @Option(
       names = "--repeat",
       paramLabel = "N",
       defaultValue = "1",
       description = "Render each row N times and report the median time (${DEFAULT-VALUE}).")
-  int repeat;
+  private int repeat;
 
   @Option(
       names = "--csv",
       paramLabel = "FILE",
       description = "Also write the table as comma-separated values.")
-  Optional<Path> csv;
+  private Optional<Path> csv;
 
   @Option(
       names = "--scenes",
@@ -120,15 +120,15 @@ final class BenchmarkCommand implements Callable<Integer> {
         "Folder of the scenes, " + ReportTable.FILE + " and " + TableHashes.FILE + ".",
         "Default: scenes, beside the launcher."
       })
-  Optional<Path> scenes;
+  private Optional<Path> scenes;
 
-  @Mixin KernelFlag kernel;
+  @Mixin private final KernelFlag kernel = new KernelFlag();
 
-  @ArgGroup Hashes hashes = new Hashes();
+  @ArgGroup private Hashes hashes = new Hashes();
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   /** The share of the samples to render; at most one of the two flags. */
   static final class Amount {
@@ -136,10 +136,10 @@ final class BenchmarkCommand implements Callable<Integer> {
         names = "--scale",
         paramLabel = "SHARE",
         description = "Render this share of each row's samples, rounded up (0.01).")
-    BigDecimal scale = new BigDecimal("0.01");
+    private BigDecimal scale = new BigDecimal("0.01");
 
     @Option(names = "--full", description = "Render all samples; this takes days.")
-    boolean full;
+    private boolean full;
   }
 
   /** The use of the pictures' hashes; at most one of the two flags. */
@@ -147,10 +147,10 @@ final class BenchmarkCommand implements Callable<Integer> {
     @Option(
         names = "--check",
         description = "Compare the pictures' hashes with those in the folder of scenes.")
-    boolean check;
+    private boolean check;
 
     @Option(names = "--store", description = "Store the pictures' hashes in the folder of scenes.")
-    boolean store;
+    private boolean store;
   }
 
   @Override

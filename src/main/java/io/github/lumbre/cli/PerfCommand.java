@@ -76,41 +76,41 @@ final class PerfCommand implements Callable<Integer> {
   private static final int MAX_REPETITIONS = 1000;
 
   @Parameters(paramLabel = "SCENE", arity = "0..*", description = "JSON scene files.")
-  List<Path> scenes = List.of();
+  private List<Path> scenes = List.of();
 
   @Option(
       names = "--compare",
       paramLabel = "FILE",
       arity = "2",
       description = "Compare two measurements and print whether the second is faster.")
-  List<Path> compared = List.of();
+  private List<Path> compared = List.of();
 
   @Option(
       names = "--by",
       paramLabel = "CLOCK",
       defaultValue = "cpu",
       description = "Compare by CPU time or wall-clock time: cpu or wall (${DEFAULT-VALUE}).")
-  Clock clock;
+  private Clock clock;
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       defaultValue = "16",
       description = "Samples per pixel (${DEFAULT-VALUE}).")
-  int samples;
+  private int samples;
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       description = "Frame size in pixels (the scene's, scaled down to a side of 320).")
-  Optional<Size> size;
+  private Optional<Size> size;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       split = ",",
       description = "Numbers of threads, such as 1,2; 0: one per processor (1,0).")
-  List<Integer> threads = List.of(1, 0);
+  private List<Integer> threads = List.of(1, 0);
 
   @Option(
       names = "--warmup",
@@ -118,21 +118,21 @@ final class PerfCommand implements Callable<Integer> {
       defaultValue = "10",
       description =
           "Render N times with 1 sample per pixel before the timed renders (${DEFAULT-VALUE}).")
-  int warmup;
+  private int warmup;
 
   @Option(
       names = "--repeat",
       paramLabel = "N",
       description =
           "Render N times and report the median (5). With --paired, at least 12 pairs (12).")
-  Optional<Integer> repeat = Optional.empty();
+  private Optional<Integer> repeat = Optional.empty();
 
   @Option(
       names = "--pairs",
       paramLabel = "N",
       defaultValue = "2",
       description = "Pairs of seeds that the noise is measured from (${DEFAULT-VALUE}).")
-  int pairs;
+  private int pairs;
 
   @Option(
       names = "--without",
@@ -142,36 +142,36 @@ final class PerfCommand implements Callable<Integer> {
         "Switch specializations off: ${COMPLETION-CANDIDATES}.",
         "With --paired, print what they save."
       })
-  Set<Specialization> without = Set.of();
+  private Set<Specialization> without = Set.of();
 
   @Option(
       names = "--adaptive",
       description = "Give noisy pixels more samples, as 'render --adaptive' does.")
-  boolean adaptive;
+  private boolean adaptive;
 
   @Option(
       names = "--split",
       paramLabel = "N",
       defaultValue = "1",
       description = "Split each path into N branches, as 'render --split' does (${DEFAULT-VALUE}).")
-  int split;
+  private int split;
 
   @Option(
       names = "--paired",
       description =
           "Render each scene alternately without and with --without, --adaptive or --split, and"
               + " print the ratios of CPU time, memory and squared error.")
-  boolean paired;
+  private boolean paired;
 
   @Option(
       names = "--json",
       paramLabel = "FILE",
       description = "Write every repetition as JSON, for --compare and for scripts.")
-  Optional<Path> json;
+  private Optional<Path> json;
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {

@@ -65,31 +65,31 @@ final class TradeCommand implements Callable<Integer> {
   /** The largest number of samples per pixel of the other settings if there is a target error. */
   private static final int FEW = 16;
 
-  @Mixin SceneOptions options;
+  @Mixin private final SceneOptions options = new SceneOptions();
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT.html",
       description =
           "Page to write. Default: the scene's name with -trade.html, in the working directory.")
-  Optional<Path> output = Optional.empty();
+  private Optional<Path> output = Optional.empty();
 
   @Option(
       names = "--quick",
       description = "Use small pictures and few seeds; takes about one minute.")
-  boolean quick;
+  private boolean quick;
 
   @Option(
       names = "--time",
       paramLabel = "DURATION",
       description = "Approximate time for the study (5m; with --quick 1m).")
-  Optional<Duration> time = Optional.empty();
+  private Optional<Duration> time = Optional.empty();
 
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
       description = "Largest number of samples per pixel of a setting, instead of --time.")
-  Optional<Integer> samples = Optional.empty();
+  private Optional<Integer> samples = Optional.empty();
 
   @Option(
       names = "--target-error",
@@ -100,7 +100,7 @@ final class TradeCommand implements Callable<Integer> {
               + " value, such as 3.16%%. Double the reference's samples until its squared error is"
               + " at most 1/8 of the target's square. --time ends both earlier. Changes the"
               + " defaults: -s 16, --seeds 4.")
-  Optional<Double> target = Optional.empty();
+  private Optional<Double> target = Optional.empty();
 
   @Option(
       names = "--reference",
@@ -108,7 +108,7 @@ final class TradeCommand implements Callable<Integer> {
       description =
           "Samples per pixel of the reference (64 times the largest number of a setting). With"
               + " --target-error, the reference starts with these.")
-  Optional<Integer> reference = Optional.empty();
+  private Optional<Integer> reference = Optional.empty();
 
   @Option(
       names = "--knobs",
@@ -116,32 +116,32 @@ final class TradeCommand implements Callable<Integer> {
       description =
           "Settings to vary, separated by commas: sampler, lights, strategy, roulette, split,"
               + " depth, mode, filter, clamp, adaptive, denoise (all).")
-  Optional<String> knobs = Optional.empty();
+  private Optional<String> knobs = Optional.empty();
 
   @Option(
       names = "--seeds",
       paramLabel = "N",
       description = "Renders of each setting, at least 3 (at least 3, as time allows).")
-  Optional<Integer> seeds = Optional.empty();
+  private Optional<Integer> seeds = Optional.empty();
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       description =
           "Frame size in pixels (the scene's, scaled down to a side of 160; with --quick 96).")
-  Optional<Size> size = Optional.empty();
+  private Optional<Size> size = Optional.empty();
 
   @Option(
       names = "--threads",
       paramLabel = "N",
       description = "Number of threads; 0: one per processor (0).")
-  int threads;
+  private int threads;
 
-  @Mixin KernelFlag kernel;
+  @Mixin private final KernelFlag kernel = new KernelFlag();
 
-  @Mixin OverwriteFlag overwrite;
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec CommandSpec spec;
+  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
