@@ -50,6 +50,7 @@ public final class CheckpointFile implements Closeable {
     return new CheckpointFile(Objects.requireNonNull(path, "path"), disk);
   }
 
+  /** Returns where the file is. */
   public Path path() {
     return path;
   }

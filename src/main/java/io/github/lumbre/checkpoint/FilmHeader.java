@@ -39,6 +39,7 @@ public record FilmHeader(
   /** Name in the identity: SHA-256 hash of the scene and of every file that it uses. */
   public static final String SCENE_HASH = "scene-hash";
 
+  /** Name in the identity: path tracing or ray tracing. */
   public static final String MODE = "mode";
 
   /**
@@ -47,9 +48,16 @@ public record FilmHeader(
    */
   public static final String DEPTH = "depth";
 
+  /** Name in the identity: the seed of all random numbers. */
   public static final String SEED = "seed";
+
+  /** Name in the identity: width and height of the whole picture. */
   public static final String SIZE = "size";
+
+  /** Name in the identity: whether the background is transparent. */
   public static final String TRANSPARENT = "transparent";
+
+  /** Name in the identity: the kind of random numbers. */
   public static final String SAMPLER = "sampler";
 
   /** Name in the identity: {@link FilmRenderer#REVISION}. */

@@ -57,14 +57,17 @@ public final class Image {
     return new Image(width, height, new float[Math.multiplyExact(3, width * height)], OPAQUE);
   }
 
+  /** Returns the number of columns. */
   public int width() {
     return width;
   }
 
+  /** Returns the number of rows. */
   public int height() {
     return height;
   }
 
+  /** Returns whether the pixels have an alpha of their own; otherwise all are opaque. */
   public boolean hasAlpha() {
     return alpha.length != 0;
   }

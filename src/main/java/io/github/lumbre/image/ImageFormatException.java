@@ -19,11 +19,13 @@ public final class ImageFormatException extends IOException {
 
   private final Kind kind;
 
+  /** Creates an exception without a cause. */
   public ImageFormatException(Kind kind, String message) {
     super(message);
     this.kind = Objects.requireNonNull(kind, "kind");
   }
 
+  /** Creates an exception with the failure of a decoder as its cause. */
   public ImageFormatException(Kind kind, String message, Throwable cause) {
     super(message, cause);
     this.kind = Objects.requireNonNull(kind, "kind");

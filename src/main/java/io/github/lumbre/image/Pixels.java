@@ -165,10 +165,12 @@ public final class Pixels {
     return IntStream.range(0, channels).toArray();
   }
 
+  /** Returns the number of columns. */
   public int width() {
     return width;
   }
 
+  /** Returns the number of rows. */
   public int height() {
     return height;
   }

@@ -2,21 +2,28 @@ package io.github.lumbre.image;
 
 /** A linear RGB color: a radiance, an irradiance, a reflectance or a weight. Immutable. */
 public record Rgb(double r, double g, double b) {
+  /** No light: all components are 0. */
   public static final Rgb BLACK = new Rgb(0, 0, 0);
+
+  /** All components are 1. */
   public static final Rgb WHITE = new Rgb(1, 1, 1);
 
+  /** Returns the color whose three components are the same. */
   public static Rgb grey(double v) {
     return new Rgb(v, v, v);
   }
 
+  /** Returns the sum, component by component. */
   public Rgb plus(Rgb o) {
     return new Rgb(r + o.r, g + o.g, b + o.b);
   }
 
+  /** Returns the product, component by component. */
   public Rgb times(Rgb o) {
     return new Rgb(r * o.r, g * o.g, b * o.b);
   }
 
+  /** Returns the color with each component multiplied by a number. */
   public Rgb times(double s) {
     return new Rgb(r * s, g * s, b * s);
   }
@@ -33,14 +40,17 @@ public record Rgb(double r, double g, double b) {
     return .2126 * r + .7152 * g + .0722 * b;
   }
 
+  /** Returns the largest component. */
   public double max() {
     return Math.max(r, Math.max(g, b));
   }
 
+  /** Returns whether all components are 0. */
   public boolean isBlack() {
     return r == 0 && g == 0 && b == 0;
   }
 
+  /** Returns whether all components are finite. */
   public boolean isFinite() {
     return Double.isFinite(r) && Double.isFinite(g) && Double.isFinite(b);
   }

@@ -28,7 +28,8 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
   }
 
   /** Returns bounds of emitters in a box whose light stays within a cone. */
-  public static LightBounds towards(Bounds3 box, Vec3 axis, double spread, double fall, double intensity) {
+  public static LightBounds towards(
+      Bounds3 box, Vec3 axis, double spread, double fall, double intensity) {
     return new LightBounds(box, axis, spread + MARGIN, fall + MARGIN, intensity);
   }
 
@@ -37,6 +38,7 @@ public record LightBounds(Bounds3 box, Vec3 axis, double spread, double fall, do
     return spread <= 2 * MARGIN && fall <= .5 * Math.PI + 2 * MARGIN;
   }
 
+  /** Returns the same bounds with another intensity. */
   public LightBounds withIntensity(double value) {
     return new LightBounds(box, axis, spread, fall, value);
   }

@@ -158,10 +158,12 @@ public final class BsdfSample {
     return bsdfPdf;
   }
 
+  /** Returns whether no light is scattered: the weight is black. */
   public boolean isAbsorbed() {
     return r == 0 && g == 0 && b == 0;
   }
 
+  /** Returns whether the direction is the only one that its lobe scatters to. */
   public boolean isSpecular() {
     return pdf == Double.POSITIVE_INFINITY;
   }

@@ -70,7 +70,9 @@ public sealed interface MicrofacetDistribution permits Beckmann, Ggx {
 
   /** The kinds of distributions. */
   enum Kind {
+    /** Slopes with a normal distribution (Beckmann &amp; Spizzichino 1963). */
     BECKMANN,
+    /** Slopes with long tails (Walter et al. 2007). */
     GGX
   }
 }

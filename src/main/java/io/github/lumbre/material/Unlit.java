@@ -5,6 +5,7 @@ package io.github.lumbre.material;
  * own color.
  */
 public enum Unlit implements Material {
+  /** The only value. */
   INSTANCE;
 
   @Override

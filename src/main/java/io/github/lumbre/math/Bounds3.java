@@ -20,16 +20,19 @@ public record Bounds3(Vec3 min, Vec3 max) {
     return bounds;
   }
 
+  /** Returns the smallest box around this box and a point. */
   public Bounds3 union(Vec3 p) {
     return new Bounds3(
         new Vec3(Math.min(min.x(), p.x()), Math.min(min.y(), p.y()), Math.min(min.z(), p.z())),
         new Vec3(Math.max(max.x(), p.x()), Math.max(max.y(), p.y()), Math.max(max.z(), p.z())));
   }
 
+  /** Returns the smallest box around both boxes. */
   public Bounds3 union(Bounds3 o) {
     return o.isEmpty() ? this : union(o.min).union(o.max);
   }
 
+  /** Returns whether the box has no points. */
   public boolean isEmpty() {
     return !(min.x() <= max.x() && min.y() <= max.y() && min.z() <= max.z());
   }
@@ -59,6 +62,7 @@ public record Bounds3(Vec3 min, Vec3 max) {
         && !(Math.abs(cx * dy - cy * dx) > ex * ly + ey * lx);
   }
 
+  /** Returns whether all coordinates of the corners are finite. */
   public boolean isFinite() {
     return min.isFinite() && max.isFinite();
   }
@@ -71,6 +75,7 @@ public record Bounds3(Vec3 min, Vec3 max) {
         (number & 4) == 0 ? min.z() : max.z());
   }
 
+  /** Returns the point in the middle of the box. */
   public Vec3 centre() {
     return min.times(.5).plus(max.times(.5));
   }

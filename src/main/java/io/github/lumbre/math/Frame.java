@@ -152,10 +152,12 @@ public final class Frame {
     return bitangent.times(bitangent.dot(v) < 0 ? -1 : 1);
   }
 
+  /** Returns the coordinates in this frame of a direction in world space. */
   public Vec3 toLocal(Vec3 world) {
     return new Vec3(world.dot(tangent()), world.dot(bitangent()), world.dot(normal()));
   }
 
+  /** Returns the direction in world space that has coordinates in this frame. */
   public Vec3 toWorld(Vec3 local) {
     return toWorld(tangent(), bitangent(), normal(), local);
   }

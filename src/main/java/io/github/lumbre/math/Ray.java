@@ -14,6 +14,7 @@ public record Ray(Vec3 origin, Vec3 direction, double tMax) {
     this(origin, direction, Double.POSITIVE_INFINITY);
   }
 
+  /** Returns the point origin + t · direction. */
   public Vec3 at(double t) {
     return origin.plus(t, direction);
   }

@@ -10,6 +10,7 @@ import io.github.lumbre.math.internal.Elementary;
  * Rx(90°)} takes +z to −y, and {@code Ry(90°)} takes +z to +x.
  */
 public final class Transform {
+  /** Leaves every point where it is. */
   public static final Transform IDENTITY = translation(Vec3.ZERO);
 
   /**
@@ -57,10 +58,12 @@ public final class Transform {
     this.determinant = determinant;
   }
 
+  /** Returns the transform that adds an offset to points. */
   public static Transform translation(Vec3 offset) {
     return new Transform(Matrix3.IDENTITY, offset, Matrix3.IDENTITY, 1);
   }
 
+  /** Returns the transform that multiplies each coordinate by its factor, which is not 0. */
   public static Transform scale(Vec3 factors) {
     Vec3 inverse = new Vec3(1 / factors.x(), 1 / factors.y(), 1 / factors.z());
     return new Transform(

@@ -2,9 +2,16 @@ package io.github.lumbre.math;
 
 /** A point or a direction in three dimensions; variable names state its space. Immutable. */
 public record Vec3(double x, double y, double z) {
+  /** The origin, or the vector without length. */
   public static final Vec3 ZERO = new Vec3(0, 0, 0);
+
+  /** The unit vector along +x. */
   public static final Vec3 X = new Vec3(1, 0, 0);
+
+  /** The unit vector along +y. */
   public static final Vec3 Y = new Vec3(0, 1, 0);
+
+  /** The unit vector along +z. */
   public static final Vec3 Z = new Vec3(0, 0, 1);
 
   /** Squared lengths outside this range may have lost digits to underflow or overflow. */
@@ -12,6 +19,7 @@ public record Vec3(double x, double y, double z) {
 
   private static final double LARGEST_SAFE_SQUARE = 0x1p1000;
 
+  /** Returns the sum. */
   public Vec3 plus(Vec3 o) {
     return new Vec3(x + o.x, y + o.y, z + o.z);
   }
@@ -21,18 +29,22 @@ public record Vec3(double x, double y, double z) {
     return new Vec3(x + s * o.x, y + s * o.y, z + s * o.z);
   }
 
+  /** Returns the difference this − o. */
   public Vec3 minus(Vec3 o) {
     return new Vec3(x - o.x, y - o.y, z - o.z);
   }
 
+  /** Returns the product with a number. */
   public Vec3 times(double s) {
     return new Vec3(x * s, y * s, z * s);
   }
 
+  /** Returns the opposite vector. */
   public Vec3 negated() {
     return new Vec3(-x, -y, -z);
   }
 
+  /** Returns the scalar product. */
   public double dot(Vec3 o) {
     return x * o.x + y * o.y + z * o.z;
   }
@@ -42,10 +54,12 @@ public record Vec3(double x, double y, double z) {
     return new Vec3(y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x);
   }
 
+  /** Returns the square of the length; it may overflow or underflow, unlike {@link #length}. */
   public double lengthSquared() {
     return x * x + y * y + z * z;
   }
 
+  /** Returns the Euclidean length. */
   public double length() {
     double square = lengthSquared();
     if (square >= SMALLEST_SAFE_SQUARE && square <= LARGEST_SAFE_SQUARE) {
@@ -97,6 +111,7 @@ public record Vec3(double x, double y, double z) {
     return axis == 0 ? x : axis == 1 ? y : z;
   }
 
+  /** Returns whether all coordinates are finite. */
   public boolean isFinite() {
     return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
   }

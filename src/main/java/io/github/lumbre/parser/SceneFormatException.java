@@ -32,6 +32,7 @@ public final class SceneFormatException extends Exception {
     this.problems = problems.toArray(Problem[]::new);
   }
 
+  /** Returns why the scene cannot be used. */
   public Kind kind() {
     return kind;
   }

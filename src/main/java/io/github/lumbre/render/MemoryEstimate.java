@@ -92,6 +92,7 @@ public record MemoryEstimate(
     return BYTES_PER_COPIED_PIXEL * pixels() + layerBytes();
   }
 
+  /** Returns the bytes that the threads need for their own work. */
   public long threadBytes() {
     return BYTES_PER_THREAD * threads();
   }

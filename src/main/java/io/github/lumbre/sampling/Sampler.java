@@ -36,7 +36,10 @@ public interface Sampler {
   /** Offset within a vertex, one dimension: Russian roulette. */
   int ROULETTE = 6;
 
+  /** The first dimension of the vertex that the camera sees. */
   int FIRST_VERTEX = 8;
+
+  /** The number of dimensions of a vertex. */
   int VERTEX_STRIDE = 7;
 
   /** Beyond the dimensions of all vertices that a path can have. */
