@@ -10,7 +10,23 @@ import java.util.Map;
 
 /** Reads model files for scenes that are built in code. Stateless. */
 public final class Models {
+  /** The endings of the names of model files, for messages. */
+  public static final String NAMES = ModelReader.NAMES;
+
   private Models() {}
+
+  /** Returns whether a name has the ending of a model file. */
+  public static boolean isModelName(String name) {
+    return ModelReader.isModelName(name);
+  }
+
+  /**
+   * Returns whether a file is a model, by the ending of its name. If the ending is of neither a
+   * model nor .json, the content of the file decides.
+   */
+  public static boolean isModel(Path file) {
+    return ModelReader.isModel(file);
+  }
 
   /**
    * Reads a glTF, OBJ, PLY or STL file and the files that it names.

@@ -2,7 +2,7 @@ package io.github.lumbre.junit;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -82,7 +82,7 @@ public final class RenderedSceneExtension implements ParameterResolver {
 
   private static SceneFile read(RenderedScene wanted, Path path)
       throws SceneFormatException, IOException {
-    boolean isModel = ModelReader.isModel(path);
+    boolean isModel = Models.isModel(path);
     SceneParser parser =
         new SceneParser().overriding(settings -> overridden(settings, wanted, isModel));
     if (isModel) {

@@ -3,7 +3,7 @@ package io.github.lumbre.examples;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import io.github.lumbre.limit.Limits;
-import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -96,9 +96,9 @@ public final class ThumbnailServer implements AutoCloseable {
   private void answerOpen(HttpExchange exchange) throws IOException {
     try {
       String ending = exchange.getRequestURI().getPath().substring(PATH.length());
-      boolean isModel = ModelReader.isModelName("model." + ending);
+      boolean isModel = Models.isModelName("model." + ending);
       if (!exchange.getRequestMethod().equals("POST") || !isModel) {
-        reply(exchange, 404, "expected POST /thumbnail/ and one of " + ModelReader.NAMES);
+        reply(exchange, 404, "expected POST /thumbnail/ and one of " + Models.NAMES);
         return;
       }
       int most = (int) Math.min(limits.bytes() + 1, Integer.MAX_VALUE);
