@@ -2,6 +2,7 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.MicroBenchmark;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.Arrays;
 import java.util.SplittableRandom;

@@ -3,7 +3,7 @@ package io.github.lumbre.audit;
 import io.github.lumbre.audit.Finding.Severity;
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.render.DepthCut;
+import io.github.lumbre.render.internal.DepthCut;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.List;
 import java.util.Locale;

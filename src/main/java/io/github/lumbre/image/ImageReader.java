@@ -9,7 +9,7 @@ import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.image.internal.PngFile;
 import io.github.lumbre.image.internal.PngTransparency;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,6 +1,6 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.HexFormat;

@@ -3,7 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneAssembly;
 import java.util.ArrayList;

@@ -4,7 +4,7 @@ import io.github.lumbre.camera.Camera;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;

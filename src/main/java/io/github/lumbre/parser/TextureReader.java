@@ -4,7 +4,7 @@ import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.parser.AssetTable.Type;

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
 import java.util.function.IntUnaryOperator;

@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;

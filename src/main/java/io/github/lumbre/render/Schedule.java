@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.render.internal.Passes;
 import java.util.Optional;
 import java.util.function.IntBinaryOperator;
 

@@ -1,8 +1,8 @@
 package io.github.lumbre.stopping;
 
 import io.github.lumbre.render.Film;
-import io.github.lumbre.render.Passes;
 import io.github.lumbre.render.StopRule;
+import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Objects;
 import java.util.Optional;

@@ -3,6 +3,7 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.render.DepthCut;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.internal.DepthCut;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;

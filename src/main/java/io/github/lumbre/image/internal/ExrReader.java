@@ -6,7 +6,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.ExrHeader.Window;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

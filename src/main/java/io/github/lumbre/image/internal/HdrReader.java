@@ -4,7 +4,7 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

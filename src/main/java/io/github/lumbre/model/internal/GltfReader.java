@@ -1,7 +1,7 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.limit.Interrupts;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;

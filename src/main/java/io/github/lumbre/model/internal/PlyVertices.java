@@ -1,8 +1,8 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.image.internal.Srgb;
-import io.github.lumbre.limit.Interrupts;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.model.ModelFormatException;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package io.github.lumbre.limit;
+package io.github.lumbre.limit.internal;
 
 import java.io.ByteArrayInputStream;
 import java.io.InputStream;

@@ -1,4 +1,4 @@
-package io.github.lumbre.render;
+package io.github.lumbre.render.internal;
 
 /**
  * The lengths of the passes of a render. Passes end after 1, 2, 4, … samples per pixel up to 64,

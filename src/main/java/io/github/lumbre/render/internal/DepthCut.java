@@ -1,7 +1,8 @@
-package io.github.lumbre.render;
+package io.github.lumbre.render.internal;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.render;
+package io.github.lumbre.render.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
