@@ -17,7 +17,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
@@ -242,7 +242,7 @@ final class CompareCommand implements Callable<Integer> {
       case "rmse" -> "root mean square of the difference";
       case "relmse" ->
           "mean square relative to the reference; its root, %s, is comparable to a render's noise"
-              .formatted(Markdown.percent(Math.sqrt(value)));
+              .formatted(Numbers.percent(Math.sqrt(value)));
       case "bias" ->
           "mean difference: "
               + (value == 0 ? "as bright as" : value > 0 ? "brighter than" : "darker than")

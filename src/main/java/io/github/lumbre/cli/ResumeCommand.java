@@ -28,8 +28,8 @@ import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
@@ -268,7 +268,7 @@ final class ResumeCommand implements Callable<Integer> {
       throw new TaskException(
           Kind.USAGE,
           "--samples: expected at least the "
-              + Markdown.count(most, "sample")
+              + Numbers.count(most, "sample")
               + " per pixel already rendered, found "
               + limit);
     }

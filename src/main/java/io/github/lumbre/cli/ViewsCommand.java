@@ -18,8 +18,8 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ContactSheet;
-import io.github.lumbre.lab.Markdown;
 import io.github.lumbre.lab.MemoryCheck;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.model.internal.ModelReader;
@@ -147,7 +147,7 @@ final class ViewsCommand implements Callable<Integer> {
         SHEET,
         settings.width(),
         settings.height(),
-        Markdown.count(settings.samples(), "sample"),
+        Numbers.count(settings.samples(), "sample"),
         seconds);
   }
 

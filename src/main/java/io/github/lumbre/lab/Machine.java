@@ -69,7 +69,7 @@ public record Machine(
 
   /** Returns the machine as one line, without options, memory and load. */
   public String line() {
-    return cpu + ", " + Markdown.count(cores, "logical core") + "; " + jvm + "; " + os;
+    return cpu + ", " + Numbers.count(cores, "logical core") + "; " + jvm + "; " + os;
   }
 
   private static String property(String key) {

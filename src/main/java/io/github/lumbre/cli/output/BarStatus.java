@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -60,7 +60,7 @@ record BarStatus(
     if (left.isPresent()) {
       parts.add(ProgressBar.clock(left.getAsDouble()) + " left");
     }
-    parts.add(Markdown.rate(done, seconds) + " samples/s");
+    parts.add(Numbers.rate(done, seconds) + " samples/s");
     if (targetError.isPresent() && error.isPresent() && Double.isFinite(error.getAsDouble())) {
       parts.add(
           String.format(

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.stopping.NoiseEstimate;
 import java.util.LinkedHashMap;
@@ -51,14 +51,14 @@ public record NoiseReport(
   /** Returns {@code , noise about 1.6 % (at most 1.8 %)}; empty if the noise is not known. */
   String line() {
     return noise
-        .map(n -> ", noise about %s (%s)".formatted(Markdown.percent(n.relativeRmse()), bound(n)))
+        .map(n -> ", noise about %s (%s)".formatted(Numbers.percent(n.relativeRmse()), bound(n)))
         .orElse("");
   }
 
   private static String bound(NoiseEstimate noise) {
     return Double.isInfinite(noise.upperRelativeMse())
         ? "no bound: too few pixels"
-        : "at most " + Markdown.percent(noise.upperRelativeRmse());
+        : "at most " + Numbers.percent(noise.upperRelativeRmse());
   }
 
   /** Prints warnings about a heavy-tailed noise estimate and a missed target error. */
@@ -67,13 +67,13 @@ public record NoiseReport(
       messages.line(
           "warning: "
               + tail(noise.get())
-              + Markdown.percent(noise.get().tailShare())
+              + Numbers.percent(noise.get().tailShare())
               + " of the noise, so the noise may be underestimated; take more samples");
     }
     if (isMissed()) {
       messages.line(
           "warning: the target error of "
-              + Markdown.percent(target.getAsDouble())
+              + Numbers.percent(target.getAsDouble())
               + " is not reached"
               + noise.map(n -> ": " + bound(n)).orElse(""));
     }
@@ -94,12 +94,12 @@ public record NoiseReport(
     metadata.put("Samples", samples());
     noise.ifPresent(
         n -> {
-          metadata.put("Noise", Markdown.percent(n.relativeRmse()));
+          metadata.put("Noise", Numbers.percent(n.relativeRmse()));
           metadata.put(
-              "NoiseBound", bound(n) + " with a confidence of " + Markdown.percent(n.confidence()));
+              "NoiseBound", bound(n) + " with a confidence of " + Numbers.percent(n.confidence()));
           if (n.hasHeavyTail()) {
             String pixels = n.tailPixels() == 1 ? "one pixel" : "0.1 % of the pixels";
-            metadata.put("NoiseTail", Markdown.percent(n.tailShare()) + " of it in " + pixels);
+            metadata.put("NoiseTail", Numbers.percent(n.tailShare()) + " of it in " + pixels);
           }
         });
   }

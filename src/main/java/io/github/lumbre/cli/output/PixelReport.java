@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
@@ -81,7 +81,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns the mean and variance of the pixel's samples, and the brightest of them. */
   public String text(PixelReplay.Pixel all) {
     StringBuilder out = new StringBuilder();
-    String samples = Markdown.count(all.samples(), "sample");
+    String samples = Numbers.count(all.samples(), "sample");
     line(out, "pixel " + pixel + ", " + samples + ", seed " + seed());
     describeSeen(all, out);
     line(out, "mean         " + shown(all.mean()));

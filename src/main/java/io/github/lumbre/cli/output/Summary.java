@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
@@ -74,7 +74,7 @@ public final class Summary {
             result.complete() ? samples : progress(),
             noise,
             seconds,
-            Markdown.rate(result.statistics().samples(), seconds)));
+            Numbers.rate(result.statistics().samples(), seconds)));
   }
 
   /** Returns {@code 1 sample per pixel} or {@code 64 samples per pixel}. */
@@ -105,7 +105,7 @@ public final class Summary {
     messages.line("samples      " + statistics.samples());
     messages.line("rays         " + statistics.rays());
     messages.line("shadow rays  " + statistics.shadowRays());
-    messages.line("rays/s       " + Markdown.rate(rays, seconds));
+    messages.line("rays/s       " + Numbers.rate(rays, seconds));
     messages.line("rejected     " + statistics.rejected() + " samples");
     messages.line("saturated    " + statistics.saturated() + " sample values");
     messages.line("threads      " + threads());
@@ -120,7 +120,7 @@ public final class Summary {
     }
     messages.line(
         "warning: rejected "
-            + Markdown.count(statistics.rejected(), "sample")
+            + Numbers.count(statistics.rejected(), "sample")
             + " with negative, NaN or infinite values, or with a ray through more than 65,536"
             + " transparent surfaces (counted as black); the first:");
     statistics

@@ -9,7 +9,7 @@ import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.denoise.OpenImageDenoise;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
@@ -81,12 +81,12 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     output.write(denoised.image(), List.of(), options.withMetadata(metadata));
     String noise =
         denoised.relativeNoise().isPresent()
-            ? ", noise before roughly " + Markdown.percent(denoised.relativeNoise().getAsDouble())
+            ? ", noise before roughly " + Numbers.percent(denoised.relativeNoise().getAsDouble())
             : "";
     String error =
         denoised.relativeError().isPresent()
             ? ", error left roughly %s; not comparable with the noise of the render"
-                .formatted(Markdown.percent(denoised.relativeError().getAsDouble()))
+                .formatted(Numbers.percent(denoised.relativeError().getAsDouble()))
             : "";
     messages.line(
         "%s: denoised (%s): %s changed%s%s"

@@ -3,7 +3,7 @@ package io.github.lumbre.cli.run;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureOutput;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;
@@ -153,7 +153,7 @@ public final class Frames implements AutoCloseable {
     if (complete + partial < targets.size()) {
       states.add(names(complete + partial, targets.size()) + " not rendered");
     }
-    String done = complete + " of " + Markdown.count(targets.size(), "picture");
+    String done = complete + " of " + Numbers.count(targets.size(), "picture");
     return new TaskException(kind, what + done + ": " + String.join(", ", states));
   }
 

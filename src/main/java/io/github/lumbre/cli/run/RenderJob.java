@@ -18,7 +18,7 @@ import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
@@ -311,7 +311,7 @@ public record RenderJob(
     double share = film.shareWithoutSamples();
     if (share > 0) {
       return Optional.of(
-          "warning: " + Markdown.percent(share) + " of the pixels have no sample and are black");
+          "warning: " + Numbers.percent(share) + " of the pixels have no sample and are black");
     }
     return budget.isOutOfTime() && film.mostSamples() == 1
         ? Optional.of(
@@ -327,7 +327,7 @@ public record RenderJob(
             ("warning: --adaptive had no effect: it chooses pixels after their first %d samples,"
                     + " and the render ended with %s per pixel")
                 .formatted(
-                    FilmRenderer.ADAPTIVE_PILOT, Markdown.count(film.mostSamples(), "sample")))
+                    FilmRenderer.ADAPTIVE_PILOT, Numbers.count(film.mostSamples(), "sample")))
         : Optional.empty();
   }
 

@@ -5,7 +5,7 @@ import com.google.gson.JsonObject;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.List;
@@ -101,7 +101,7 @@ final class StateJson {
     }
     double samples = state.errors().get(state.errors().size() - 1).samples();
     return Math.round(samples * pixels) < state.samples()
-        ? "at " + Markdown.count(Math.round(samples), "sample")
+        ? "at " + Numbers.count(Math.round(samples), "sample")
         : "";
   }
 

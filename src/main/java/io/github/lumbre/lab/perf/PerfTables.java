@@ -4,7 +4,7 @@ import com.google.gson.FieldNamingPolicy;
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.lab.Machine;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.scene.SettingType;
@@ -33,9 +33,9 @@ public record PerfTables(Machine machine, PerfPlan plan) {
           .number("threads", of(m -> m.settings().threads()))
           .number("time", of(m -> format("%.3f s", m.seconds())))
           .number("CPU time", of(m -> format("%.3f s", m.cpuSeconds())))
-          .number("samples/s", of(m -> Markdown.rate(m.statistics().samples(), m.seconds())))
-          .number("rays/s", of(m -> Markdown.rate(m.rays(), m.seconds())))
-          .number("rays/CPU s", of(m -> Markdown.rate(m.rays(), m.cpuSeconds())))
+          .number("samples/s", of(m -> Numbers.rate(m.statistics().samples(), m.seconds())))
+          .number("rays/s", of(m -> Numbers.rate(m.rays(), m.seconds())))
+          .number("rays/CPU s", of(m -> Numbers.rate(m.rays(), m.cpuSeconds())))
           .number("B/ray", of(m -> format("%.0f", m.bytesPerRay())))
           .number("warm-up", result -> result.warmUp().text())
           .number("relMSE", result -> format("%.3g", result.noise().relativeMse()))

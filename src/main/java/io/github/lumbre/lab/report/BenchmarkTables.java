@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.report;
 
 import io.github.lumbre.lab.Machine;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.perf.Measurement;
@@ -45,8 +45,8 @@ public final class BenchmarkTables {
             .text(
                 "report's time",
                 row(row -> row.reportTime() + (row.note().isEmpty() ? "" : " (note)")))
-            .number("samples/s", of(m -> Markdown.rate(m.statistics().samples(), m.seconds())))
-            .number("rays/s", of(m -> Markdown.rate(m.rays(), m.seconds())))
+            .number("samples/s", of(m -> Numbers.rate(m.statistics().samples(), m.seconds())))
+            .number("rays/s", of(m -> Numbers.rate(m.rays(), m.seconds())))
             .text("image", of(Measurement::image));
     csv =
         Table.<BenchmarkResult>empty()

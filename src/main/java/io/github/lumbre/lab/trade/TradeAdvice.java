@@ -1,6 +1,6 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import java.util.Comparator;
@@ -27,7 +27,7 @@ final class TradeAdvice {
 
   /** Adds the table to a page. */
   static void addTo(Html html, TradeResult result) {
-    Table<Double> table = Table.<Double>empty().text("target error", Markdown::percent);
+    Table<Double> table = Table.<Double>empty().text("target error", Numbers::percent);
     table = with(table, target -> unbiased(result, target));
     table = with(table, target -> biased(result, target).orElse(NONE));
     html.element("h2", "Recommended settings for a target error")

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
@@ -70,7 +70,7 @@ public final class TradePage {
             facts.get("size"),
             result.seeds(),
             result.referenceSamples(),
-            Markdown.percent(result.referenceNoise().relativeRmse()));
+            Numbers.percent(result.referenceNoise().relativeRmse()));
   }
 
   private void section(String title, String lead, List<LogChart> charts) {

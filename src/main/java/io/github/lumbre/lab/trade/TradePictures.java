@@ -3,7 +3,7 @@ package io.github.lumbre.lab.trade;
 import io.github.lumbre.compare.ErrorMap;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import java.util.Base64;
 import java.util.List;
 
@@ -47,7 +47,7 @@ record TradePictures(TradeResult result, ImageWriter.Options options) {
   private void pairs(Html html, List<TradeRow> rows) {
     html.raw("<div class=\"pictures\">");
     for (TradeRow row : rows) {
-      String name = row.setting().label() + ", " + Markdown.count(row.samples(), "sample");
+      String name = row.setting().label() + ", " + Numbers.count(row.samples(), "sample");
       String error = TradeText.rootPercent(row.seeds().get(0).error().relativeMse());
       Image map = ErrorMap.of(row.picture(), result.reference());
       html.raw("<figure><div class=\"pair\">")

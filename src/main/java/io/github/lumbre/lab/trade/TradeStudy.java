@@ -3,7 +3,7 @@ package io.github.lumbre.lab.trade;
 import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Cost;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.Trial;
 import io.github.lumbre.lab.metrics.StudentT;
 import io.github.lumbre.render.Progress;
@@ -90,7 +90,7 @@ public final class TradeStudy {
     double seconds = Math.max(1e-9, reference.cost().seconds());
     planFor(reference.film().totalSamples() / seconds);
     if (plan.referenceSamples() > reference.samples()) {
-      log.accept("reference: " + Markdown.count(plan.referenceSamples(), "sample") + " per pixel");
+      log.accept("reference: " + Numbers.count(plan.referenceSamples(), "sample") + " per pixel");
       reference.to(plan.referenceSamples());
     }
   }
@@ -130,7 +130,7 @@ public final class TradeStudy {
     Trial trial = new Trial(reference().renderer(REFERENCE_SEED), Progress.NONE);
     double wanted = plan.targetRelativeMse() / TradePlan.REFERENCE_MARGIN;
     for (int goal = plan.referenceSamples(); ; goal = afterwards(goal)) {
-      log.accept("reference: " + Markdown.count(goal, "sample") + " per pixel");
+      log.accept("reference: " + Numbers.count(goal, "sample") + " per pixel");
       trial.to(goal);
       int next = afterwards(goal);
       double further = trial.cost().seconds() * (next - goal) / goal;
@@ -201,10 +201,10 @@ public final class TradeStudy {
         plan.hasTarget() && samples <= TradePlan.LIMIT && !isReached(truthNoise);
         samples *= 2) {
       if (!fits(usual.stream().mapToDouble(t -> t.cost().seconds()).sum(), 1)) {
-        log.accept("no time for " + Markdown.count(samples, "sample") + " per pixel");
+        log.accept("no time for " + Numbers.count(samples, "sample") + " per pixel");
         return;
       }
-      log.accept("baseline: " + Markdown.count(samples, "sample") + " per pixel");
+      log.accept("baseline: " + Numbers.count(samples, "sample") + " per pixel");
       for (int seed = 0; seed < usual.size(); seed++) {
         Trial trial = usual.get(seed);
         trial.to(samples);

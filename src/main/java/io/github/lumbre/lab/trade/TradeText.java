@@ -1,6 +1,6 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.math.internal.Elementary;
 import java.util.Arrays;
@@ -13,7 +13,7 @@ final class TradeText {
 
   /** Returns the root of a squared error as a percentage; negative values count as 0. */
   static String rootPercent(double squared) {
-    return Markdown.percent(Math.sqrt(Math.max(0, squared)));
+    return Numbers.percent(Math.sqrt(Math.max(0, squared)));
   }
 
   static String number(double value) {

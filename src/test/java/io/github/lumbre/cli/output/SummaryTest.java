@@ -8,7 +8,7 @@ import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.lab.Markdown;
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
@@ -218,8 +218,8 @@ class SummaryTest {
 
   @Test
   void ratesHaveThreeDigits() {
-    assertThat(Markdown.rate(1_234_567, 1)).isEqualTo("1.23 M");
-    assertThat(Markdown.rate(1_234_567, 10)).isEqualTo("123457");
-    assertThat(Markdown.rate(5, 0)).isEqualTo("0");
+    assertThat(Numbers.rate(1_234_567, 1)).isEqualTo("1.23 M");
+    assertThat(Numbers.rate(1_234_567, 10)).isEqualTo("123457");
+    assertThat(Numbers.rate(5, 0)).isEqualTo("0");
   }
 }

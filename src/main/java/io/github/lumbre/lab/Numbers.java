@@ -1,19 +1,10 @@
 package io.github.lumbre.lab;
 
-import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
 
-/** Formats tables in Markdown. */
-public final class Markdown {
-  private Markdown() {}
-
-  /** Returns a row of a table. */
-  public static String row(List<String> cells) {
-    return cells.stream()
-        .map(cell -> cell.replace("|", "\\|"))
-        .collect(Collectors.joining(" | ", "| ", " |"));
-  }
+/** Formats numbers for reports. */
+public final class Numbers {
+  private Numbers() {}
 
   /** Returns a share as a percentage with two digits, or three from 99.5 % on; 0 is 0 %. */
   public static String percent(double share) {
