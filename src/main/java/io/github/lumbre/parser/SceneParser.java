@@ -1,11 +1,9 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.file.FileContent;
-import io.github.lumbre.geometry.HierarchyLimitException;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
-import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
@@ -16,11 +14,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
-import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -152,10 +147,11 @@ public final class SceneParser {
    */
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
-    return timed(
+    return TimedReading.of(
+        limits,
         problems,
         () -> {
-          byte[] text = read(file, problems, "scene", "bytes", limits.bytes());
+          byte[] text = InputFile.read(file, problems, "scene", "bytes", limits.bytes());
           return parse(file, text, Optional.empty(), Map.of(), Optional.empty(), problems);
         });
   }
@@ -170,7 +166,7 @@ public final class SceneParser {
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
   public SceneFile parse(Path model, Stage stage) throws SceneFormatException, IOException {
-    return timed(problemsOf(model), () -> staged(model, stage).scene(this));
+    return TimedReading.of(limits, problemsOf(model), () -> staged(model, stage).scene(this));
   }
 
   /**
@@ -191,7 +187,8 @@ public final class SceneParser {
           "name: expected a name without folders, found " + PrintableText.quoted(name));
     }
     Stage lenient = stage.reading(stage.options().lenient(true));
-    return timed(
+    return TimedReading.of(
+        limits,
         problemsOf(file),
         () ->
             new StagedModel(lenient, stage.folderOf(file), file, model, true, limits).scene(this));
@@ -209,7 +206,8 @@ public final class SceneParser {
    */
   public ModelViews parse(Path model, Stage stage, List<Stage.View> views)
       throws SceneFormatException, IOException {
-    return timed(
+    return TimedReading.of(
+        limits,
         problemsOf(model),
         () -> {
           StagedModel staged = staged(model, stage.seenFrom(views.get(0)));
@@ -230,7 +228,8 @@ public final class SceneParser {
 
   private StagedModel staged(Path file, Stage stage, Path folder)
       throws SceneFormatException, IOException {
-    byte[] content = read(file, problemsOf(file), "model", "bytes in all files", limits.bytes());
+    byte[] content =
+        InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits.bytes());
     return new StagedModel(stage, folder, file, content, false, limits);
   }
 
@@ -245,7 +244,7 @@ public final class SceneParser {
   public SceneFile parse(Path folder, Path model, Stage stage)
       throws SceneFormatException, IOException {
     Path file = model.toAbsolutePath().normalize();
-    return timed(problemsOf(file), () -> staged(file, stage, folder).scene(this));
+    return TimedReading.of(limits, problemsOf(file), () -> staged(file, stage, folder).scene(this));
   }
 
   /** Returns the aspect ratio for which a model is framed. */
@@ -306,47 +305,16 @@ public final class SceneParser {
     Path file = text.path();
     Problems problems = new Problems(String.valueOf(file.getFileName()), ModelReader.isModel(file));
     try {
-      return timed(
-          problems, () -> parse(file, text.json(), Optional.of(text), files, known, problems));
+      return TimedReading.of(
+          limits,
+          problems,
+          () -> parse(file, text.json(), Optional.of(text), files, known, problems));
     } catch (InterruptedIOException e) {
       CancellationException cancelled = new CancellationException(e.getMessage());
       cancelled.initCause(e);
       throw cancelled;
     } catch (IOException e) {
       throw new UncheckedIOException(e); // The content is in memory.
-    }
-  }
-
-  /** A way to read a scene. */
-  @FunctionalInterface
-  private interface Reading<T> {
-    T read() throws SceneFormatException, IOException;
-  }
-
-  /** Reads a scene within the time limit, and turns exceptions into exceptions of this class. */
-  private <T> T timed(Problems problems, Reading<T> reading)
-      throws SceneFormatException, IOException {
-    try (TimeLimit time = TimeLimit.start(limits.time())) {
-      try {
-        return reading.read();
-      } catch (OutOfMemoryError e) {
-        // What was to hold the scene is free again, and nothing else was touched.
-        problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
-        throw problems.exception();
-      } catch (HierarchyLimitException e) {
-        problems.error(Kind.LIMIT, () -> "$", e.getMessage());
-        throw problems.exception();
-      } catch (CancellationException | ClosedByInterruptException | InterruptedIOException e) {
-        if (time.hasPassed()) {
-          String limit = limits.time().toMillis() / 1e3 + " s";
-          problems.error(Kind.LIMIT, () -> "$", "expected a scene that is read within " + limit);
-          throw problems.exception();
-        }
-        InterruptedIOException interrupted =
-            new InterruptedIOException("reading the scene was interrupted");
-        interrupted.initCause(e);
-        throw interrupted;
-      }
     }
   }
 
@@ -359,7 +327,7 @@ public final class SceneParser {
    */
   public static Set<Path> files(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
-    return files(read(file, problems, "scene", "bytes", AssetData.MAX_BYTES), file);
+    return files(InputFile.read(file, problems, "scene", "bytes", AssetData.MAX_BYTES), file);
   }
 
   /**
@@ -371,38 +339,7 @@ public final class SceneParser {
    */
   public static Set<Path> files(byte[] content, Path file)
       throws SceneFormatException, IOException {
-    Problems problems = new Problems(String.valueOf(file.getFileName()));
-    JsonNode root = JsonNode.read(content, problems, Limits.NONE);
-    if (root.asObject().isEmpty()) {
-      throw problems.exception();
-    }
-    AssetData data = new AssetData(file, new SceneHash(), Allowance.unlimited());
-    Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets")));
-    files.addAll(data.modelFiles(ObjectTree.of(root).models()));
-    return files;
-  }
-
-  /**
-   * Returns the bytes of a file.
-   *
-   * @param what the file is, for messages
-   * @param bytes what is counted, for messages
-   */
-  private static byte[] read(Path file, Problems problems, String what, String bytes, long maxBytes)
-      throws SceneFormatException, IOException {
-    try {
-      long max = Math.min(AssetData.MAX_BYTES, maxBytes);
-      Optional<String> excess = Limits.excess(bytes, max, Files.size(file));
-      if (excess.isPresent()) {
-        problems.error(Kind.LIMIT, () -> "$", excess.get());
-        throw problems.exception();
-      }
-      return Files.readAllBytes(file);
-    } catch (NoSuchFileException e) {
-      String place = Problems.at(file);
-      problems.error(Kind.INVALID, () -> "$", "expected a " + what + " file, found none" + place);
-      throw problems.exception();
-    }
+    return InputFile.namedBy(content, file);
   }
 
   private SceneFile parse(
@@ -419,7 +356,7 @@ public final class SceneParser {
       problems.error(Kind.LIMIT, () -> "$", excess.get());
       throw problems.exception();
     }
-    requireScene(text, file, problems);
+    InputFile.requireScene(text, file, problems);
     JsonNode root = JsonNode.read(text, problems, limits);
     if (root.asObject().isEmpty()) {
       throw problems.exception();
@@ -465,25 +402,8 @@ public final class SceneParser {
     if (Files.isRegularFile(file)) {
       try (InputStream in = Files.newInputStream(file)) {
         Problems problems = new Problems(String.valueOf(file.getFileName()));
-        requireScene(in.readNBytes(FileContent.START), file, problems);
+        InputFile.requireScene(in.readNBytes(FileContent.START), file, problems);
       }
-    }
-  }
-
-  private static void requireScene(byte[] text, Path file, Problems problems)
-      throws SceneFormatException {
-    boolean isNamed = text.length == 0 || file.toString().endsWith(".json");
-    String found =
-        ModelReader.isModel(text, text.length)
-            ? ModelReader.contentOf(text)
-            : FileContent.describe(text).orElse(isNamed ? "JSON" : "another kind of file");
-    if (text.length > 0 && !found.equals("JSON")) {
-      problems.error(
-          Kind.INVALID,
-          () -> "",
-          "expected a scene (.json) or a model (%s), found %s"
-              .formatted(ModelReader.NAMES, FileContent.withAdvice(found)));
-      throw problems.exception();
     }
   }
 

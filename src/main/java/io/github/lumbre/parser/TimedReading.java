@@ -1,0 +1,47 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.geometry.HierarchyLimitException;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.limit.internal.TimeLimit;
+import io.github.lumbre.parser.SceneFormatException.Kind;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.util.concurrent.CancellationException;
+
+/** A way to read a scene, which may take too long or too much memory. */
+@FunctionalInterface
+interface TimedReading<T> {
+  /** Reads the scene. */
+  T read() throws SceneFormatException, IOException;
+
+  /**
+   * Reads a scene within the time limit, and turns exceptions into exceptions of {@link
+   * SceneParser}.
+   */
+  static <T> T of(Limits limits, Problems problems, TimedReading<T> reading)
+      throws SceneFormatException, IOException {
+    try (TimeLimit time = TimeLimit.start(limits.time())) {
+      try {
+        return reading.read();
+      } catch (OutOfMemoryError e) {
+        // What was to hold the scene is free again, and nothing else was touched.
+        problems.error(Kind.LIMIT, () -> "$", "expected a scene that fits into memory");
+        throw problems.exception();
+      } catch (HierarchyLimitException e) {
+        problems.error(Kind.LIMIT, () -> "$", e.getMessage());
+        throw problems.exception();
+      } catch (CancellationException | ClosedByInterruptException | InterruptedIOException e) {
+        if (time.hasPassed()) {
+          String limit = limits.time().toMillis() / 1e3 + " s";
+          problems.error(Kind.LIMIT, () -> "$", "expected a scene that is read within " + limit);
+          throw problems.exception();
+        }
+        InterruptedIOException interrupted =
+            new InterruptedIOException("reading the scene was interrupted");
+        interrupted.initCause(e);
+        throw interrupted;
+      }
+    }
+  }
+}
