@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.Choices;
 import io.github.lumbre.cli.option.FlagConverters;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.Stage.View;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -30,7 +31,7 @@ final class CompletionScript {
           "--view", List.copyOf(View.standard().keySet()),
           "--background", List.of("sky", "transparent", "white", "black"));
 
-  private static final String MODELS = ".gltf .glb .vrm .obj .ply .stl";
+  private static final String MODELS = Models.NAMES.replace(",", "") + " .vrm";
 
   /** The endings of the files that parameters with these labels name. */
   private static final Map<String, String> ENDINGS =

@@ -10,6 +10,7 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.TextFile;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -52,7 +53,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error"
     })
 final class ImportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
+  @Parameters(paramLabel = "MODEL", description = "Model: " + Models.NAMES + ".")
   private Path model;
 
   @Option(
@@ -72,7 +73,7 @@ final class ImportCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     if (!ModelReader.isModel(model)) {
-      throw failure(model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
+      throw failure(model + ": expected a model file: " + Models.NAMES);
     }
     Path target = output.orElseGet(this::beside);
     if (ModelReader.isModelName(target.toString())) {

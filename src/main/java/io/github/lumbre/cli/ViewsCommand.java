@@ -22,6 +22,7 @@ import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.ModelViews;
 import io.github.lumbre.parser.SceneFile;
@@ -80,7 +81,7 @@ final class ViewsCommand implements Callable<Integer> {
   /** The gaps of the contact sheet are narrower than a picture by this factor. */
   private static final int GAPS_PER_WIDTH = 64;
 
-  @Parameters(paramLabel = "MODEL", description = "Model: .gltf, .glb, .obj, .ply or .stl.")
+  @Parameters(paramLabel = "MODEL", description = "Model: " + Models.NAMES + ".")
   private Path model;
 
   @Option(
@@ -152,9 +153,7 @@ final class ViewsCommand implements Callable<Integer> {
   }
 
   private Stage checkedStage() {
-    require(
-        ModelReader.isModel(model),
-        model + ": expected a model file: .gltf, .glb, .obj, .ply or .stl");
+    require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
     for (String flag : List.of("--view", "--camera")) {
       require(
           !spec.commandLine().getParseResult().hasMatchedOption(flag),

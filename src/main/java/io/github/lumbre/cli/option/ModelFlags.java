@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
@@ -218,9 +219,7 @@ public final class ModelFlags {
   public void requireNone() {
     ParseResult given = spec.commandLine().getParseResult();
     for (String name : NAMES) {
-      require(
-          !given.hasMatchedOption(name),
-          name + ": requires a model file: .gltf, .glb, .obj, .ply or .stl");
+      require(!given.hasMatchedOption(name), name + ": requires a model file: " + Models.NAMES);
     }
   }
 

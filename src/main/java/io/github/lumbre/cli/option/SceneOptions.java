@@ -6,6 +6,7 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -38,7 +39,9 @@ public final class SceneOptions {
       index = "0",
       paramLabel = "SCENE",
       description =
-          "JSON scene, or model: .gltf, .glb, .obj, .ply or .stl; - for standard input, where a"
+          "JSON scene, or model: "
+              + Models.NAMES
+              + "; - for standard input, where a"
               + " model is one file, such as GLB.")
   private Path scene;
 
