@@ -47,7 +47,9 @@ final class DevelopCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       required = true,
-      description = "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light.")
+      description =
+          "Picture to write: PNG or JPEG for the screen, OpenEXR or PFM for linear light, by its"
+              + " ending.")
   private Path output;
 
   @Mixin private final DevelopFlags flags = new DevelopFlags();

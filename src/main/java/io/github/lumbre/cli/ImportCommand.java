@@ -53,7 +53,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error"
     })
 final class ImportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "MODEL", description = "Model: " + Models.NAMES + ".")
+  @Parameters(paramLabel = "MODEL", description = "Model: " + ModelReader.FORMATS + ".")
   private Path model;
 
   @Option(

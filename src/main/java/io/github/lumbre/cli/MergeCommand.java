@@ -77,7 +77,7 @@ final class MergeCommand implements Callable<Integer> {
       paramLabel = "OUT",
       required = true,
       description =
-          "Picture to write (.png, .jpg, .exr or .pfm); with any other extension, a checkpoint"
+          "Picture to write (PNG, JPEG, OpenEXR or PFM); with any other ending, a checkpoint"
               + " file.")
   private Path output;
 

@@ -103,8 +103,8 @@ final class RenderCommand implements Callable<Integer> {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = {
-        "Picture to write: .png or .jpg for the screen, .exr or .pfm for linear light; - for"
-            + " standard output.",
+        "Picture to write: PNG or JPEG for the screen, OpenEXR or PFM for linear light, by its"
+            + " ending; - for standard output.",
         "Default: the scene's name with .png, in the working directory."
       })
   private Optional<Path> output;

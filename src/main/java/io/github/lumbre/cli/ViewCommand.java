@@ -64,7 +64,7 @@ import picocli.CommandLine.Spec;
     header = "Watch a render in the browser; turn the camera, explain pixels.",
     description =
         "Open a page, served on this machine only, that shows a scene or model as it is rendered, a"
-            + " checkpoint file or a picture (.exr, .png, .jpg, .hdr, .pfm). The page renders anew"
+            + " checkpoint file or a picture (OpenEXR, PNG, JPEG, HDR, PFM). The page renders anew"
             + " when the scene file is saved. Ctrl-C ends it.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,

@@ -81,7 +81,7 @@ final class ViewsCommand implements Callable<Integer> {
   /** The gaps of the contact sheet are narrower than a picture by this factor. */
   private static final int GAPS_PER_WIDTH = 64;
 
-  @Parameters(paramLabel = "MODEL", description = "Model: " + Models.NAMES + ".")
+  @Parameters(paramLabel = "MODEL", description = "Model: " + ModelReader.FORMATS + ".")
   private Path model;
 
   @Option(

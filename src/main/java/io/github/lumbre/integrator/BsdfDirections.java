@@ -21,7 +21,7 @@ record BsdfDirections(int firstRoulette) implements DirectionStrategy {
 
   @Override
   public void weigh(Vertex vertex, LightSample light, BsdfValue value) {
-    // The density is that of BSDF sampling.
+    // The value has the density of BSDF sampling.
   }
 
   @Override

@@ -78,7 +78,7 @@ final class DirectLights implements LightTechnique {
     LightSampling.add(Source.LIGHT, choice.emitter(), lightPdf, misWeight, isBlocked, context);
   }
 
-  /** Light sampling draws neither the rays of delta lobes nor those of the camera. */
+  /** Light sampling draws no rays of delta lobes and no rays of the camera. */
   @Override
   public boolean mightFind(int depth, RenderContext context) {
     return rayPdf(context) != Double.POSITIVE_INFINITY;

@@ -61,7 +61,7 @@ final class LightSampling {
    * Selects an emitter at random.
    *
    * @param u uniform in [0,1)
-   * @param choice tells where, and receives the emitter and its probability
+   * @param choice has the receiving point; receives the emitter and its probability
    */
   void select(double u, LightChoice choice) {
     if (selects) {

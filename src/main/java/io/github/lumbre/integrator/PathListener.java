@@ -39,7 +39,7 @@ interface PathListener {
    * The ray hit a surface that is not shaded, because it emits or because the path has reached its
    * greatest depth.
    *
-   * @param ray with its nearest hit, of which {@link Scene#surfaceAt} tells the surface
+   * @param ray with its nearest hit; {@link Scene#surfaceAt} returns the hit surface
    */
   default void surfaceHit(NearestHit ray, Scene scene) {}
 

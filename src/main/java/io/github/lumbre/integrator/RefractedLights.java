@@ -200,8 +200,8 @@ final class RefractedLights implements LightTechnique {
 
   /**
    * Returns the density of the direction that was found, per density of the straight one: the area
-   * that a beam covers on the lamp, relative to that of straight rays. 0 if the lamp shows both
-   * another side.
+   * that a beam covers on the light, relative to the area that straight rays cover. 0 if refracted
+   * and straight rays meet different sides of the light.
    */
   private static double widening(Vec3 origin, Vec3 to, Vec3 lightNormal, GlassPath found) {
     Vec3 straight = to.minus(origin);

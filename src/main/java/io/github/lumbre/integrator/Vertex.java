@@ -17,8 +17,8 @@ import io.github.lumbre.math.Vec3;
  *
  * <p>With interpolated or perturbed normals, a direction may lie on one side of the shading plane
  * but on the other side of the surface. Such directions scatter no light, so that light never leaks
- * through a surface. The side of the surface is that of the geometric normal; after {@link #lift},
- * that of the interpolated one.
+ * through a surface. The geometric normal decides on the side of the surface; after {@link #lift},
+ * the interpolated normal does.
  */
 final class Vertex {
   private SurfaceHit surface;

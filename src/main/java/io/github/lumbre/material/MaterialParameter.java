@@ -99,7 +99,7 @@ public final class MaterialParameter {
           .mtl("pcr")
           .of(CLEARCOAT);
 
-  /** Normals of the clear coat; without a map, they are those of the vertices. */
+  /** Normals of the clear coat; without a map, the normals of the vertices. */
   public static final MaterialParameter CLEARCOAT_NORMAL =
       normals("clearcoatNormal")
           .gltf(COAT_EXTENSION, "", "clearcoatNormalTexture", 0)

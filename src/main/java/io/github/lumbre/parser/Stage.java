@@ -18,8 +18,8 @@ import java.util.Optional;
  * @param view the direction to look from; empty for the model's first camera, or {@link
  *     View#DEFAULT} if it has none
  * @param fov vertical angle of view in degrees, in (0, 180); not used with a camera of the model
- * @param ground whether the model stands on an infinite gray floor, of which only the shadows are
- *     visible if the background is transparent
+ * @param ground whether the model stands on an infinite gray floor; if the background is
+ *     transparent, only shadows are visible on it
  * @param background color that the camera sees instead of the sky; empty for the sky
  * @param transparent whether the background is transparent
  * @param options what to read from the model

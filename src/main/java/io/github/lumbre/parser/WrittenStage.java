@@ -12,7 +12,7 @@ import java.nio.file.Path;
 /**
  * Writes the scene around a model as a scene file.
  *
- * @param stage what is around the model
+ * @param stage the camera, sky, ground and background of the model
  * @param camera of the scene
  * @param floor height of the ground
  */

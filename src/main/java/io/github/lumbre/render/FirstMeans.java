@@ -48,7 +48,7 @@ final class FirstMeans {
     System.arraycopy(other.means, 0, means, 0, means.length);
   }
 
-  /** Stores the mean of all samples of a pixel so far, of which there are some. */
+  /** Stores the mean of all samples of a pixel so far; there must be at least one. */
   void store(int pixel) {
     int count = counts[pixel];
     means[pixel] =
@@ -64,7 +64,7 @@ final class FirstMeans {
    *
    * @param from the pixel in the other film, with at least one sample
    * @param to the pixel in this film
-   * @param continues whether the other film's samples follow those of this film
+   * @param continues whether the other film's samples follow the samples of this film
    */
   FirstMean add(FirstMeans other, int from, int to, boolean continues) {
     FirstMean mean = after(counts[to], other.counts[from], continues);

@@ -11,8 +11,7 @@ import java.util.function.Supplier;
 
 /**
  * Ends a render at the target error of a {@link Budget}, or at a time, and estimates the noise of
- * its picture. The samples of the budget are those of the render's schedule. Mutable, for one
- * render.
+ * its picture. The budget has the samples of the render's schedule. Mutable, for one render.
  *
  * <p>The checks take place after 32, 48, 64, 96, ... samples per pixel, and in frames with enough
  * pixels also after 4, 8 and 16 (see {@link StoppingSchedule}). They depend only on the scene and

@@ -169,6 +169,18 @@ class LumbreTest {
     assertThat(Outcome.of(line.split(" ")).out().lines()).allMatch(text -> text.length() <= 80);
   }
 
+  /** The line breaker of the JDK takes the dot of {@code .exr} for the end of a sentence. */
+  @Test
+  void noHelpBreaksTheEndingOfAFileName() {
+    Lumbre.commandLine()
+        .getSubcommands()
+        .keySet()
+        .forEach(
+            name ->
+                assertThat(Outcome.of("help", name).out().lines())
+                    .noneMatch(l -> l.endsWith(" .")));
+  }
+
   @ParameterizedTest
   @CsvSource({"bench, lumbre perf"})
   void earlierNamesOfCommandsAnswerWithTheNewOnes(String former, String present) {

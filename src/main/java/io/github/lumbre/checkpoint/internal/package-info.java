@@ -1,2 +1,2 @@
-/** Checkpoints that are saved while a render goes on, and the pictures of films. Not exported. */
+/** Saves of checkpoint files during a render, and the pictures of films. Not exported. */
 package io.github.lumbre.checkpoint.internal;

@@ -63,8 +63,8 @@ public final class ModelFlags {
       names = "--sky",
       paramLabel = "NAME|FILE",
       description =
-          "Light from studio, white, or a latitude-longitude picture: .hdr, .exr, .pfm,"
-              + " .png or .jpg (studio).")
+          "Light from studio, white, or a latitude-longitude picture: HDR, OpenEXR, PFM,"
+              + " PNG or JPEG (studio).")
   private Optional<String> sky;
 
   @Option(
@@ -117,7 +117,7 @@ public final class ModelFlags {
   private Optional<Double> unit;
 
   /**
-   * Returns what is around the model.
+   * Returns the camera, sky, ground and background of the model.
    *
    * @param turn degrees by which the view is turned about the vertical axis; empty without a
    *     turntable

@@ -6,7 +6,6 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -40,9 +39,8 @@ public final class SceneOptions {
       paramLabel = "SCENE",
       description =
           "JSON scene, or model: "
-              + Models.NAMES
-              + "; - for standard input, where a"
-              + " model is one file, such as GLB.")
+              + ModelReader.FORMATS
+              + "; - for standard input, where a model is one file, such as GLB.")
   private Path scene;
 
   @ArgGroup private Strictness strictness = new Strictness();

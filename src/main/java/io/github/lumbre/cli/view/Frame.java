@@ -35,7 +35,9 @@ record Frame(
     return layers.stream().filter(layer -> layer.name().equals(name)).findFirst();
   }
 
-  /** Returns a picture with a draft's pixels for black ones, most of which have no samples yet. */
+  /**
+   * Returns a picture whose black pixels, most of them without samples, are replaced by a draft's.
+   */
   static Image filled(Image image, Image draft) {
     if (image.hasAlpha()) {
       return image;

@@ -147,7 +147,7 @@ final class GltfMaterials {
     return new Rgb(c[0], c[1], c[2]);
   }
 
-  /** Returns numbers of which the first three are clamped. */
+  /** Returns an array of numbers whose first three are clamped. */
   private double[] clamped(GltfJson json, String member, double max, double... fallback)
       throws ModelFormatException {
     double[] c = json.numbers(member, fallback);

@@ -21,6 +21,9 @@ public final class ModelReader {
   /** The name endings of supported files, for messages. */
   public static final String NAMES = ".gltf, .glb, .obj, .ply, .stl";
 
+  /** The supported formats, for texts in which a line may not break after the dot of an ending. */
+  public static final String FORMATS = "glTF, GLB, OBJ, PLY or STL";
+
   private ModelReader() {}
 
   /** Returns whether a file's name ends like the name of a model. */
