@@ -43,8 +43,8 @@ public final class Visible {
   /**
    * Returns the exposure of a picture. An automatic one of a model that is rendered by itself
    * scales the median luminance of the pixels that objects other than infinite planes cover to 18 %
-   * gray, if there are other pixels, too. Scene files have an automatic exposure of their own: that
-   * of their format.
+   * gray, if there are other pixels, too. Scene files keep the automatic exposure of the scene
+   * format.
    *
    * @param image of the settings' window, in any size
    */
