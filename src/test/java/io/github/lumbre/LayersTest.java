@@ -109,7 +109,7 @@ class LayersTest {
           Map.entry(
               "cli.option",
               "image geometry file scene model render parser checkpoint denoise stopping lab"
-                  + " lab.perf cli.output cli.run"),
+                  + " cli.output cli.run"),
           Map.entry(
               "cli.view",
               "math image geometry path camera scene render parser checkpoint stopping preview"

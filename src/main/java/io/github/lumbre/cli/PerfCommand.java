@@ -15,13 +15,10 @@ import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.perf.PairedRenders;
-import io.github.lumbre.lab.perf.PerfComparison;
-import io.github.lumbre.lab.perf.PerfComparison.Clock;
 import io.github.lumbre.lab.perf.PerfPlan;
 import io.github.lumbre.lab.perf.PerfResult;
 import io.github.lumbre.lab.perf.PerfRunner;
 import io.github.lumbre.lab.perf.PerfTables;
-import io.github.lumbre.lab.perf.PerfTimes;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
@@ -41,14 +38,13 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code lumbre perf}: measures rendering speed, and compares two such measurements. */
+/** {@code lumbre perf}: measures rendering speed. */
 @Command(
     name = "perf",
-    header = "Measure how fast scenes render, or compare two measurements.",
+    header = "Measure how fast scenes render.",
     description =
         "Print a table in Markdown: throughput, CPU time, allocated memory, warm-up and noise of"
-            + " each scene with each number of threads. With --compare, print how two measurements"
-            + " differ.",
+            + " each scene with each number of threads.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     sortOptions = false,
@@ -57,15 +53,13 @@ import picocli.CommandLine.Spec;
       "",
       "Examples:",
       "  lumbre perf scenes/cornell-box.json",
-      "  lumbre perf scenes/cornell-box.json scenes/torus-knot.json -s 4 --json before.json",
-      "  lumbre perf scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16",
-      "  lumbre perf --compare before.json after.json"
+      "  lumbre perf scenes/cornell-box.json scenes/torus-knot.json -s 4 --json speed.json",
+      "  lumbre perf scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16"
     },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
-      "1:Under --compare, a scene is slower or a picture differs",
-      "2:The command line is invalid, or a scene or measurement does not exist",
+      "2:The command line is invalid, or a scene does not exist",
       "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
       "6:The JSON file cannot be written",
       "7:Internal error",
@@ -75,22 +69,8 @@ final class PerfCommand implements Callable<Integer> {
   private static final int DEFAULT_REPETITIONS = 5;
   private static final int MAX_REPETITIONS = 1000;
 
-  @Parameters(paramLabel = "SCENE", arity = "0..*", description = "JSON scene files.")
+  @Parameters(paramLabel = "SCENE", arity = "1..*", description = "JSON scene files.")
   private List<Path> scenes = List.of();
-
-  @Option(
-      names = "--compare",
-      paramLabel = "FILE",
-      arity = "2",
-      description = "Compare two measurements and print whether the second is faster.")
-  private List<Path> compared = List.of();
-
-  @Option(
-      names = "--by",
-      paramLabel = "CLOCK",
-      defaultValue = "cpu",
-      description = "Compare by CPU time or wall-clock time: cpu or wall (${DEFAULT-VALUE}).")
-  private Clock clock;
 
   @Option(
       names = {"-s", "--samples"},
@@ -166,7 +146,7 @@ final class PerfCommand implements Callable<Integer> {
   @Option(
       names = "--json",
       paramLabel = "FILE",
-      description = "Write every repetition as JSON, for --compare and for scripts.")
+      description = "Write every repetition as JSON, for scripts.")
   private Optional<Path> json;
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
@@ -176,16 +156,7 @@ final class PerfCommand implements Callable<Integer> {
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     FlagChecks checks = new FlagChecks(spec);
-    checks.require(
-        scenes.isEmpty() != compared.isEmpty(), "expected scenes, or --compare with two files");
     Messages out = new Messages(spec.commandLine().getOut());
-    if (!compared.isEmpty()) {
-      PerfComparison comparison =
-          PerfComparison.of(
-              PerfTimes.load(compared.get(0)), PerfTimes.load(compared.get(1)), clock);
-      comparison.lines().forEach(out::line);
-      return comparison.isWorse() ? ExitCodes.DIFFERENT : ExitCodes.OK;
-    }
     PerfPlan plan = plan(checks);
     requireDistinctFiles(checks);
     OutputGuard guard = overwrite.guard();

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.FlagChecks;
-import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SceneOptions;
@@ -62,9 +61,6 @@ import picocli.CommandLine.Spec;
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
 final class TradeCommand implements Callable<Integer> {
-  /** The largest number of samples per pixel of the other settings if there is a target error. */
-  private static final int FEW = 16;
-
   @Mixin private final SceneOptions options = new SceneOptions();
 
   @Option(
@@ -92,22 +88,9 @@ final class TradeCommand implements Callable<Integer> {
   private Optional<Integer> samples = Optional.empty();
 
   @Option(
-      names = "--target-error",
-      paramLabel = "PERCENT",
-      converter = FlagConverters.OfShare.class,
-      description =
-          "Double the baseline's samples until the relative RMSE of every seed is at most this"
-              + " value, such as 3.16%%. Double the reference's samples until its squared error is"
-              + " at most 1/8 of the target's square. --time ends both earlier. Changes the"
-              + " defaults: -s 16, --seeds 4.")
-  private Optional<Double> target = Optional.empty();
-
-  @Option(
       names = "--reference",
       paramLabel = "N",
-      description =
-          "Samples per pixel of the reference (64 times the largest number of a setting). With"
-              + " --target-error, the reference starts with these.")
+      description = "Samples per pixel of the reference (64 times the largest of a setting).")
   private Optional<Integer> reference = Optional.empty();
 
   @Option(
@@ -201,11 +184,7 @@ final class TradeCommand implements Callable<Integer> {
 
   private TradeBudget budget() {
     double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
-    if (target.isPresent() && time.isEmpty() && !quick) {
-      wanted = Double.POSITIVE_INFINITY;
-    }
-    Optional<Integer> most = target.isPresent() ? samples.or(() -> Optional.of(FEW)) : samples;
-    return new TradeBudget(wanted, most, target, reference, seeds, size, quick);
+    return new TradeBudget(wanted, samples, reference, seeds, size, quick);
   }
 
   private static String baseName(Path scene) {

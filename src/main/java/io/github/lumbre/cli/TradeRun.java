@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
@@ -160,9 +159,6 @@ final class TradeRun {
 
   /** Returns the page; call after {@link #run}. */
   String page() {
-    ImageWriter.Options visible =
-        new ImageWriter.Options(
-            file.settings().exposure(), file.settings().toneCurve(), 8, Map.of());
-    return TradePage.of(facts.get("scene"), facts, result, visible);
+    return TradePage.of(facts.get("scene"), facts, result);
   }
 }

@@ -2,9 +2,6 @@ package io.github.lumbre.compare;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.Elementary;
-import java.util.Arrays;
-import java.util.List;
-import java.util.Locale;
 
 /**
  * A map of a picture's relative error per pixel: the root of the mean over channels of (x − r)² /
@@ -42,13 +39,6 @@ public final class ErrorMap {
       paint(Math.sqrt(squares / 3), rgb, i);
     }
     return new Image(picture.width(), picture.height(), rgb, new float[0]);
-  }
-
-  /** Returns the colors of the scale, evenly spaced, as CSS colors. */
-  public static List<String> webColors() {
-    return Arrays.stream(COLORS)
-        .map(c -> String.format(Locale.ROOT, "#%02x%02x%02x", c[0], c[1], c[2]))
-        .toList();
   }
 
   private static void paint(double error, float[] rgb, int at) {

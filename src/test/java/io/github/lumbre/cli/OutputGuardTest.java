@@ -45,7 +45,6 @@ class OutputGuardTest {
           "pixel SCENE",
           "benchmark --scenes",
           "perf SCENE",
-          "perf --compare",
           "compare PICTURE",
           "compare REFERENCE",
           "layers FILE",

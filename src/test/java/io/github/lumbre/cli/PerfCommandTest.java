@@ -99,15 +99,6 @@ class PerfCommandTest {
   }
 
   @Test
-  void measurementCanBeComparedWithItself() {
-    String file = directory.resolve("out.json").toString();
-    bench("--threads", "1,2", "-s", "1", "--warmup", "0", "--json", file);
-    Outcome outcome = Outcome.of("perf", "--compare", file, file);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    assertThat(rows(outcome)).hasSize(2).allMatch(row -> row.endsWith("| no difference | same |"));
-  }
-
-  @Test
   void resultsBeforeAFailureAreKept() throws IOException {
     Path broken = Files.writeString(directory.resolve("broken.json"), "{");
     Path json = directory.resolve("out.json");
@@ -129,8 +120,6 @@ class PerfCommandTest {
       delimiter = '|',
       value = {
         "gone.json            | scene does not exist: gone.json",
-        "--compare a b        | expected scenes, or --compare with two files",
-        "--compare a          | --compare",
         "-s 0                 | --samples: expected 1 to 1073741824, found 0",
         "--size 0x4           | --size: expected 1 to 65535, found 0",
         "--size 4x70000       | --size: expected 1 to 65535, found 70000",
@@ -138,7 +127,6 @@ class PerfCommandTest {
         "--warmup -1          | --warmup: expected 0 to 1000, found -1",
         "--repeat 0           | --repeat: expected 1 to 1000, found 0",
         "--pairs 0            | --pairs: expected 1 to 1000, found 0",
-        "--by sun             | one of cpu, wall",
       })
   void wrongFlagsAreExplainedInALine(String flags, String message) {
     bench(flags.split(" ")).assertFailed(ExitCodes.USAGE, message, "--help");
@@ -146,7 +134,7 @@ class PerfCommandTest {
 
   @Test
   void nothingToMeasureIsAnError() {
-    Outcome.of("perf").assertFailed(ExitCodes.USAGE, "expected scenes, or --compare");
+    Outcome.of("perf").assertFailed(ExitCodes.USAGE, "SCENE", "--help");
   }
 
   @Test

@@ -7,21 +7,14 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import java.io.IOException;
-import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.xml.sax.InputSource;
 
 /** Tests {@code lumbre trade}. */
 class TradeCommandTest {
@@ -45,9 +38,9 @@ class TradeCommandTest {
 
     String html = Files.readString(page);
     assertThat(html)
-        .contains("Recommended settings for a target error", "identical", "data:image/png;base64,")
+        .contains(
+            "Recommended settings for a target error", "identical", "<tr class=\"dominated\">")
         .doesNotContain("NaN", "Infinity", "DIFFERENT", "http://", "https://", "<script");
-    assertThat(parsedDrawings(html)).isGreaterThanOrEqualTo(7);
 
     JsonObject values =
         JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
@@ -67,17 +60,6 @@ class TradeCommandTest {
     int denoised = ladder.contains(1) ? rungs - 1 : rungs;
     assertThat(counts.getOrDefault("denoised", 0)).isEqualTo(denoised);
     assertThat(Files.readAllLines(directory.resolve("out.csv"))).hasSize(3 * rows + 1);
-  }
-
-  private static int parsedDrawings(String html) throws Exception {
-    Matcher found = Pattern.compile("<svg.*?</svg>", Pattern.DOTALL).matcher(html);
-    int count = 0;
-    for (; found.find(); count++) {
-      DocumentBuilderFactory.newInstance()
-          .newDocumentBuilder()
-          .parse(new InputSource(new StringReader(found.group())));
-    }
-    return count;
   }
 
   @Test
@@ -109,6 +91,9 @@ class TradeCommandTest {
         .containsEntry("depth1000", "noise")
         .containsEntry("depth16", "bias");
     assertThat(Files.readString(page)).contains("no change (control)");
+    assertThat(values.getAsJsonObject("facts").get("command").getAsString())
+        .startsWith("lumbre trade ")
+        .contains(" -s 4 --seeds 3 --knobs sampler,depth ");
   }
 
   /** A denoiser's time counts, it needs more than one sample, and it is never called unbiased. */
@@ -140,74 +125,6 @@ class TradeCommandTest {
 
   private static double mean(JsonObject row, String key) {
     return row.getAsJsonObject(key).get("value").getAsDouble();
-  }
-
-  /**
-   * A setting that runs to a target error reaches it with every seed, compared with an accurate
-   * reference.
-   */
-  @Test
-  void usualSettingGoesOnToAnError() throws Exception {
-    Path page = directory.resolve("out.html");
-    Outcome outcome =
-        trade(
-            "-s",
-            "4",
-            "--target-error",
-            "6%",
-            "--reference",
-            "16",
-            "--knobs",
-            "sampler",
-            "-o",
-            page.toString());
-    assertThat(outcome.exitCode()).isZero();
-    JsonObject values =
-        JsonParser.parseString(Files.readString(directory.resolve("out.json"))).getAsJsonObject();
-    double noise = values.getAsJsonObject("reference_noise").get("upperRelativeMse").getAsDouble();
-    assertThat(noise).isLessThanOrEqualTo(.0036 / 8);
-    Map<Integer, Double> worst = new LinkedHashMap<>();
-    for (JsonElement element : values.getAsJsonArray("rows")) {
-      JsonObject row = element.getAsJsonObject();
-      if (text(row, "knob").equals("depth")) {
-        double largest = 0;
-        for (JsonElement error : row.getAsJsonArray("errors")) {
-          largest = Math.max(largest, error.getAsJsonObject().get("relmse").getAsDouble());
-        }
-        worst.put(row.get("samples").getAsInt(), largest);
-      } else {
-        assertThat(row.get("samples").getAsInt()).isLessThanOrEqualTo(4);
-      }
-    }
-    List<Integer> ladder = new ArrayList<>(worst.keySet());
-    int most = ladder.get(ladder.size() - 1);
-    assertThat(most).isGreaterThan(4);
-    assertThat(worst.get(most)).isLessThanOrEqualTo(.0036 + noise);
-    assertThat(worst.get(most / 2)).isGreaterThan(.0036);
-    assertThat(values.getAsJsonObject("facts").get("command").getAsString())
-        .startsWith("lumbre trade ")
-        .contains(" -s 4 --target-error 6% ");
-  }
-
-  @Test
-  void aTargetEndsWithTheTime() throws Exception {
-    Path page = directory.resolve("out.html");
-    Outcome outcome =
-        trade(
-            "-s",
-            "4",
-            "--target-error",
-            "0.01%",
-            "--time",
-            "2s",
-            "--reference",
-            "16",
-            "--knobs",
-            "sampler",
-            "-o",
-            page.toString());
-    assertThat(outcome.exitCode()).isZero();
-    assertThat(outcome.err()).contains("no time for ");
   }
 
   private static String text(JsonObject object, String key) {

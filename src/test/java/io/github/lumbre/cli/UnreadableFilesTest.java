@@ -32,8 +32,7 @@ class UnreadableFilesTest {
         Arguments.of("trade FILE -o PAGE", ExitCodes.SCENE),
         Arguments.of("develop FILE -o OUT", ExitCodes.SCENE),
         Arguments.of("merge FILE FILE -o OUT", ExitCodes.SCENE),
-        Arguments.of("compare FILE FILE", ExitCodes.USAGE),
-        Arguments.of("perf --compare FILE FILE", ExitCodes.USAGE));
+        Arguments.of("compare FILE FILE", ExitCodes.USAGE));
   }
 
   private Outcome run(String command, Path file) {
@@ -62,8 +61,8 @@ class UnreadableFilesTest {
 
   @Test
   void textsThatAreNot() throws IOException {
-    Path file = Files.write(directory.resolve("a.json"), "ä".getBytes(StandardCharsets.ISO_8859_1));
-    run("perf --compare FILE FILE", file)
-        .assertFailed(ExitCodes.USAGE, "a.json: cannot be read: not UTF-8 text");
+    Files.write(directory.resolve("table.csv"), "ä".getBytes(StandardCharsets.ISO_8859_1));
+    run("benchmark --scenes FILE", directory)
+        .assertFailed(ExitCodes.USAGE, "table.csv: cannot be read: not UTF-8 text");
   }
 }

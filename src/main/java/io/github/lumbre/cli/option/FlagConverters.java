@@ -3,7 +3,6 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.perf.PerfComparison.Clock;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.RenderSettings.Size;
@@ -32,7 +31,6 @@ public final class FlagConverters {
   private static final List<OfChoice<?>> CHOICES =
       List.of(
           new OfChoice<>(Mode.class),
-          new OfChoice<>(Clock.class),
           new OfChoice<>(Quality.class),
           new OfChoice<>(Kernel.class),
           new OfChoice<>(ImageFormat.class),

@@ -20,22 +20,15 @@ public record Interval(double value, double low, double high) {
 
   /** Returns the mean of independent values by Student's t; a single value has a zero interval. */
   public static Interval ofMean(List<Double> values) {
-    double mean = mean(values);
     int count = values.size();
-    double half =
-        count < 2 ? 0 : StudentT.critical(CONFIDENCE, count - 1) * Math.sqrt(squaredError(values));
-    return new Interval(mean, mean - half, mean + half);
-  }
-
-  private static double mean(List<Double> values) {
-    return values.stream().mapToDouble(v -> v).sum() / values.size();
-  }
-
-  /** Returns the square of the standard error of the mean of at least two values. */
-  private static double squaredError(List<Double> values) {
-    double mean = mean(values);
+    double mean = values.stream().mapToDouble(v -> v).sum() / count;
+    if (count < 2) {
+      return new Interval(mean, mean, mean);
+    }
     double squares = values.stream().mapToDouble(v -> (v - mean) * (v - mean)).sum();
-    return squares / (values.size() - 1) / values.size();
+    double error = Math.sqrt(squares / (count - 1) / count);
+    double half = StudentT.critical(CONFIDENCE, count - 1) * error;
+    return new Interval(mean, mean - half, mean + half);
   }
 
   /**
@@ -74,15 +67,9 @@ public record Interval(double value, double low, double high) {
 
   /** Returns the geometric mean of independent positive values, at least one. */
   public static Interval ofGeometricMean(List<Double> values) {
-    return ofMean(logs(values)).exp();
-  }
-
-  private static List<Double> logs(List<Double> values) {
-    return values.stream().map(Elementary::log).toList();
-  }
-
-  private Interval exp() {
-    return new Interval(Elementary.exp(value), Elementary.exp(low), Elementary.exp(high));
+    Interval logs = ofMean(values.stream().map(Elementary::log).toList());
+    return new Interval(
+        Elementary.exp(logs.value), Elementary.exp(logs.low), Elementary.exp(logs.high));
   }
 
   /**
@@ -94,34 +81,6 @@ public record Interval(double value, double low, double high) {
   public static Interval ofRatios(List<Double> over, List<Double> under) {
     return ofGeometricMean(
         IntStream.range(0, over.size()).mapToObj(i -> over.get(i) / under.get(i)).toList());
-  }
-
-  /**
-   * Returns the ratio of the geometric means of two independent sets of times.
-   *
-   * <p>Times vary by factors rather than by amounts, so their logarithms are compared. Welch's t
-   * test (Welch 1947, "The generalization of 'Student's' problem when several different population
-   * variances are involved") needs few repetitions and no equal variances.
-   *
-   * @param under denominators, positive
-   * @param over numerators, positive, independent of the denominators
-   * @throws IllegalArgumentException if either has fewer than two times
-   */
-  public static Interval ofUnpairedRatio(List<Double> under, List<Double> over) {
-    int fewest = Math.min(under.size(), over.size());
-    if (fewest < 2) {
-      throw new IllegalArgumentException("repetitions: expected at least 2, found " + fewest);
-    }
-    double a = squaredError(logs(under));
-    double b = squaredError(logs(over));
-    double half = 0;
-    if (a + b > 0) {
-      // The Welch-Satterthwaite equation.
-      double degrees = (a + b) * (a + b) / (a * a / (under.size() - 1) + b * b / (over.size() - 1));
-      half = StudentT.critical(CONFIDENCE, degrees) * Math.sqrt(a + b);
-    }
-    double log = mean(logs(over)) - mean(logs(under));
-    return new Interval(log, log - half, log + half).exp();
   }
 
   /** Returns the estimate and its interval as text: {@code 0.98 (0.97 to 1.01)}. */

@@ -12,12 +12,9 @@ import java.util.Optional;
  * The time of a study, and the work that fits into it.
  *
  * @param seconds time from the start, including the page
- * @param samples largest number of samples per pixel of a setting; if given, the time limits only
- *     the samples for a target
- * @param target relative root mean squared error that the baseline must reach, within the time;
- *     requires {@code samples}
- * @param reference samples per pixel of the reference, the minimum if there is a target; by default
- *     64 times the largest number of a setting
+ * @param samples largest number of samples per pixel of a setting, instead of the time
+ * @param reference samples per pixel of the reference; by default 64 times the largest number of a
+ *     setting
  * @param seeds number of seeds of each setting; by default as many as fit into the time
  * @param size frame size; by default the scene's, scaled down
  * @param isQuick whether the default frame is even smaller
@@ -25,7 +22,6 @@ import java.util.Optional;
 public record TradeBudget(
     double seconds,
     Optional<Integer> samples,
-    Optional<Double> target,
     Optional<Integer> reference,
     Optional<Integer> seeds,
     Optional<Size> size,
@@ -104,9 +100,7 @@ public record TradeBudget(
       return plan(mostSamples(rate, spent, settings, frame), LEAST_SEEDS, exact, time);
     }
     double exact = samples.get() / (double) STEP;
-    return target.isPresent()
-        ? plan(samples.get(), PLANNED_SEEDS, exact, time)
-        : plan(samples.get(), MOST_SEEDS / 2, exact, Double.POSITIVE_INFINITY);
+    return plan(samples.get(), MOST_SEEDS / 2, exact, Double.POSITIVE_INFINITY);
   }
 
   private int mostSamples(double rate, double spent, int settings, RenderSettings frame) {
@@ -131,14 +125,12 @@ public record TradeBudget(
     }
     Collections.reverse(ladder);
     int least = seeds.orElse(leastSeeds);
-    int mostSeeds = target.isPresent() ? least : Math.max(least, MOST_SEEDS);
     return new TradePlan(
         ladder,
         least,
-        seeds.orElse(mostSeeds),
+        seeds.orElse(Math.max(least, MOST_SEEDS)),
         reference.orElse(REFERENCE_FACTOR * most),
         powerOfTwo(exactSamples, MOST_EXACT_SAMPLES),
-        time,
-        target.map(error -> error * error).orElse(0.));
+        time);
   }
 }

@@ -1,6 +1,5 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.metrics.Interval;
@@ -12,10 +11,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
-/**
- * The page of a study's results: a single self-contained HTML file. {@link TradeAdvice}, {@link
- * TradeCharts} and {@link TradePictures} produce its sections.
- */
+/** The page of a study's results: a single self-contained HTML file of tables. */
 public final class TradePage {
   private final Map<String, String> facts;
   private final TradeResult result;
@@ -31,16 +27,14 @@ public final class TradePage {
    *
    * @param scene name of the scene
    * @param facts facts about the run, by name: machine, seeds, command line
-   * @param options options for writing the pictures
    */
-  public static String of(
-      String scene, Map<String, String> facts, TradeResult result, ImageWriter.Options options) {
+  public static String of(String scene, Map<String, String> facts, TradeResult result) {
     TradePage page = new TradePage(facts, result);
-    page.write(scene, new TradePictures(result, options));
+    page.write(scene);
     return page.html.toString();
   }
 
-  private void write(String scene, TradePictures pictures) {
+  private void write(String scene) {
     String title = "Speed for accuracy: " + scene;
     html.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">")
         .raw("<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">")
@@ -57,7 +51,6 @@ public final class TradePage {
       denoised();
     }
     exact();
-    pictures.addTo(html);
     everything();
     method();
     html.raw("</body></html>");
@@ -71,12 +64,6 @@ public final class TradePage {
             result.seeds(),
             result.referenceSamples(),
             Numbers.percent(result.referenceNoise().relativeRmse()));
-  }
-
-  private void section(String title, String lead, List<LogChart> charts) {
-    html.element("h2", title).element("p", lead).raw("<div class=\"charts\">");
-    charts.forEach(chart -> html.raw(chart.svg()));
-    html.raw("</div>");
   }
 
   private static String ratio(Optional<Interval> ratio) {
@@ -111,12 +98,11 @@ public final class TradePage {
   }
 
   private void noise() {
-    section(
-        "Unbiased settings: noise",
-        "These settings all converge to the same picture. Their error is only noise and falls"
-            + " with time; lower lines are better. Numbers at the points are samples per pixel;"
-            + " bars are 95 % intervals over the seeds.",
-        new TradeCharts(result).noise());
+    html.element("h2", "Unbiased settings: noise")
+        .element(
+            "p",
+            "These settings all converge to the same picture. Their error is only noise and falls"
+                + " with time.");
     most(
         Kind.NOISE,
         withWork(
@@ -143,12 +129,12 @@ public final class TradePage {
   }
 
   private void bias() {
-    section(
-        "Biased settings",
-        "These settings converge to a different picture, so more samples do not reduce their"
-            + " error below their bias. Do not rank them with the unbiased settings: bias may"
-            + " matter more or less than noise.",
-        new TradeCharts(result).bias());
+    html.element("h2", "Biased settings")
+        .element(
+            "p",
+            "These settings converge to a different picture, so more samples do not reduce their"
+                + " error below their bias. Do not rank them with the unbiased settings: bias may"
+                + " matter more or less than noise.");
     most(
         Kind.BIAS,
         withWork(
@@ -179,11 +165,11 @@ public final class TradePage {
   }
 
   private void denoised() {
-    section(
-        "Denoised pictures",
-        "A denoiser removes noise and adds bias. No bound on the error of a render holds for"
-            + " its denoised picture.",
-        new TradeCharts(result).denoised());
+    html.element("h2", "Denoised pictures")
+        .element(
+            "p",
+            "A denoiser removes noise and adds bias. No bound on the error of a render holds for"
+                + " its denoised picture.");
     List<TradeRow> rows =
         result.rows().stream().filter(row -> row.setting().kind() == Kind.DENOISED).toList();
     Table<TradeRow> table =
@@ -235,9 +221,11 @@ public final class TradePage {
             .number("signed error", number(row -> row.signedError().value()))
             .number("max error", number(TradeRow::largestError))
             .number("FLIP", number(row -> row.flip().value()));
-    html.element("h2", "All measurements")
+    html.element("h2", "All measurements with their Pareto front")
         .table("", table, result.rows(), row -> result.isDominated(row) ? "dominated" : "")
-        .note("Gray: another row of the same kind takes less time and has less error.");
+        .note(
+            "The rows that are not gray are the Pareto front of their kind: a gray row takes more"
+                + " time and has more error than another row of the same kind.");
   }
 
   private static String error(Interval error) {

@@ -11,8 +11,6 @@ import java.util.List;
  * @param referenceSamples minimum number of samples per pixel of the reference
  * @param exactSamples samples per pixel of the renders that compare only times
  * @param seconds time limit; work that would exceed it is not started
- * @param targetRelativeMse squared error down to which the baseline is rendered beyond the ladder,
- *     and the reference down to 1/8 of it; 0 for no target
  */
 public record TradePlan(
     List<Integer> ladder,
@@ -20,24 +18,12 @@ public record TradePlan(
     int mostSeeds,
     int referenceSamples,
     int exactSamples,
-    double seconds,
-    double targetRelativeMse) {
-  /** The largest number of samples per pixel of any render. */
-  static final int LIMIT = 1 << 20;
-
-  /** The ratio of the target squared error to the squared error of the reference. */
-  static final double REFERENCE_MARGIN = 8;
-
+    double seconds) {
   public TradePlan {
     ladder = List.copyOf(ladder);
     if (ladder.isEmpty() || leastSeeds < 2 || mostSeeds < leastSeeds || referenceSamples < 2) {
       throw new IllegalArgumentException("plan: expected samples and at least two seeds");
     }
-  }
-
-  /** Returns whether there is a target error. */
-  boolean hasTarget() {
-    return targetRelativeMse > 0;
   }
 
   /** Returns the largest number of samples per pixel of the ladder. */

@@ -30,16 +30,10 @@ public final class TradeStudy {
 
   private static final int FRAME_FOR_COUNTERS = 20_000;
 
-  /** The largest share of the time for the reference. */
-  private static final double REFERENCE_SHARE = .5;
-
   private final TradeSweep sweep;
   private final DoubleFunction<TradePlan> planner;
   private final Consumer<String> log;
   private final List<TradeShot> shots = new ArrayList<>();
-
-  /** The baseline's trials, one for each seed. */
-  private final List<Trial> usual = new ArrayList<>();
 
   private TradePlan plan;
   private List<TradeSetting> settings;
@@ -65,14 +59,14 @@ public final class TradeStudy {
   public TradeResult run(double rate) throws InterruptedException {
     start = Cost.now();
     planFor(rate);
-    Trial reference = renderReference();
+    Trial reference = new Trial(reference().renderer(REFERENCE_SEED), Progress.NONE);
+    renderReference(reference);
     planAgain(reference);
     Image truth = reference.film().develop();
-    NoiseEstimate noise = noise(reference);
+    NoiseEstimate noise = NoiseEstimate.of(reference.film(), Budget.CONFIDENCE).orElseThrow();
     log.accept("settings that change only the time");
     List<ExactRow> exact = ExactRow.all(reference(), plan.exactSamples());
     renderSeeds(truth);
-    reachTarget(truth, noise.relativeMse());
     log.accept("counting BVH nodes and texture look-ups");
     return new TradeResult(
         truth, reference.samples(), noise, rows(truth, noise.relativeMse()), exact);
@@ -90,9 +84,13 @@ public final class TradeStudy {
     double seconds = Math.max(1e-9, reference.cost().seconds());
     planFor(reference.film().totalSamples() / seconds);
     if (plan.referenceSamples() > reference.samples()) {
-      log.accept("reference: " + Numbers.count(plan.referenceSamples(), "sample") + " per pixel");
-      reference.to(plan.referenceSamples());
+      renderReference(reference);
     }
+  }
+
+  private void renderReference(Trial reference) throws InterruptedException {
+    log.accept("reference: " + Numbers.count(plan.referenceSamples(), "sample") + " per pixel");
+    reference.to(plan.referenceSamples());
   }
 
   private List<TradeRow> rows(Image truth, double truthNoise) throws InterruptedException {
@@ -118,40 +116,9 @@ public final class TradeStudy {
     return settings.get(0);
   }
 
-  private static NoiseEstimate noise(Trial trial) {
-    return NoiseEstimate.of(trial.film(), Budget.CONFIDENCE).orElseThrow();
-  }
-
-  /**
-   * Renders the reference. With a target error, adds samples until the reference's own error is
-   * small enough, or half of the time is used.
-   */
-  private Trial renderReference() throws InterruptedException {
-    Trial trial = new Trial(reference().renderer(REFERENCE_SEED), Progress.NONE);
-    double wanted = plan.targetRelativeMse() / TradePlan.REFERENCE_MARGIN;
-    for (int goal = plan.referenceSamples(); ; goal = afterwards(goal)) {
-      log.accept("reference: " + Numbers.count(goal, "sample") + " per pixel");
-      trial.to(goal);
-      int next = afterwards(goal);
-      double further = trial.cost().seconds() * (next - goal) / goal;
-      if (!plan.hasTarget()
-          || noise(trial).upperRelativeMse() <= wanted
-          || next > TradePlan.LIMIT
-          || !fits(further, REFERENCE_SHARE)) {
-        return trial;
-      }
-    }
-  }
-
-  /** Returns the next larger number of the form 2^n or 1.5 · 2^n. */
-  private static int afterwards(int samples) {
-    int power = Integer.highestOneBit(samples);
-    return samples == power ? power + power / 2 : 2 * power;
-  }
-
-  /** Returns whether work of a given duration ends within a share of the time. */
-  private boolean fits(double seconds, double share) {
-    return Cost.since(start).seconds() + seconds <= share * plan.seconds();
+  /** Returns whether work of a given duration ends within the time. */
+  private boolean fits(double seconds) {
+    return Cost.since(start).seconds() + seconds <= plan.seconds();
   }
 
   /** Renders as many seeds as the time allows. */
@@ -159,7 +126,7 @@ public final class TradeStudy {
     double longest = 0;
     for (int seed = 0; seed < plan.mostSeeds(); seed++) {
       Cost begin = Cost.now();
-      if (seed >= plan.leastSeeds() && !fits(longest, 1)) {
+      if (seed >= plan.leastSeeds() && !fits(longest)) {
         break;
       }
       log.accept("seed " + (seed + 1) + ": " + settings.size() + " settings");
@@ -178,9 +145,6 @@ public final class TradeStudy {
         shots.add(shot(setting, trial, seed + 1, truth));
       }
     }
-    if (setting == reference() && plan.hasTarget()) {
-      usual.add(trial);
-    }
   }
 
   private static TradeShot shot(TradeSetting setting, Trial trial, int seed, Image truth)
@@ -190,35 +154,6 @@ public final class TradeStudy {
     Cost cost = trial.cost().plus(Cost.since(begin));
     PictureError error = PictureError.of(picture, truth);
     return new TradeShot(setting, trial.samples(), seed, cost, error, picture);
-  }
-
-  /**
-   * Doubles the samples of the baseline until every seed's error is small enough, or the time is
-   * used. All seeds keep the same number of samples, so that their mean is meaningful.
-   */
-  private void reachTarget(Image truth, double truthNoise) throws InterruptedException {
-    for (int samples = 2 * plan.mostSamples();
-        plan.hasTarget() && samples <= TradePlan.LIMIT && !isReached(truthNoise);
-        samples *= 2) {
-      if (!fits(usual.stream().mapToDouble(t -> t.cost().seconds()).sum(), 1)) {
-        log.accept("no time for " + Numbers.count(samples, "sample") + " per pixel");
-        return;
-      }
-      log.accept("baseline: " + Numbers.count(samples, "sample") + " per pixel");
-      for (int seed = 0; seed < usual.size(); seed++) {
-        Trial trial = usual.get(seed);
-        trial.to(samples);
-        shots.add(shot(reference(), trial, seed + 1, truth));
-      }
-    }
-  }
-
-  /** Returns whether the last pictures of the baseline all reach the target error. */
-  private boolean isReached(double truthNoise) {
-    int samples = usual.get(0).samples();
-    return shots.stream()
-        .filter(shot -> shot.setting() == reference() && shot.samples() == samples)
-        .allMatch(shot -> shot.error().relativeMse() - truthNoise <= plan.targetRelativeMse());
   }
 
   /** Counts the work per sample, with one sample per pixel, or more for small frames. */
