@@ -1,8 +1,8 @@
 package io.github.lumbre.image;
 
 import io.github.lumbre.image.internal.LinearPicture;
-import io.github.lumbre.image.internal.PfmWriter;
-import io.github.lumbre.image.internal.PngWriter;
+import io.github.lumbre.image.pfm.PfmWriter;
+import io.github.lumbre.image.png.PngWriter;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;

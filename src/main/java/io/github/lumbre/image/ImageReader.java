@@ -4,11 +4,11 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.internal.ColorTag;
-import io.github.lumbre.image.internal.JpegFile;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.internal.PngFile;
-import io.github.lumbre.image.internal.PngTransparency;
+import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.image.png.PngTransparency;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.io.EOFException;
 import java.io.IOException;

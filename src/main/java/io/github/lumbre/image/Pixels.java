@@ -1,7 +1,7 @@
 package io.github.lumbre.image;
 
-import io.github.lumbre.image.internal.PngTransparency;
-import io.github.lumbre.image.internal.PngWriter;
+import io.github.lumbre.image.png.PngTransparency;
+import io.github.lumbre.image.png.PngWriter;
 import java.awt.image.BufferedImage;
 import java.awt.image.ComponentSampleModel;
 import java.awt.image.DataBufferByte;

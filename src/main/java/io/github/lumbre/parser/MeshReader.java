@@ -2,8 +2,8 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.internal.ObjMesh;
-import io.github.lumbre.model.internal.ObjReader;
+import io.github.lumbre.model.obj.ObjMesh;
+import io.github.lumbre.model.obj.ObjReader;
 import io.github.lumbre.parser.AssetTable.Type;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;

@@ -1,6 +1,6 @@
 package io.github.lumbre.fuzz;
 
-import io.github.lumbre.image.internal.ProgressiveJpeg;
+import io.github.lumbre.image.jpeg.ProgressiveJpeg;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

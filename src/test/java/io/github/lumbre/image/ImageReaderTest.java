@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.internal.PngFile;
-import io.github.lumbre.image.internal.PngFixture;
+import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.image.png.PngFixture;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.model.gltf.GltfFile;
 import io.github.lumbre.model.internal.FileSearch;
-import io.github.lumbre.model.internal.GltfFile;
 import io.github.lumbre.model.internal.Model;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;

@@ -10,7 +10,7 @@ import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.model.internal.ObjReader;
+import io.github.lumbre.model.obj.ObjReader;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -1,6 +1,8 @@
 package io.github.lumbre.image.internal;
 
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.png.PngFile;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;

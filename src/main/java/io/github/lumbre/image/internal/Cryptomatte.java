@@ -165,14 +165,14 @@ public record Cryptomatte(String type, List<ImageLayer> layers, Map<String, Inte
   }
 
   /** Returns the id of a name: its hash, changed so that its bits form a normal float. */
-  static int id(String name) {
+  public static int id(String name) {
     int hash = hash(name);
     int exponent = hash >>> 23 & 0xff;
     return exponent == 0 || exponent == 0xff ? hash ^ 1 << 23 : hash;
   }
 
   /** Returns MurmurHash3_x86_32 of the UTF-8 bytes of a text, with seed 0 (Appleby 2011). */
-  static int hash(String text) {
+  public static int hash(String text) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     int hash = 0;
     for (int i = 0; i < bytes.length; i += 4) {

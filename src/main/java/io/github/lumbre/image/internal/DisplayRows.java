@@ -12,10 +12,11 @@ import io.github.lumbre.image.ToneCurve;
  * @param bits bits per channel, 8 or 16
  * @param hasAlpha whether to keep alpha; if not, the picture is composited over black
  */
-record DisplayRows(Image image, ToneCurve curve, double factor, int bits, boolean hasAlpha)
+public record DisplayRows(Image image, ToneCurve curve, double factor, int bits, boolean hasAlpha)
     implements SampleRows {
 
-  static DisplayRows of(Image image, ImageWriter.Options options, int bits, boolean hasAlpha) {
+  public static DisplayRows of(
+      Image image, ImageWriter.Options options, int bits, boolean hasAlpha) {
     // Keep the factor finite, so that black does not become NaN.
     double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
     return new DisplayRows(image, options.curve(), factor, bits, hasAlpha);

@@ -1,5 +1,9 @@
 package io.github.lumbre.image.internal;
 
+import io.github.lumbre.image.exr.ExrReader;
+import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.pfm.PfmReader;
+import io.github.lumbre.image.png.PngFile;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;

@@ -22,7 +22,7 @@ public final class LinearPicture {
    * @param rgb three values per pixel, row by row from the top
    * @param alpha one value per pixel, any number, or an empty array without alpha
    */
-  LinearPicture(int width, int height, float[] rgb, float[] alpha) {
+  public LinearPicture(int width, int height, float[] rgb, float[] alpha) {
     this.width = width;
     this.height = height;
     this.rgb = Objects.requireNonNull(rgb, "rgb");

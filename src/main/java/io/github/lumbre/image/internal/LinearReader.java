@@ -7,6 +7,11 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.exr.ExrReader;
+import io.github.lumbre.image.hdr.HdrReader;
+import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.pfm.PfmReader;
+import io.github.lumbre.image.png.PngFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -116,7 +121,7 @@ public final class LinearReader {
    * @throws ImageFormatException if the picture does not fit into the heap; nothing is allocated
    *     then
    */
-  static float[] raster(int width, int height, int channels) throws ImageFormatException {
+  public static float[] raster(int width, int height, int channels) throws ImageFormatException {
     long maxHeapBytes = Runtime.getRuntime().maxMemory();
     PictureLimits.checkMemory(width, height, channels * Float.BYTES, maxHeapBytes);
     try {

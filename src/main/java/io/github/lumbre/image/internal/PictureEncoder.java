@@ -4,6 +4,10 @@ import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.exr.ExrWriter;
+import io.github.lumbre.image.jpeg.JpegWriter;
+import io.github.lumbre.image.pfm.PfmWriter;
+import io.github.lumbre.image.png.PngWriter;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -103,7 +107,7 @@ public final class PictureEncoder {
   }
 
   /** Returns a finite value: infinities become ±{@link Float#MAX_VALUE}, and NaN becomes 0. */
-  static float finite(float v) {
+  public static float finite(float v) {
     return Float.isNaN(v) ? 0 : Math.max(-Float.MAX_VALUE, Math.min(v, Float.MAX_VALUE));
   }
 }

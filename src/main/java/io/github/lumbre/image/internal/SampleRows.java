@@ -1,7 +1,7 @@
 package io.github.lumbre.image.internal;
 
 /** The rows of a quantized picture. */
-interface SampleRows {
+public interface SampleRows {
   /** The number of columns. */
   int width();
 

@@ -1,7 +1,7 @@
 /**
- * The formats of picture files and the sRGB curve, which the module does not export.
+ * What the formats of picture files have in common, and the sRGB curve.
  *
- * <p>A format has a reader and a writer. {@link io.github.lumbre.image.internal.ImageFormat} knows
- * the endings of names and the first bytes of files.
+ * <p>{@link io.github.lumbre.image.internal.ImageFormat} knows the formats by the endings of names
+ * and the first bytes of files.
  */
 package io.github.lumbre.image.internal;

@@ -34,7 +34,7 @@ public record MaterialInput(Rgb factor, Optional<ModelTexture> texture, int chan
   }
 
   /** Returns this input with another factor. */
-  MaterialInput withFactor(Rgb newFactor) {
+  public MaterialInput withFactor(Rgb newFactor) {
     return new MaterialInput(newFactor, texture, channel);
   }
 }

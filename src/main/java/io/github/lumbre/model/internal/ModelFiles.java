@@ -13,19 +13,19 @@ import java.util.List;
  * folder, the only one of its last name in the folder is used, with a warning; see {@link
  * ModelFolder#similar}. Models whose bytes are limited are uploads, and get no other file.
  */
-final class ModelFiles {
+public final class ModelFiles {
   private final ModelFolder folder;
   private final boolean searches;
   private final Warnings warnings;
 
-  ModelFiles(ModelFolder folder, Limits limits, Warnings warnings) {
+  public ModelFiles(ModelFolder folder, Limits limits, Warnings warnings) {
     this.folder = folder;
     searches = !limits.hasLimitedBytes();
     this.warnings = warnings;
   }
 
   /** Returns the bytes of a file; see {@link ModelFolder#read}. */
-  byte[] read(String name, String location) throws ModelFormatException, IOException {
+  public byte[] read(String name, String location) throws ModelFormatException, IOException {
     try {
       return folder.read(name, location);
     } catch (ModelFormatException e) {

@@ -30,7 +30,7 @@ public record ModelGeometry(
   }
 
   /** Returns whether any triangle has an area. */
-  boolean hasArea() {
+  public boolean hasArea() {
     for (int i = 0; i < indices.length; i += 3) {
       if (TriangleList.hasArea(positions, indices[i], indices[i + 1], indices[i + 2])) {
         return true;

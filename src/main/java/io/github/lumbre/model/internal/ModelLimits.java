@@ -6,15 +6,15 @@ import io.github.lumbre.model.ModelFormatException.Kind;
 import java.util.Optional;
 
 /** Limits that are checked before memory is allocated. Stateless. */
-final class ModelLimits {
+public final class ModelLimits {
   /** The largest number of vertices or triangles: three numbers each fit into one Java array. */
-  static final int MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
+  public static final int MAX_COUNT = (Integer.MAX_VALUE - 8) / 3;
 
   /** The largest number of parts of one model. */
-  static final int MAX_PARTS = 10_000;
+  public static final int MAX_PARTS = 10_000;
 
   /** Items between two checks for an interrupt, minus 1; a power of two minus 1. */
-  static final int INTERRUPT_MASK = (1 << 14) - 1;
+  public static final int INTERRUPT_MASK = (1 << 14) - 1;
 
   private ModelLimits() {}
 
@@ -24,7 +24,7 @@ final class ModelLimits {
    * @param bytes that the mesh needs at least
    * @throws ModelFormatException if it does not
    */
-  static void requireMemory(String location, long bytes, Limits limits)
+  public static void requireMemory(String location, long bytes, Limits limits)
       throws ModelFormatException {
     long max = limits.heap();
     if (bytes > max) {
@@ -43,7 +43,7 @@ final class ModelLimits {
    *
    * @throws ModelFormatException if there are more than the limits allow
    */
-  static void requireTriangles(String location, long found, Limits limits)
+  public static void requireTriangles(String location, long found, Limits limits)
       throws ModelFormatException {
     require(location, "triangles", limits.triangles(), found);
   }
@@ -54,7 +54,7 @@ final class ModelLimits {
    * @param things what is counted, in the plural
    * @throws ModelFormatException if there are more
    */
-  static void require(String location, String things, long max, long found)
+  public static void require(String location, String things, long max, long found)
       throws ModelFormatException {
     Optional<String> excess = Limits.excess(things, max, found);
     if (excess.isPresent()) {

@@ -6,19 +6,19 @@ import io.github.lumbre.material.MaterialParameter;
 import java.util.List;
 
 /** What models without materials, cameras and lights have in common. Stateless. */
-final class PlainModel {
+public final class PlainModel {
   /**
    * The reflectance of surfaces without a material: light gray paint, which leaves room for
    * brighter surfaces.
    */
-  static final double ALBEDO = .7;
+  public static final double ALBEDO = .7;
 
   private PlainModel() {}
 
   /**
    * Returns the material of surfaces that have none: diffuse light gray, visible from both sides.
    */
-  static ModelMaterial defaultMaterial() {
+  public static ModelMaterial defaultMaterial() {
     return matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.grey(ALBEDO)).build();
   }
 
@@ -27,12 +27,12 @@ final class PlainModel {
    *
    * @param isColored whether its vertices have colors, which are its albedo then
    */
-  static ModelMaterial material(boolean isColored) {
+  public static ModelMaterial material(boolean isColored) {
     return isColored ? matte("", "").build() : defaultMaterial();
   }
 
   /** Returns a builder of a white diffuse material that is visible from both sides. */
-  static ModelMaterial.Builder matte(String name, String location) {
+  public static ModelMaterial.Builder matte(String name, String location) {
     return ModelMaterial.builder(name, location)
         .set(MaterialParameter.METALLIC, 0)
         .set(MaterialParameter.SPECULAR, 0)
@@ -40,7 +40,7 @@ final class PlainModel {
   }
 
   /** Returns a model that has parts only. */
-  static Model of(List<ModelPart> parts, List<String> warnings) {
+  public static Model of(List<ModelPart> parts, List<String> warnings) {
     return new Model(
         TriangleMesh.Front.NORMALS, parts, List.of(), List.of(), List.of(), List.of(), warnings);
   }

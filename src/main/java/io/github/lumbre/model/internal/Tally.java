@@ -4,11 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** Counts the elements of a file that are left out, by the reasons. Mutable. */
-final class Tally {
+public final class Tally {
   /** What meshes of numbers that are not finite lack. */
-  static final String BROKEN = "left out faces with a vertex that is not a finite number";
+  public static final String BROKEN = "left out faces with a vertex that is not a finite number";
 
-  static final String NARROW = "ignored faces of fewer than 3 corners";
+  public static final String NARROW = "ignored faces of fewer than 3 corners";
 
   private final Map<String, Counter> counters = new LinkedHashMap<>();
 
@@ -27,12 +27,12 @@ final class Tally {
    * @param reason as in the warning; one of few constants
    * @param place of the element; the warning names the place of the first one
    */
-  void add(String reason, String place) {
+  public void add(String reason, String place) {
     counters.computeIfAbsent(reason, r -> new Counter(place)).count++;
   }
 
   /** Adds a warning for each reason. */
-  void addTo(Warnings warnings) {
+  public void addTo(Warnings warnings) {
     counters.forEach(
         (reason, counter) -> warnings.add(reason, counter.place, reason + ": " + counter.count));
   }

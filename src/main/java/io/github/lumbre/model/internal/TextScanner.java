@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
  * byte order mark is skipped. In OBJ and MTL texts, comments begin with #, and a backslash at the
  * end of a line joins it with the next. Mutable.
  */
-final class TextScanner {
+public final class TextScanner {
   /** Lines between two checks for an interrupt; a power of two. */
   private static final int LINES_PER_CHECK = 1 << 14;
 
@@ -35,7 +35,7 @@ final class TextScanner {
   private int end;
 
   /** Scans an OBJ text. */
-  TextScanner(byte[] text) {
+  public TextScanner(byte[] text) {
     this(text, "");
   }
 
@@ -44,7 +44,7 @@ final class TextScanner {
    *
    * @param file name of the file for messages; empty for the model file itself
    */
-  TextScanner(byte[] text, String file) {
+  public TextScanner(byte[] text, String file) {
     this(text, file, true, beginsWithMark(text) ? 3 : 0, 1);
   }
 
@@ -57,7 +57,7 @@ final class TextScanner {
   }
 
   /** Returns a scanner of a text without comments and joined lines. */
-  static TextScanner plain(byte[] text) {
+  public static TextScanner plain(byte[] text) {
     return plain(text, beginsWithMark(text) ? 3 : 0, 1);
   }
 
@@ -67,7 +67,7 @@ final class TextScanner {
    * @param from offset of the first byte
    * @param line number of the first line
    */
-  static TextScanner plain(byte[] text, int from, int line) {
+  public static TextScanner plain(byte[] text, int from, int line) {
     return new TextScanner(text, "", false, from, line);
   }
 
@@ -79,22 +79,22 @@ final class TextScanner {
   }
 
   /** Returns whether any text is left. */
-  boolean hasMore() {
+  public boolean hasMore() {
     return at < text.length;
   }
 
   /** Returns the offset of the next byte. */
-  int position() {
+  public int position() {
     return at;
   }
 
   /** Returns the number of the current line, from 1. */
-  int line() {
+  public int line() {
     return line;
   }
 
   /** Moves to the next word of this line; returns false if there is none. */
-  boolean nextWord() {
+  public boolean nextWord() {
     skipBlanks();
     start = at;
     while (at < text.length && !isSpace(text[at]) && !isJoint()) {
@@ -105,7 +105,7 @@ final class TextScanner {
   }
 
   /** Returns whether another word follows on this line. */
-  boolean hasMoreWords() {
+  public boolean hasMoreWords() {
     int savedAt = at;
     int savedLine = line;
     int savedStart = start;
@@ -119,7 +119,7 @@ final class TextScanner {
   }
 
   /** Skips the rest of this line and moves to the beginning of the next one. */
-  void endLine() {
+  public void endLine() {
     while (at < text.length && !isLineEnd(text[at])) {
       if (isJoint()) {
         skipJoint();
@@ -179,7 +179,7 @@ final class TextScanner {
   }
 
   /** Moves to the next word of this line or a later one; returns false if there is none. */
-  boolean nextWordOfText() {
+  public boolean nextWordOfText() {
     while (!nextWord()) {
       if (!hasMore()) {
         return false;
@@ -190,7 +190,7 @@ final class TextScanner {
   }
 
   /** Returns whether the current word is the expected one. */
-  boolean wordIs(String expected) {
+  public boolean wordIs(String expected) {
     if (end - start != expected.length()) {
       return false;
     }
@@ -203,12 +203,12 @@ final class TextScanner {
   }
 
   /** Returns the current word, byte by byte. */
-  String word() {
+  public String word() {
     return new String(text, start, end - start, StandardCharsets.ISO_8859_1);
   }
 
   /** Returns the remaining words of this line, joined by single spaces; empty if there are none. */
-  String remainingWords() {
+  public String remainingWords() {
     StringBuilder words = new StringBuilder();
     while (nextWord()) {
       words.append(words.length() == 0 ? "" : " ").append(name());
@@ -217,12 +217,12 @@ final class TextScanner {
   }
 
   /** Returns the current word as UTF-8. */
-  String name() {
+  public String name() {
     return new String(text, start, end - start, StandardCharsets.UTF_8);
   }
 
   /** Returns the next word of the line as a finite number; the decimal separator is a point. */
-  double nextNumber() throws ModelFormatException {
+  public double nextNumber() throws ModelFormatException {
     if (!nextWord()) {
       throw error("expected a number, found the end of the line");
     }
@@ -230,7 +230,7 @@ final class TextScanner {
   }
 
   /** Returns the current word as a finite number. */
-  double number() throws ModelFormatException {
+  public double number() throws ModelFormatException {
     double simple = Decimals.exact(text, start, end);
     if (!Double.isNaN(simple)) {
       return simple;
@@ -258,7 +258,7 @@ final class TextScanner {
   }
 
   /** Returns the current word as a number, or NaN if it is a word for NaN or infinity. */
-  double numberOrNan() throws ModelFormatException {
+  public double numberOrNan() throws ModelFormatException {
     double simple = Decimals.exact(text, start, end);
     if (!Double.isNaN(simple)) {
       return simple;
@@ -271,7 +271,7 @@ final class TextScanner {
    *
    * @throws ModelFormatException if it is none, or lies outside the range
    */
-  long integer(long min, long max) throws ModelFormatException {
+  public long integer(long min, long max) throws ModelFormatException {
     int i = text[start] == '-' || text[start] == '+' ? start + 1 : start;
     long value = 0;
     boolean sound = i < end && end - i <= 18;
@@ -312,7 +312,7 @@ final class TextScanner {
    *
    * @param indices receives three numbers as written in the file; 0 for a missing one
    */
-  void readIndices(int[] indices) throws ModelFormatException {
+  public void readIndices(int[] indices) throws ModelFormatException {
     int i = start;
     for (int k = 0; k < 3; k++) {
       int from = i;
@@ -357,17 +357,17 @@ final class TextScanner {
   }
 
   /** Returns an exception that names the line, for a value beyond a limit. */
-  ModelFormatException tooLarge(String message) {
+  public ModelFormatException tooLarge(String message) {
     return new ModelFormatException(Kind.TOO_LARGE, location(), message);
   }
 
   /** Returns an exception that names the line. */
-  ModelFormatException error(String message) {
+  public ModelFormatException error(String message) {
     return new ModelFormatException(Kind.MALFORMED, location(), message);
   }
 
   /** Returns the current place, for messages. */
-  String location() {
+  public String location() {
     return file.isEmpty() ? "line " + line : file + " line " + line;
   }
 }

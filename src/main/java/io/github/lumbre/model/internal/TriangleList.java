@@ -5,19 +5,19 @@ import java.util.Arrays;
 import java.util.function.IntPredicate;
 
 /** A growing list of triangles: three vertex numbers each. Mutable. */
-final class TriangleList {
+public final class TriangleList {
   private int[] indices;
   private int size;
 
   /**
    * @param triangles the expected number of triangles
    */
-  TriangleList(int triangles) {
+  public TriangleList(int triangles) {
     indices = new int[Math.multiplyExact(3, triangles)];
   }
 
   /** Adds a triangle. */
-  void add(int a, int b, int c) {
+  public void add(int a, int b, int c) {
     if (size + 3 > indices.length) {
       int larger = (int) Math.min(2L * indices.length + 12, 3L * ModelLimits.MAX_COUNT);
       indices = Arrays.copyOf(indices, Math.max(larger, Math.addExact(size, 3)));
@@ -29,12 +29,12 @@ final class TriangleList {
   }
 
   /** Returns a vertex number of the list of all corners. */
-  int vertex(int corner) {
+  public int vertex(int corner) {
     return indices[corner];
   }
 
   /** Returns the number of triangles. */
-  int count() {
+  public int count() {
     return size / 3;
   }
 
@@ -44,7 +44,7 @@ final class TriangleList {
    * @param positions three coordinates per vertex
    * @return the number of removed triangles
    */
-  int removeBroken(double[] positions) {
+  public int removeBroken(double[] positions) {
     return removeUnless(
         i -> {
           double sum = 0;
@@ -74,7 +74,7 @@ final class TriangleList {
    * @param positions three coordinates per vertex
    * @return the number of removed triangles
    */
-  int removeFlat(double[] positions) {
+  public int removeFlat(double[] positions) {
     return removeUnless(i -> hasArea(positions, indices[i], indices[i + 1], indices[i + 2]));
   }
 
@@ -102,7 +102,7 @@ final class TriangleList {
   }
 
   /** Returns the vertex numbers; the list must not be used afterwards. */
-  int[] toArray() {
+  public int[] toArray() {
     return size == indices.length ? indices : Arrays.copyOf(indices, size);
   }
 }

@@ -12,7 +12,7 @@ import java.util.Set;
  * Collects the warnings about a model: what a file has, and the picture lacks. Each is listed once,
  * and at most 20 of a kind, with a count of the others. Mutable.
  */
-final class Warnings {
+public final class Warnings {
   private static final int MAX_OF_KIND = 20;
   private static final int MAX_KINDS = 1000;
 
@@ -22,7 +22,7 @@ final class Warnings {
   private int others;
 
   /** Adds a warning whose message states its kind. */
-  void add(String location, String message) {
+  public void add(String location, String message) {
     add(message, location, message);
   }
 
@@ -32,7 +32,7 @@ final class Warnings {
    * @param kind what all warnings of this kind have in common, for the line that counts the others
    * @param location in the file; empty if the whole file is meant
    */
-  void add(String kind, String location, String message) {
+  public void add(String kind, String location, String message) {
     String text = location.isEmpty() ? message : location + ": " + message;
     if (texts.contains(text)) {
       return;
@@ -45,14 +45,14 @@ final class Warnings {
   }
 
   /** Adds a warning unless there is one with this key. */
-  void once(String key, String location, String message) {
+  public void once(String key, String location, String message) {
     if (keys.size() < MAX_KINDS && keys.add(key)) {
       add(location, message);
     }
   }
 
   /** Returns the warnings in the order in which they were added, then the counts of the others. */
-  List<String> all() {
+  public List<String> all() {
     List<String> all = new ArrayList<>(texts);
     kinds.forEach(
         (kind, count) -> {

@@ -1,6 +1,6 @@
 /**
- * Readers of model files: glTF 2.0, OBJ with MTL, PLY and STL. The module does not export them.
- * {@link io.github.lumbre.model.internal.ModelReader} chooses the reader and returns a {@link
+ * What the formats of model files have in common. {@link
+ * io.github.lumbre.model.internal.ModelReader} chooses the reader and returns a {@link
  * io.github.lumbre.model.internal.Model}, which does not depend on the format.
  */
 package io.github.lumbre.model.internal;

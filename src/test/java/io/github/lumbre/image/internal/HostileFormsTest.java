@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.exr.ExrBuilder;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.FileMutator;
 import java.io.ByteArrayOutputStream;
@@ -51,7 +52,7 @@ class HostileFormsTest {
   }
 
   private static byte[] resource(String name) {
-    try (InputStream in = HostileFormsTest.class.getResourceAsStream(name)) {
+    try (InputStream in = ExrBuilder.class.getResourceAsStream(name)) {
       return in.readAllBytes();
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -23,6 +23,7 @@ import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.gltf.GltfFile;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneWriter;

@@ -13,31 +13,31 @@ import java.util.HashMap;
 import java.util.Map;
 
 /** A model file with the files beside it, in memory. Mutable. */
-final class ModelFixture {
+public final class ModelFixture {
   private final String name;
   private final byte[] content;
   private final Map<String, byte[]> files = new HashMap<>();
   private ModelOptions options = ModelOptions.DEFAULT;
 
-  ModelFixture(String name, byte[] content) {
+  public ModelFixture(String name, byte[] content) {
     this.name = name;
     this.content = content;
   }
 
-  ModelFixture(String name, String content) {
+  public ModelFixture(String name, String content) {
     this(name, content.getBytes(StandardCharsets.UTF_8));
   }
 
-  ModelFixture with(String file, byte[] bytes) {
+  public ModelFixture with(String file, byte[] bytes) {
     files.put(file, bytes);
     return this;
   }
 
-  ModelFixture with(String file, String text) {
+  public ModelFixture with(String file, String text) {
     return with(file, text.getBytes(StandardCharsets.UTF_8));
   }
 
-  ModelFixture with(ModelOptions given) {
+  public ModelFixture with(ModelOptions given) {
     options = given;
     return this;
   }
@@ -50,7 +50,7 @@ final class ModelFixture {
     return bytes;
   }
 
-  Model read() throws ModelFormatException {
+  public Model read() throws ModelFormatException {
     try {
       return ModelReader.read(name, content, this::file, options);
     } catch (IOException e) {
@@ -59,7 +59,7 @@ final class ModelFixture {
   }
 
   /** Returns the only part. */
-  ModelPart part() throws ModelFormatException {
+  public ModelPart part() throws ModelFormatException {
     Model model = read();
     if (model.parts().size() != 1) {
       throw new AssertionError(model.parts());
@@ -67,17 +67,17 @@ final class ModelFixture {
     return model.parts().get(0);
   }
 
-  ModelGeometry geometry() throws ModelFormatException {
+  public ModelGeometry geometry() throws ModelFormatException {
     return part().geometry();
   }
 
   /** Returns the kind and message of the exception. */
-  String refusal() {
+  public String refusal() {
     ModelFormatException thrown = catchThrowableOfType(ModelFormatException.class, this::read);
     return thrown == null ? "none" : thrown.kind() + " " + thrown.getMessage();
   }
 
-  static Vec3 mapped(ModelPart part, double x, double y, double z) {
+  public static Vec3 mapped(ModelPart part, double x, double y, double z) {
     return part.toWorld().point(new Vec3(x, y, z));
   }
 }

@@ -1,0 +1,165 @@
+package io.github.lumbre.model.gltf;
+
+import io.github.lumbre.model.ModelAnimation;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.GltfText;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+
+/** The animations of a glTF file (glTF 2.0, section 3.11). */
+final class GltfAnimations {
+  private final GltfDocument document;
+  private final GltfAccessors accessors;
+
+  GltfAnimations(GltfDocument document, GltfAccessors accessors) {
+    this.document = document;
+    this.accessors = accessors;
+  }
+
+  /** Returns all animations. */
+  List<ModelAnimation> all() throws ModelFormatException {
+    List<ModelAnimation> all = new ArrayList<>();
+    for (GltfJson json : document.section("animations")) {
+      String name = json.text("name", Integer.toString(all.size()));
+      all.add(new ModelAnimation(name, seconds(json)));
+    }
+    return all;
+  }
+
+  private List<String> names() throws ModelFormatException {
+    return all().stream().map(ModelAnimation::name).toList();
+  }
+
+  /** Returns the largest time that the accessors of times state; empty if one states none. */
+  private OptionalDouble seconds(GltfJson animation) {
+    double end = 0;
+    try {
+      for (GltfJson sampler : animation.objects("samplers")) {
+        int input = sampler.requireIndex("input", document.size("accessors"));
+        double[] max = document.section("accessors").get(input).numbers("max");
+        if (max.length != 1 || !Double.isFinite(max[0])) {
+          return OptionalDouble.empty();
+        }
+        end = Math.max(end, max[0]);
+      }
+    } catch (ModelFormatException e) {
+      // What is wrong with an animation matters to its pose alone.
+      return OptionalDouble.empty();
+    }
+    return OptionalDouble.of(end);
+  }
+
+  /**
+   * Returns the values of animated properties at a time. Warns if the animation ends before.
+   *
+   * @throws ModelFormatException if the file has no such animation
+   */
+  GltfPose pose(ModelOptions.Pose wanted, GltfNodes nodes)
+      throws ModelFormatException, IOException {
+    GltfJson json = document.section("animations").get(find(wanted.animation()));
+    List<GltfJson> samplers = json.objects("samplers");
+    GltfPose pose = new GltfPose();
+    for (GltfJson channel : json.objects("channels")) {
+      GltfJson target = channel.requireObject("target");
+      OptionalInt node = target.index("node", nodes.size());
+      if (node.isPresent()) {
+        GltfJson sampler = samplers.get(channel.requireIndex("sampler", samplers.size()));
+        set(pose, nodes.get(node.getAsInt()), node.getAsInt(), target, sampler, wanted.seconds());
+      }
+    }
+    double end = pose.end();
+    if (wanted.seconds() > end) {
+      document
+          .warnings()
+          .add(
+              json.location(),
+              "expected a time from 0 to "
+                  + shown(end)
+                  + " s, found "
+                  + shown(wanted.seconds())
+                  + " s; the last pose is used");
+    }
+    return pose;
+  }
+
+  /** Returns a time as the file has it, in single precision. */
+  private static String shown(double seconds) {
+    return Float.toString((float) seconds).replaceFirst("[.]0$", "");
+  }
+
+  private int find(String wanted) throws ModelFormatException {
+    List<String> names = names();
+    if (names.isEmpty()) {
+      throw new ModelFormatException(
+          Kind.MALFORMED,
+          "animations",
+          "expected an animation " + PrintableText.quoted(wanted) + ", found none in the model");
+    }
+    if (names.contains(wanted)) {
+      return names.indexOf(wanted);
+    }
+    for (int i = 0; i < names.size(); i++) {
+      if (wanted.equals(Integer.toString(i))) {
+        return i;
+      }
+    }
+    throw new ModelFormatException(
+        Kind.MALFORMED,
+        "animations",
+        "expected " + GltfText.choice(names) + ", found " + PrintableText.quoted(wanted));
+  }
+
+  private void set(
+      GltfPose pose, GltfNode node, int index, GltfJson target, GltfJson sampler, double seconds)
+      throws ModelFormatException, IOException {
+    String path = target.text("path", "");
+    if (node.matrix().isPresent() && !path.equals("weights")) {
+      document
+          .warnings()
+          .add(target.location("node"), "a node with a matrix is not animated; left at rest");
+      return;
+    }
+    switch (path) {
+      case "translation" -> pose.translate(index, sampler(pose, sampler, 3).at(seconds));
+      case "rotation" -> pose.rotate(index, sampler(pose, sampler, 4).rotationAt(seconds));
+      case "scale" -> pose.scale(index, sampler(pose, sampler, 3).at(seconds));
+      case "weights" -> {
+        int width = node.mesh().isPresent() ? targets(node.mesh().getAsInt()) : 0;
+        if (width > 0) {
+          pose.weigh(index, sampler(pose, sampler, width).at(seconds));
+        }
+      }
+      default ->
+          document
+              .warnings()
+              .add(
+                  "an animation of an unknown property",
+                  target.location("path"),
+                  "expected translation, rotation, scale or weights, found "
+                      + PrintableText.quoted(path)
+                      + "; left at rest");
+    }
+  }
+
+  private GltfSampler sampler(GltfPose pose, GltfJson json, int width)
+      throws ModelFormatException, IOException {
+    GltfSampler sampler = new GltfSampler(json, accessors, width);
+    pose.extendTo(sampler.end());
+    return sampler;
+  }
+
+  /** Returns the number of morph targets of a mesh. */
+  private int targets(int mesh) throws ModelFormatException {
+    int most = 0;
+    for (GltfJson primitive : document.section("meshes").get(mesh).objects("primitives")) {
+      most = Math.max(most, primitive.objects("targets").size());
+    }
+    return most;
+  }
+}

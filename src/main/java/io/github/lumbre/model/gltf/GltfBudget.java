@@ -1,0 +1,99 @@
+package io.github.lumbre.model.gltf;
+
+import io.github.lumbre.json.JsonTree;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.ModelLimits;
+
+/** Limits on the memory that the content of one glTF file may use. Mutable. */
+final class GltfBudget {
+  /** The largest number of elements of an accessor, and of all vertices or indices. */
+  static final long MAX_COUNT = 1 << 27;
+
+  /** The largest number of elements of an accessor that consists of zeros. */
+  static final long MAX_ZEROS = 1 << 24;
+
+  /** The largest number of nodes, and of parts. */
+  static final int MAX_PARTS = 1 << 20;
+
+  /** The largest depth of the node hierarchy. */
+  static final int MAX_DEPTH = 2000;
+
+  /** Heap bytes of a part: its two objects and its transform. */
+  private static final int BYTES_PER_PART = 400;
+
+  /** Heap bytes of a node and its transforms. */
+  private static final long BYTES_PER_NODE = 500;
+
+  private final long maxBytes;
+  private final Limits limits;
+  private long triangles;
+  private long bytes;
+  private long vertices;
+  private long indices;
+  private long parts;
+
+  /**
+   * @param maxBytes of arrays and objects that are made of the file
+   */
+  GltfBudget(long maxBytes) {
+    this(maxBytes, Limits.NONE);
+  }
+
+  private GltfBudget(long maxBytes, Limits limits) {
+    this.maxBytes = maxBytes;
+    this.limits = limits;
+  }
+
+  /** Returns the limits that suit the heap of this process, and the given ones. */
+  static GltfBudget within(Limits limits) {
+    long ofHeap = Runtime.getRuntime().maxMemory() / 4 * 3;
+    return new GltfBudget(Math.min(ofHeap, limits.memory()), limits);
+  }
+
+  /** Adds the triangles of a part, whose arrays {@link #allocate} counts. */
+  void addTriangles(String location, long count) throws ModelFormatException {
+    triangles += count;
+    ModelLimits.requireTriangles(location, triangles, limits);
+  }
+
+  /** Returns the number of tokens of JSON that may be read. */
+  long tokens() {
+    return JsonTree.maxTokens(maxBytes - bytes);
+  }
+
+  /** Adds nodes, and the bytes that they need. */
+  void addNodes(long count) throws ModelFormatException {
+    ModelLimits.require("nodes", "nodes", MAX_PARTS, count);
+    allocate("nodes", BYTES_PER_NODE * count);
+  }
+
+  /** Adds vertices of a mesh, whose arrays {@link #allocate} counts. */
+  void addVertices(String location, long count) throws ModelFormatException {
+    vertices += count;
+    ModelLimits.require(location, "vertices in the model", MAX_COUNT, vertices);
+  }
+
+  /** Adds indices, and the bytes that they need. */
+  void addIndices(String location, long count) throws ModelFormatException {
+    indices += count;
+    ModelLimits.require(location, "indices in the model", MAX_COUNT, indices);
+    allocate(location, Integer.BYTES * count);
+  }
+
+  /** Adds a part, and the bytes that it needs. */
+  void addPart(String location) throws ModelFormatException {
+    ModelLimits.require(location, "parts in the model", MAX_PARTS, ++parts);
+    allocate(location, BYTES_PER_PART);
+  }
+
+  /**
+   * Adds memory that is about to be allocated.
+   *
+   * @throws ModelFormatException if the sum exceeds the limit
+   */
+  void allocate(String location, long more) throws ModelFormatException {
+    bytes += more;
+    ModelLimits.require(location, "bytes of memory for the model", maxBytes, bytes);
+  }
+}

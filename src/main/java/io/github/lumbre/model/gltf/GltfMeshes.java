@@ -1,0 +1,178 @@
+package io.github.lumbre.model.gltf;
+
+import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.ModelGeometry;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The meshes of a glTF file (glTF 2.0, section 3.7). Mutable: each mesh is built once. */
+final class GltfMeshes {
+  private static final int MAX_MODE = 6;
+
+  private final GltfDocument document;
+  private final GltfAccessors accessors;
+  private final GltfAttributes attributes;
+  private final GltfMorph morph;
+  private final Map<Form, Optional<ModelGeometry>> forms = new HashMap<>();
+  private final Map<Corners, int[]> corners = new HashMap<>();
+
+  /** A primitive with weights of its morph targets. */
+  private record Form(String primitive, List<Double> weights) {}
+
+  /** Which vertices the triangles of a primitive use. */
+  private record Corners(Optional<GltfAccessor> indices, int mode, int vertices) {}
+
+  GltfMeshes(GltfDocument document, GltfAccessors accessors, GltfAttributes attributes) {
+    this.document = document;
+    this.accessors = accessors;
+    this.attributes = attributes;
+    morph = new GltfMorph(document, attributes);
+  }
+
+  /**
+   * Returns the triangles of a primitive; empty if it has none.
+   *
+   * @param weights of its morph targets; may be fewer
+   */
+  Optional<ModelGeometry> geometry(GltfJson primitive, double... weights)
+      throws ModelFormatException, IOException {
+    boolean isRest = Arrays.stream(weights).allMatch(w -> w == 0) || !primitive.has("targets");
+    List<Double> applied = isRest ? List.of() : Arrays.stream(weights).boxed().toList();
+    Form form = new Form(primitive.location(), applied);
+    Optional<ModelGeometry> geometry = forms.get(form);
+    if (geometry == null) {
+      geometry = isRest ? rest(primitive) : morphed(primitive, weights);
+      forms.put(form, geometry);
+    }
+    return geometry;
+  }
+
+  /**
+   * Returns the triangles of a primitive in world space, with the normals of their faces, as a node
+   * needs them that flattens them to a plane.
+   */
+  ModelGeometry flattened(GltfJson primitive, ModelGeometry rest, Transform toWorld)
+      throws ModelFormatException {
+    double[] positions = rest.positions();
+    document.budget().allocate(primitive.location(), (long) Double.BYTES * positions.length);
+    double[] moved = new double[positions.length];
+    for (int i = 0; i < moved.length; i += 3) {
+      Vec3 p = toWorld.point(new Vec3(positions[i], positions[i + 1], positions[i + 2]));
+      moved[i] = p.x();
+      moved[i + 1] = p.y();
+      moved[i + 2] = p.z();
+    }
+    double[] none = {};
+    return GltfVectors.checked(
+        primitive,
+        new ModelGeometry(
+            moved, none, none, rest.uv0(), rest.uv1(), rest.colors(), rest.indices()));
+  }
+
+  private Optional<ModelGeometry> morphed(GltfJson primitive, double... weights)
+      throws ModelFormatException, IOException {
+    Optional<ModelGeometry> rest = geometry(primitive);
+    return rest.isPresent()
+        ? Optional.of(morph.applied(primitive, rest.get(), weights))
+            .filter(moved -> moved.triangleCount() > 0)
+        : Optional.empty();
+  }
+
+  private Optional<ModelGeometry> rest(GltfJson primitive)
+      throws ModelFormatException, IOException {
+    Interrupts.check();
+    int mode = (int) primitive.whole("mode", GltfTriangles.LIST, 0, MAX_MODE);
+    GltfJson json = primitive.requireObject("attributes");
+    if (mode < GltfTriangles.LIST || !json.has("POSITION")) {
+      warn(
+          primitive,
+          mode == 0
+              ? "points are left out"
+              : mode < GltfTriangles.LIST
+                  ? "lines are left out"
+                  : "a mesh without positions is left out");
+      return Optional.empty();
+    }
+    GltfAccessor position = accessors.require(json, "POSITION");
+    double[] positions = attributes.positions(position);
+    int vertices = positions.length / 3;
+    int[] all = indices(primitive, mode, vertices);
+    int[] indices = GltfTriangles.whole(document, primitive, attributes.broken(position), all);
+    if (indices.length == 0) {
+      warn(primitive, "a mesh without triangles is left out");
+      return Optional.empty();
+    }
+    double[] normals = attributes.normals(json, vertices);
+    return Optional.of(
+        new ModelGeometry(
+            positions,
+            normals,
+            normals.length == 0 ? normals : attributes.tangents(json, vertices),
+            attributes.uvs(json, "TEXCOORD_0", vertices),
+            attributes.uvs(json, "TEXCOORD_1", vertices),
+            attributes.colors(json, vertices),
+            indices));
+  }
+
+  private void warn(GltfJson primitive, String message) {
+    document.warnings().add(primitive.location(), message);
+  }
+
+  private int[] indices(GltfJson primitive, int mode, int vertices)
+      throws ModelFormatException, IOException {
+    Optional<GltfAccessor> accessor =
+        primitive.has("indices")
+            ? Optional.of(accessors.require(primitive, "indices"))
+            : Optional.empty();
+    int count = accessor.isPresent() ? accessor.get().count() : vertices;
+    if (mode == GltfTriangles.LIST && count % 3 != 0) {
+      warn(primitive, "expected three corners per triangle, found " + count + " corners in all");
+    }
+    Corners key = new Corners(accessor, mode, vertices);
+    int[] found = corners.get(key);
+    if (found == null) {
+      found = triangles(primitive, key, count);
+      corners.put(key, found);
+    }
+    return found;
+  }
+
+  private int[] triangles(GltfJson primitive, Corners key, int count) throws ModelFormatException {
+    GltfBudget budget = document.budget();
+    budget.addIndices(primitive.location(), 3L * GltfTriangles.count(key.mode, count));
+    budget.allocate(primitive.location(), (long) Integer.BYTES * count);
+    int[] read = new int[count];
+    if (key.indices.isPresent()) {
+      GltfAccessor indices = key.indices.get().requireComponents(1);
+      if (!indices.component().isUnsigned()) {
+        throw indices.error("componentType", "expected 5121, 5123 or 5125 for indices");
+      }
+      indices.readIndices(read);
+      requireVertices(primitive, read, key.vertices);
+    } else {
+      Arrays.setAll(read, i -> i);
+    }
+    return GltfTriangles.list(key.mode, read);
+  }
+
+  private static void requireVertices(GltfJson primitive, int[] indices, int vertices)
+      throws ModelFormatException {
+    for (int index : indices) {
+      if (index < 0 || index >= vertices) {
+        throw primitive.malformed(
+            "indices",
+            "expected vertices from 0 to "
+                + (vertices - 1)
+                + ", found "
+                + Integer.toUnsignedString(index));
+      }
+    }
+  }
+}

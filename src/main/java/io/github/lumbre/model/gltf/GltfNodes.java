@@ -1,0 +1,189 @@
+package io.github.lumbre.model.gltf;
+
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.internal.ModelLimits;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+
+/** The nodes of a glTF file: trees, and their transforms to world space. Mutable. */
+final class GltfNodes {
+  private static final int NONE = -1;
+
+  private final GltfDocument document;
+  private final List<GltfNode> nodes = new ArrayList<>();
+  private final int[] parents;
+  private final List<GltfMatrix> toWorld;
+
+  /**
+   * Reads the nodes.
+   *
+   * @param lights number of punctual lights in the file
+   * @throws ModelFormatException if a node is damaged
+   */
+  GltfNodes(GltfDocument document, int lights) throws ModelFormatException {
+    this.document = document;
+    List<GltfJson> section = document.section("nodes");
+    document.budget().addNodes(section.size());
+    for (GltfJson json : section) {
+      nodes.add(GltfNode.of(json, document, lights));
+    }
+    parents = parents();
+    toWorld = new ArrayList<>(nodes.size());
+  }
+
+  /** Returns a node. */
+  GltfNode get(int index) {
+    return nodes.get(index);
+  }
+
+  /** Returns the number of nodes. */
+  int size() {
+    return nodes.size();
+  }
+
+  private int[] parents() {
+    int[] found = new int[nodes.size()];
+    Arrays.fill(found, NONE);
+    for (int i = 0; i < found.length; i++) {
+      int[] children = nodes.get(i).children();
+      for (int k = 0; k < children.length; k++) {
+        int child = children[k];
+        if (found[child] == NONE) {
+          found[child] = i;
+        } else {
+          document
+              .warnings()
+              .add(
+                  "a node is listed as a child again",
+                  nodes.get(i).location() + ".children[" + k + "]",
+                  "expected a node without a parent, found "
+                      + child
+                      + ", a child of node "
+                      + found[child]
+                      + "; it is shown there");
+        }
+      }
+    }
+    return found;
+  }
+
+  /**
+   * Computes all transforms to world space.
+   *
+   * @param pose replaces the local transforms of some nodes
+   * @throws ModelFormatException if a node is its own ancestor, or a tree is too deep
+   */
+  void place(GltfPose pose) throws ModelFormatException {
+    GltfMatrix[] placed = new GltfMatrix[nodes.size()];
+    int[] depths = new int[nodes.size()];
+    int[] queue = new int[nodes.size()];
+    boolean[] seen = new boolean[nodes.size()];
+    int end = 0;
+    for (int i = 0; i < queue.length; i++) {
+      if (parents[i] == NONE) {
+        end = append(i, queue, end, seen);
+      }
+    }
+    for (int begin = 0; begin < end; begin++) {
+      int node = queue[begin];
+      int parent = parents[node];
+      GltfMatrix local = pose.local(node, nodes.get(node));
+      placed[node] = parent == NONE ? local : placed[parent].times(local);
+      depths[node] = parent == NONE ? 1 : depths[parent] + 1;
+      ModelLimits.require(nodes.get(node).location(), "levels", GltfBudget.MAX_DEPTH, depths[node]);
+      end = appendChildren(node, queue, end, seen);
+    }
+    for (int i = 0; i < placed.length; i++) {
+      if (placed[i] == null) {
+        throw new ModelFormatException(
+            Kind.MALFORMED,
+            nodes.get(i).location(),
+            "expected a node that is not below itself, found a cycle");
+      }
+    }
+    toWorld.clear();
+    toWorld.addAll(Arrays.asList(placed));
+  }
+
+  /** Returns the transform of a node to world space. */
+  GltfMatrix toWorld(int node) {
+    return toWorld.get(node);
+  }
+
+  /** Returns the nodes of the default scene, else of the first one, else all, by their indices. */
+  int[] visible() throws ModelFormatException {
+    int[] queue = new int[nodes.size()];
+    boolean[] seen = new boolean[nodes.size()];
+    int end = 0;
+    for (int root : roots()) {
+      end = append(root, queue, end, seen);
+    }
+    for (int begin = 0; begin < end; begin++) {
+      end = appendChildren(queue[begin], queue, end, seen);
+    }
+    int[] visible = Arrays.copyOf(queue, end);
+    Arrays.sort(visible);
+    return visible;
+  }
+
+  /** Adds a node to a queue unless it was there, and returns the new end of the queue. */
+  private static int append(int node, int[] queue, int end, boolean[] seen) {
+    if (seen[node]) {
+      return end;
+    }
+    seen[node] = true;
+    queue[end] = node;
+    return end + 1;
+  }
+
+  private int appendChildren(int node, int[] queue, int end, boolean[] seen) {
+    int newEnd = end;
+    for (int child : nodes.get(node).children()) {
+      // A node is shown below its first parent alone.
+      newEnd = parents[child] == node ? append(child, queue, newEnd, seen) : newEnd;
+    }
+    return newEnd;
+  }
+
+  /** Returns the nodes that the scene lists; some exporters also list the children of others. */
+  private int[] roots() throws ModelFormatException {
+    List<GltfJson> scenes = document.section("scenes");
+    OptionalInt number = document.root().index("scene", scenes.size());
+    if (scenes.isEmpty()) {
+      return allRoots();
+    }
+    GltfJson scene = scenes.get(number.orElse(0));
+    int[] roots = scene.indices("nodes", nodes.size());
+    boolean[] seen = new boolean[nodes.size()];
+    for (int i = 0; i < roots.length; i++) {
+      int node = roots[i];
+      if (parents[node] != NONE || seen[node]) {
+        document
+            .warnings()
+            .add(
+                "a node is listed that is shown anyway",
+                scene.location("nodes[" + i + "]"),
+                seen[node]
+                    ? "expected each node once, found " + node + " again; it is shown once"
+                    : "expected a root node, found %d, a child of node %d; it is shown once"
+                        .formatted(node, parents[node]));
+      }
+      seen[node] = true;
+    }
+    return roots;
+  }
+
+  private int[] allRoots() {
+    int[] roots = new int[nodes.size()];
+    int count = 0;
+    for (int i = 0; i < roots.length; i++) {
+      if (parents[i] == NONE) {
+        roots[count++] = i;
+      }
+    }
+    return Arrays.copyOf(roots, count);
+  }
+}

@@ -1,0 +1,60 @@
+package io.github.lumbre.model.gltf;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/** The values that an animation gives to nodes at one time. Mutable. */
+final class GltfPose {
+  private final Map<Integer, double[]> translations = new HashMap<>();
+  private final Map<Integer, double[]> rotations = new HashMap<>();
+  private final Map<Integer, double[]> scales = new HashMap<>();
+  private final Map<Integer, double[]> weights = new HashMap<>();
+  private double end = Double.NEGATIVE_INFINITY;
+
+  /** Notes the time of a last keyframe, in seconds. */
+  void extendTo(double seconds) {
+    end = Math.max(end, seconds);
+  }
+
+  /** Returns the latest time noted; infinite if there is none. */
+  double end() {
+    return end < 0 ? Double.POSITIVE_INFINITY : end;
+  }
+
+  /** Sets the translation of a node. */
+  void translate(int node, double... value) {
+    translations.put(node, value);
+  }
+
+  /** Sets the rotation of a node: a unit quaternion. */
+  void rotate(int node, double... value) {
+    rotations.put(node, value);
+  }
+
+  /** Sets the scale of a node. */
+  void scale(int node, double... value) {
+    scales.put(node, value);
+  }
+
+  /** Sets the weights of the morph targets of a node's mesh. */
+  void weigh(int node, double... value) {
+    weights.put(node, value);
+  }
+
+  /** Returns the local transform of a node. */
+  GltfMatrix local(int index, GltfNode node) {
+    return node.matrix()
+        .orElseGet(
+            () ->
+                GltfMatrix.of(
+                    translations.getOrDefault(index, node.translation()),
+                    rotations.getOrDefault(index, node.rotation()),
+                    scales.getOrDefault(index, node.scale())));
+  }
+
+  /** Returns the weights of a node; empty if the animation does not set them. */
+  Optional<double[]> weights(int node) {
+    return Optional.ofNullable(weights.get(node));
+  }
+}

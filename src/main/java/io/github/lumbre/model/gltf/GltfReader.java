@@ -1,0 +1,239 @@
+package io.github.lumbre.model.gltf;
+
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelCamera;
+import io.github.lumbre.model.internal.ModelFiles;
+import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelLight;
+import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelPart;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Reads glTF 2.0, as .gltf or .glb. Not reusable.
+ *
+ * <p>A transform with a negative determinant reverses the winding of triangles (glTF 2.0, section
+ * 3.7.4). That agrees with {@link ModelGeometry}: triangles are counterclockwise, seen from
+ * outside, in local space, and outside stays outside in a mirroring {@link Transform}. So indices
+ * change in skinned meshes only, which are in world space.
+ */
+public final class GltfReader {
+  private final GltfDocument document;
+  private final GltfAccessors accessors;
+  private final GltfInfluences influences;
+  private final GltfMeshes meshes;
+  private final GltfMaterials materials;
+  private final GltfVariants variants;
+  private final GltfAnimations animations;
+  private final GltfLights lights;
+  private final GltfCameras cameras;
+  private final GltfNodes nodes;
+  private final GltfPose pose;
+  private final boolean lenient;
+  private Optional<ModelFormatException> unreadable = Optional.empty();
+  private final Map<Integer, GltfSkin> skins = new HashMap<>();
+  private final List<ModelPart> parts = new ArrayList<>();
+  private final List<ModelCamera> placedCameras = new ArrayList<>();
+  private final List<ModelLight> placedLights = new ArrayList<>();
+
+  /** A node with a mesh, and the weights of its morph targets. */
+  private record Placement(GltfNode node, String name, GltfMatrix matrix, double[] weights) {}
+
+  private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
+      throws ModelFormatException, IOException {
+    this.document = document;
+    lenient = options.lenient();
+    accessors = new GltfAccessors(document, buffers);
+    GltfAttributes attributes = new GltfAttributes(document, accessors);
+    influences = new GltfInfluences(document, accessors, attributes);
+    meshes = new GltfMeshes(document, accessors, attributes);
+    GltfTextures textures = new GltfTextures(document, buffers, options.lenient());
+    materials = new GltfMaterials(document, textures);
+    variants = new GltfVariants(document, options.variant());
+    animations = new GltfAnimations(document, accessors);
+    lights = new GltfLights(document);
+    cameras = new GltfCameras(document);
+    nodes = new GltfNodes(document, lights.size());
+    pose =
+        options.pose().isPresent() ? animations.pose(options.pose().get(), nodes) : new GltfPose();
+  }
+
+  /**
+   * Returns the content of a file.
+   *
+   * @throws ModelFormatException if the file is damaged, unsupported or too large
+   * @throws IOException if the thread is interrupted
+   */
+  public static Model read(byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return read(content, folder, options, GltfBudget.within(options.limits()));
+  }
+
+  public static Model read(
+      byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
+      throws ModelFormatException, IOException {
+    GltfContainer container = GltfContainer.of(content);
+    // The text of the JSON is also kept as strings.
+    budget.allocate("", (long) content.length + container.json().remaining());
+    GltfJson root = GltfJson.read(container.json(), budget);
+    GltfDocument document = new GltfDocument(root, budget);
+    container.warnings().forEach(warning -> document.warnings().add("", warning));
+    GltfExtensions.check(document);
+    ModelFiles files = new ModelFiles(folder, options.limits(), document.warnings());
+    GltfBuffers buffers = new GltfBuffers(document, container.binary(), files);
+    return new GltfReader(document, buffers, options).read();
+  }
+
+  private Model read() throws ModelFormatException, IOException {
+    nodes.place(pose);
+    for (int index : nodes.visible()) {
+      GltfNode node = nodes.get(index);
+      Interrupts.check();
+      if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
+        add(index, node, nodes.toWorld(index));
+      }
+    }
+    if (parts.isEmpty() && unreadable.isPresent()) {
+      throw unreadable.get();
+    }
+    if (parts.isEmpty()) {
+      warnOfUnusedMeshes();
+    }
+    return new Model(
+        TriangleMesh.Front.WINDING,
+        parts,
+        placedCameras,
+        placedLights,
+        variants.names(),
+        animations.all(),
+        document.warnings().all());
+  }
+
+  /** Adds a warning if the scene names none of the file's meshes. */
+  private void warnOfUnusedMeshes() throws ModelFormatException {
+    for (int index : nodes.visible()) {
+      if (nodes.get(index).mesh().isPresent()) {
+        return;
+      }
+    }
+    if (document.size("meshes") > 0) {
+      document.warnings().add("", "no node of the scene has a mesh; all meshes are left out");
+    }
+  }
+
+  private void add(int index, GltfNode node, GltfMatrix matrix)
+      throws ModelFormatException, IOException {
+    if (node.mesh().isPresent()) {
+      addMesh(index, node, matrix);
+    }
+    Transform toWorld = matrix.toTransform();
+    Vec3 axis = toWorld.vector(Vec3.Z);
+    double width = axis.cross(toWorld.vector(Vec3.Y)).maxAbs();
+    if (node.camera().isPresent() && isPlaced(node, matrix, width > 0)) {
+      placedCameras.add(cameras.camera(node, toWorld));
+    }
+    if (node.light().isPresent() && isPlaced(node, matrix, axis.maxAbs() > 0)) {
+      placedLights.add(lights.light(node, toWorld));
+    }
+  }
+
+  /**
+   * Returns whether a node's content can be shown; warns if not.
+   *
+   * @param isFlat whether it can be if the node flattens it to a plane
+   */
+  private boolean isPlaced(GltfNode node, GltfMatrix matrix, boolean isFlat) {
+    boolean isPlaced = matrix.dimensions() == 2 ? isFlat : matrix.toTransform().isInvertible();
+    if (!isPlaced) {
+      document
+          .warnings()
+          .add(node.location(), "its transform is not invertible; its content is left out");
+    }
+    return isPlaced;
+  }
+
+  private void addMesh(int index, GltfNode node, GltfMatrix matrix)
+      throws ModelFormatException, IOException {
+    GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
+    String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
+    Placement placement = new Placement(node, name, matrix, weights(index, node, mesh));
+    List<GltfJson> primitives = mesh.objects("primitives");
+    for (int i = 0; i < primitives.size(); i++) {
+      String location = node.location() + ".mesh.primitives[" + i + "]";
+      try {
+        addPrimitive(placement, primitives.get(i), location);
+      } catch (ModelFormatException e) {
+        if (!lenient || e.kind() != Kind.ASSET) {
+          throw e;
+        }
+        unreadable = unreadable.or(() -> Optional.of(e));
+        document
+            .warnings()
+            .add("a mesh is left out", location, e.getMessage() + "; the mesh is left out");
+      }
+    }
+  }
+
+  private void addPrimitive(Placement placement, GltfJson primitive, String location)
+      throws ModelFormatException, IOException {
+    document.budget().addPart(location);
+    GltfNode node = placement.node;
+    Transform toWorld = placement.matrix.toTransform();
+    boolean isSkinned =
+        node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
+    if (!isSkinned && !isPlaced(node, placement.matrix, true)) {
+      return;
+    }
+    Optional<ModelGeometry> found = meshes.geometry(primitive, placement.weights);
+    if (found.isEmpty()) {
+      return;
+    }
+    ModelGeometry geometry = found.get();
+    document.budget().addTriangles(location, geometry.triangleCount());
+    if (isSkinned) {
+      GltfSkin skin = skin(node.skin().getAsInt());
+      geometry = skin.applied(primitive, geometry, toWorld.isMirroring());
+      toWorld = Transform.IDENTITY;
+    } else if (placement.matrix.dimensions() == 2) {
+      geometry = meshes.flattened(primitive, geometry, toWorld);
+      toWorld = Transform.IDENTITY;
+      if (!geometry.hasArea()) {
+        document.warnings().add(location, "is flattened to a line and left out");
+        return;
+      }
+    }
+    ModelMaterial material = materials.get(variants.material(primitive));
+    parts.add(new ModelPart(placement.name, location, geometry, material, toWorld));
+  }
+
+  private GltfSkin skin(int index) throws ModelFormatException, IOException {
+    GltfSkin skin = skins.get(index);
+    if (skin == null) {
+      GltfJson json = document.section("skins").get(index);
+      skin = new GltfSkin(json, document, accessors, influences, nodes);
+      skins.put(index, skin);
+    }
+    return skin;
+  }
+
+  private double[] weights(int index, GltfNode node, GltfJson mesh) throws ModelFormatException {
+    Optional<double[]> animated = pose.weights(index);
+    if (animated.isPresent()) {
+      return animated.get();
+    }
+    return node.weights().length > 0 ? node.weights() : mesh.numbers("weights");
+  }
+}

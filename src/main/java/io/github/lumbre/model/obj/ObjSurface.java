@@ -1,0 +1,24 @@
+package io.github.lumbre.model.obj;
+
+import io.github.lumbre.model.internal.TriangleList;
+
+/** The triangles of one part of an OBJ file. Mutable. */
+final class ObjSurface {
+  private final ObjCorners corners = new ObjCorners();
+  private final TriangleList triangles;
+
+  /**
+   * @param expected the expected number of triangles
+   */
+  ObjSurface(int expected) {
+    triangles = new TriangleList(expected);
+  }
+
+  ObjCorners corners() {
+    return corners;
+  }
+
+  TriangleList triangles() {
+    return triangles;
+  }
+}

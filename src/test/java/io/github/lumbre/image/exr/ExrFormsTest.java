@@ -1,0 +1,198 @@
+package io.github.lumbre.image.exr;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.LinearReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests OpenEXR files of all supported compressions, layouts, channels and number types. */
+class ExrFormsTest {
+  private static final int UINT = 0;
+  private static final int HALF = 1;
+  private static final int FLOAT = 2;
+
+  private static double value(int x, int y) {
+    return x < 20 ? x / 3.0 + y : 7;
+  }
+
+  private static void assertValues(Image image, int width, int height) {
+    assertThat(image.width()).isEqualTo(width);
+    assertThat(image.height()).isEqualTo(height);
+    for (int i = 0; i < 3 * width * height; i++) {
+      float expected = (float) ((1 << i % 3) * value(i / 3 % width, i / 3 / width));
+      assertThat(image.rgb()[i]).isEqualTo(expected);
+    }
+  }
+
+  private static void assertRefused(byte[] file, String message) {
+    assertThatThrownBy(() -> LinearReader.decode(file))
+        .isInstanceOf(ImageFormatException.class)
+        .hasMessageContaining(message);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2, 3})
+  void scanLinesAreRead(int compression) throws ImageFormatException {
+    for (int height : new int[] {1, 16, 35}) {
+      byte[] file = new ExrBuilder(90, height, compression).rgb("", ExrFormsTest::value).file();
+      assertValues(LinearReader.decode(file), 90, height);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0, 0", "1, 0", "3, 0", "0, 1", "3, 1", "3, 17"})
+  void fullSizeLevelOfTilesIsRead(int compression, int levels) throws ImageFormatException {
+    byte[] file =
+        new ExrBuilder(45, 34, compression)
+            .rgb("", ExrFormsTest::value)
+            .tiles(16, 8, levels)
+            .file();
+    assertValues(LinearReader.decode(file), 45, 34);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 16})
+  void firstPartIsRead(int tile) throws ImageFormatException {
+    ExrBuilder first = new ExrBuilder(45, 34, 3).rgb("", ExrFormsTest::value);
+    ExrBuilder second = new ExrBuilder(7, 9, 3).rgb("", (x, y) -> -1);
+    if (tile > 0) {
+      first.tiles(tile, tile, 0);
+      second.tiles(tile, tile, 0);
+    }
+    assertValues(LinearReader.decode(first.fileBefore(second)), 45, 34);
+  }
+
+  @Test
+  void numbersHaveThreeTypes() throws ImageFormatException {
+    byte[] file =
+        new ExrBuilder(5, 3, 0)
+            .channel("R", UINT, (x, y) -> x == 4 ? 0xffffffffL : x)
+            .channel("G", HALF, (x, y) -> x == 4 ? 0 : -Math.scalb(1, x - y))
+            .channel("B", FLOAT, (x, y) -> x + .1)
+            .channel("Z", FLOAT, (x, y) -> 1e30)
+            .file();
+    Image image = LinearReader.decode(file);
+    assertThat(image.pixel(1, 2)).isEqualTo(new Rgb(1, -.5, 1.1f));
+    assertThat(image.pixel(4, 0)).isEqualTo(new Rgb(4294967296.0, 0, 4.1f));
+  }
+
+  @Test
+  void halvesCoverAllKindsOfNumbers() {
+    assertThat(ExrChannel.ofHalf((short) 0x3c00)).isEqualTo(1);
+    assertThat(ExrChannel.ofHalf((short) 0xc001)).isEqualTo(-2 - 0x1p-9f);
+    assertThat(ExrChannel.ofHalf((short) 0x7bff)).isEqualTo(65504);
+    assertThat(ExrChannel.ofHalf((short) 0x0001)).isEqualTo(0x1p-24f);
+    assertThat(ExrChannel.ofHalf((short) 0x03ff)).isEqualTo(1023 * 0x1p-24f);
+    assertThat(ExrChannel.ofHalf((short) 0x0400)).isEqualTo(0x1p-14f);
+    assertThat(ExrChannel.ofHalf((short) 0x8000)).isEqualTo(-0f);
+    assertThat(ExrChannel.ofHalf((short) 0x7c00)).isEqualTo(Float.POSITIVE_INFINITY);
+    assertThat(ExrChannel.ofHalf((short) 0xfc00)).isEqualTo(Float.NEGATIVE_INFINITY);
+    assertThat(ExrChannel.ofHalf((short) 0x7e00)).isNaN();
+  }
+
+  @Test
+  void grayAndOneLayerArePictures() throws ImageFormatException {
+    ExrBuilder gray = new ExrBuilder(4, 2, 0).channel("Y", FLOAT, (x, y) -> x);
+    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(3));
+    gray.channel("A", HALF, (x, y) -> .5);
+    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(6));
+    ExrBuilder layer = new ExrBuilder(45, 2, 0).rgb("a.b.", ExrFormsTest::value);
+    layer.channel("depth.Z", FLOAT, (x, y) -> 0).channel("R", FLOAT, (x, y) -> 0);
+    assertValues(LinearReader.decode(layer.file()), 45, 2);
+  }
+
+  @Test
+  void otherChannelsAreRefused() {
+    ExrBuilder layers = new ExrBuilder(4, 2, 0).rgb("a.", (x, y) -> 0).rgb("b.", (x, y) -> 0);
+    assertRefused(layers.file(), "expected one layer of colors, found 2");
+    ExrBuilder depth = new ExrBuilder(4, 2, 0).channel("Z", FLOAT, (x, y) -> 0);
+    assertRefused(depth.file(), "expected the channels R, G and B, or Y");
+    ExrBuilder chroma = new ExrBuilder(4, 2, 0).channel("Y", FLOAT, (x, y) -> 0);
+    chroma.channel("RY", FLOAT, (x, y) -> 0).channel("BY", FLOAT, (x, y) -> 0);
+    assertRefused(chroma.file(), "expected the channels R, G and B, or Y");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"6, B44", "7, B44A", "8, DWAA", "9, DWAB", "10, code 10", "-1, code -1"})
+  void lossyCompressionsAreRefused(int code, String name) {
+    assertRefused(
+        new ExrBuilder(4, 2, code).rgb("", (x, y) -> 0).file(),
+        "expected no compression, RLE, ZIPS, ZIP or PIZ, found " + name);
+  }
+
+  private static byte[] resource(String name) throws IOException {
+    try (InputStream in = ExrFormsTest.class.getResourceAsStream(name)) {
+      return in.readAllBytes();
+    }
+  }
+
+  /** The file was written by OpenEXR from these formulas. */
+  @Test
+  void pizWithFewValuesIsRead() throws IOException {
+    Image image = LinearReader.decode(resource("piz.exr"));
+    assertThat(image.width()).isEqualTo(37);
+    assertThat(image.height()).isEqualTo(45);
+    for (int y = 0; y < 45; y++) {
+      for (int x = 0; x < 37; x++) {
+        double scale = x < 30 ? 1 : 2;
+        Rgb expected = new Rgb(x / 64.0, y / 64.0, (7 * x + 13 * y) % 32 / 32.0).times(scale);
+        assertThat(image.pixel(x, y)).isEqualTo(expected);
+        assertThat(image.alpha(x, y)).isEqualTo((float) (1 / scale));
+      }
+    }
+  }
+
+  /** The file has halves of all patterns from 1 to 16896: too many for the 14-bit wavelet. */
+  @Test
+  void pizWithManyValuesIsRead() throws IOException {
+    Image image = LinearReader.decode(resource("piz-values.exr"));
+    assertThat(image.rgb()).hasSize(3 * 512 * 33);
+    for (int i = 0; i < 512 * 33; i++) {
+      assertThat(image.rgb()[3 * i]).isEqualTo(ExrChannel.ofHalf((short) (i + 1)));
+    }
+  }
+
+  @Test
+  void everyTruncationIsRefused() throws IOException {
+    byte[][] files = {
+      resource("piz.exr"),
+      new ExrBuilder(9, 5, 1).rgb("", ExrFormsTest::value).file(),
+      new ExrBuilder(9, 5, 3).rgb("", ExrFormsTest::value).tiles(4, 4, 1).file(),
+      new ExrBuilder(9, 5, 3)
+          .rgb("", ExrFormsTest::value)
+          .fileBefore(new ExrBuilder(3, 3, 0).rgb("", (x, y) -> 0))
+    };
+    for (byte[] file : files) {
+      for (int length = 0; length < file.length; length += length < 600 ? 1 : 61) {
+        byte[] part = Arrays.copyOf(file, length);
+        assertThatThrownBy(() -> LinearReader.decode(part))
+            .isInstanceOf(ImageFormatException.class);
+      }
+    }
+  }
+
+  @Test
+  void tilesOccurOnceAndInThePicture() {
+    ExrBuilder builder = new ExrBuilder(8, 4, 0).rgb("", (x, y) -> 1).tiles(4, 4, 0);
+    byte[] twice = builder.file();
+    int second = twice.length - (20 + 4 * 4 * 4 * 3);
+    twice[second] = 0;
+    assertRefused(twice, "a tile occurs twice");
+    byte[] outside = builder.file();
+    outside[second] = 2;
+    assertRefused(outside, "damaged or ends too early");
+    byte[] otherLevel = builder.file();
+    otherLevel[second + 8] = 1;
+    assertRefused(otherLevel, "blocks are missing");
+  }
+}

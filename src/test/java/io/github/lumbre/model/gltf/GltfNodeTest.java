@@ -1,0 +1,286 @@
+package io.github.lumbre.model.gltf;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelPart;
+import java.io.IOException;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests the hierarchy of nodes in glTF. */
+class GltfNodeTest {
+  private static final double HALF = Math.sqrt(.5);
+
+  private final GltfFile file = new GltfFile();
+
+  private void node(String json) {
+    file.add("nodes", json);
+  }
+
+  private static void assertClose(Vec3 found, Vec3 expected) {
+    assertThat(found.minus(expected).length()).isLessThan(1e-12);
+  }
+
+  @Test
+  void nodesScaleThenRotateThenTranslate() throws ModelFormatException, IOException {
+    file.triangle("");
+    node(
+        "{'mesh': 0, 'translation': [1, 2, 3], 'rotation': [0, 0, %s, %s], 'scale': [2, 3, 4]}"
+            .formatted(HALF, HALF));
+    ModelPart part = file.read().parts().get(0);
+    assertClose(part.toWorld().point(Vec3.ZERO), new Vec3(1, 2, 3));
+    assertClose(part.toWorld().point(new Vec3(1, 1, 1)), new Vec3(1 - 3, 2 + 2, 3 + 4));
+    assertThat(part.location()).isEqualTo("nodes[0].mesh.primitives[0]");
+  }
+
+  @Test
+  void matricesAreStoredByColumns() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'matrix': [1, 2, 3, 0, 0, 5, 6, 0, 0, 0, 9, 0, 10, 11, 12, 1]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.toWorld().point(Vec3.ZERO)).isEqualTo(new Vec3(10, 11, 12));
+    assertThat(part.toWorld().vector(Vec3.X)).isEqualTo(new Vec3(1, 2, 3));
+    assertThat(part.toWorld().vector(Vec3.Y)).isEqualTo(new Vec3(0, 5, 6));
+    assertThat(part.toWorld().vector(Vec3.Z)).isEqualTo(new Vec3(0, 0, 9));
+    assertClose(part.toWorld().inversePoint(new Vec3(10, 16, 18)), Vec3.Y);
+  }
+
+  @Test
+  void childrenAreInTheSpaceOfTheirParent() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'children': [1], 'translation': [5, 0, 0], 'scale': [2, 2, 2]}");
+    node("{'mesh': 0, 'name': 'leaf', 'translation': [1, 0, 0]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.toWorld().point(Vec3.X)).isEqualTo(new Vec3(9, 0, 0));
+    assertThat(part.name()).isEqualTo("leaf");
+  }
+
+  @Test
+  void rotationsAreNormalized() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'rotation': [0, 0, 3, 3]}");
+    assertClose(file.read().parts().get(0).toWorld().vector(Vec3.X), Vec3.Y);
+  }
+
+  @Test
+  void nodesShareTheGeometryOfAMesh() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0}");
+    node("{'mesh': 0, 'translation': [1, 0, 0]}");
+    List<ModelPart> parts = file.read().parts();
+    assertThat(parts.get(0).geometry()).isSameAs(parts.get(1).geometry());
+    assertThat(parts.get(0).material()).isSameAs(parts.get(1).material());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        // UniGLTF lists all nodes.
+        "[1]|[]|[0, 1, 2]|scenes[0].nodes[1]: expected a root node, found 1, a child of node 0;",
+        "[1]|[]|[2, 1, 0]|scenes[0].nodes[1]: expected a root node, found 1, a child of node 0;",
+        "[1]|[]|[1, 2]|scenes[0].nodes[0]: expected a root node, found 1, a child of node 0;",
+        "[1]|[]|[0, 2, 0]|scenes[0].nodes[2]: expected each node once, found 0 again;",
+        "[1, 1]|[]|[0, 2]|nodes[0].children[1]: expected a node without a parent, found 1, a child"
+            + " of node 0;",
+        "[1]|[1]|[0, 2]|nodes[2].children[0]: expected a node without a parent, found 1, a child"
+            + " of node 0;"
+      })
+  void nodesThatAreListedAgainAreShownOnce(
+      String children, String others, String roots, String warning)
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'translation': [5, 0, 0], 'children': " + children + "}");
+    node("{'mesh': 0, 'translation': [1, 0, 0]}");
+    node("{'mesh': 0, 'translation': [0, 2, 0], 'children': " + others + "}");
+    file.add("scenes", "{'nodes': " + roots + "}");
+    Model model = file.read();
+    assertThat(model.parts())
+        .extracting(part -> part.toWorld().point(Vec3.ZERO))
+        .containsExactly(new Vec3(6, 0, 0), new Vec3(0, 2, 0));
+    assertThat(model.warnings()).hasSize(1);
+    assertThat(model.warnings().get(0)).startsWith(warning);
+  }
+
+  private void threeScenes() {
+    file.triangle("");
+    node("{'mesh': 0, 'name': 'a'}");
+    node("{'mesh': 0, 'name': 'b', 'children': [2]}");
+    node("{'mesh': 0, 'name': 'c'}");
+  }
+
+  private List<String> names() throws ModelFormatException, IOException {
+    return file.read().parts().stream().map(ModelPart::name).toList();
+  }
+
+  @Test
+  void fileWithoutScenesShowsAllNodes() throws ModelFormatException, IOException {
+    threeScenes();
+    assertThat(names()).containsExactly("a", "b", "c");
+  }
+
+  @Test
+  void defaultSceneIsShown() throws ModelFormatException, IOException {
+    threeScenes();
+    file.add("scenes", "{'nodes': [0]}");
+    file.add("scenes", "{'nodes': [1]}");
+    file.set("scene", "1");
+    assertThat(names()).containsExactly("b", "c");
+  }
+
+  @Test
+  void firstSceneIsShownIfThereIsNoDefault() throws ModelFormatException, IOException {
+    threeScenes();
+    file.add("scenes", "{'nodes': [0]}");
+    file.add("scenes", "{'nodes': [1]}");
+    assertThat(names()).containsExactly("a");
+  }
+
+  /** Whatever flattens it, rounding included, a mesh is shown as the plane that it becomes. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{MESH, 'scale': [1, 0, 1]}",
+        "{MESH, 'scale': [1000, 0, 0.001]}",
+        "{MESH, 'scale': [-1, 0, 1]}",
+        "{MESH, 'rotation': [0.1, 0.5, -0.1, 0.8544], 'scale': [1, 0, 1]}",
+        "{'scale': [1, 0, 1], 'children': [1]}, {MESH, 'rotation': [0.6, 0, 0, 0.8]}",
+        "{'rotation': [0.6, 0, 0, 0.8], 'children': [1]}, {'scale': [3, 0, 2], 'children': [2]},"
+            + "{MESH, 'rotation': [0.3, 0.4, 0.5, 0.7071], 'translation': [1, 2, 3]}",
+        "{MESH, 'matrix': [1,0,0,0, 0,0,0,0, 0,0,1,0, 4,5,6,1]}",
+        "{MESH, 'matrix': [0.8137977,0.4698463,-0.3420201,0, 0,0,0,0,"
+            + "0.4409696,-0.1631759,0.8825641,0, 0,0,0,1]}",
+        "{MESH, 'matrix': [1,2,3,0, 2,4,6,0, 0.5,0,1,0, 0,0,0,1]}"
+      })
+  void flattenedMeshesAreShown(String nodes) throws ModelFormatException, IOException {
+    int positions = file.floats("VEC3", 0, 0, 0, 1, 0, 0, .2, .4, -1, .1, .9, .3);
+    int normals = file.floats("VEC3", 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0);
+    file.mesh(
+        "'POSITION': " + positions + ", 'NORMAL': " + normals,
+        ", 'indices': " + file.ints("SCALAR", 0, 1, 2, 2, 1, 3));
+    // The mesh also has an instance that is not flattened.
+    file.set("nodes", "[" + nodes.replace("MESH", "'mesh': 0") + ", {'mesh': 0}]");
+    Model model = file.read();
+    assertThat(model.warnings()).isEmpty();
+    assertThat(model.parts()).hasSize(2);
+    ModelGeometry plane = model.parts().get(0).geometry();
+    assertThat(model.parts().get(1).geometry()).isNotSameAs(plane);
+    assertThat(plane.hasArea()).isTrue();
+    assertThat(plane.normals()).isEmpty();
+    Vec3 normal = Vec3.ZERO;
+    for (int i = 0; i < 6; i += 3) {
+      Vec3 a = corner(model.parts().get(0), i);
+      Vec3 e = corner(model.parts().get(0), i + 1).minus(a);
+      Vec3 cross = e.cross(corner(model.parts().get(0), i + 2).minus(a));
+      assertThat(cross.cross(normal).length()).isLessThan(1e-6 * cross.length());
+      normal = cross.normalized();
+    }
+  }
+
+  private static Vec3 corner(ModelPart part, int index) {
+    double[] all = part.geometry().positions();
+    int at = 3 * part.geometry().indices()[index];
+    return part.toWorld().point(new Vec3(all[at], all[at + 1], all[at + 2]));
+  }
+
+  @Test
+  void flattenedMeshesAreWhereTheirNodeMovesThem() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'scale': [2, 3, 0], 'translation': [1, 2, 3]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.geometry().positions()).containsExactly(1, 2, 3, 3, 2, 3, 1, 5, 3);
+    assertThat(part.toWorld().point(Vec3.X)).isEqualTo(Vec3.X);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "'scale': [0, 0, 1]",
+        "'scale': [0, 0, 0]",
+        "'rotation': [0.6, 0, 0, 0.8], 'scale': [0, 5, 0]",
+        "'matrix': [1,2,3,0, 2,4,6,0, 3,6,9,0, 0,0,0,1]"
+      })
+  void meshesThatBecomeALineOrAPointAreLeftOut(String transform)
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, " + transform + "}");
+    node("{'mesh': 0}");
+    Model model = file.read();
+    assertThat(model.parts()).hasSize(1);
+    assertThat(model.warnings())
+        .containsExactly("nodes[0]: its transform is not invertible; its content is left out");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"'scale': [0, 1, 1]", "'matrix': [1,0,0,0, 2,0,0,0, 0,0,1,0, 0,0,0,1]"})
+  void meshesWithoutAreaInTheirPlaneAreLeftOut(String transform)
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, " + transform + "}");
+    node("{'mesh': 0}");
+    Model model = file.read();
+    assertThat(model.parts()).hasSize(1);
+    assertThat(model.warnings())
+        .containsExactly("nodes[0].mesh.primitives[0]: is flattened to a line and left out");
+  }
+
+  /** A thin map is not a flat one. */
+  @Test
+  void thinMeshesStayInTheirSpace() throws ModelFormatException, IOException {
+    file.triangle("");
+    for (String scale :
+        new String[] {"1, 0.00001, 1", "1000, 0.0005, 0.0005", "1e-9, 1e-9, 1e-9"}) {
+      node("{'mesh': 0, 'scale': [" + scale + "]}");
+    }
+    Model model = file.read();
+    assertThat(model.parts()).hasSize(3);
+    for (ModelPart part : model.parts()) {
+      assertThat(part.geometry()).isSameAs(model.parts().get(0).geometry());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {"1, 1, 0|0|0", "1, 0, 1|1|0", "0, 1, 1|1|1", "0, 0, 1|0|0", "-1, 1, 1|1|1"})
+  void flattenedNodesKeepLightsAndCamerasThatHaveADirection(String scale, int lights, int cameras)
+      throws ModelFormatException, IOException {
+    file.set("extensions", "{'KHR_lights_punctual': {'lights': [{'type': 'spot', 'spot': {}}]}}");
+    file.add("cameras", "{'type': 'perspective', 'perspective': {'yfov': 0.5, 'znear': 1}}");
+    node("{'extensions': {'KHR_lights_punctual': {'light': 0}}, 'scale': [" + scale + "]}");
+    node("{'camera': 0, 'scale': [" + scale + "]}");
+    Model model = file.read();
+    assertThat(model.lights()).hasSize(lights);
+    assertThat(model.cameras()).hasSize(cameras);
+    assertThat(model.warnings()).hasSize(2 - lights - cameras);
+  }
+
+  @Test
+  void mirroringTransformsKeepTheOutside() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'mesh': 0, 'scale': [-1, 1, 1]}");
+    ModelPart part = file.read().parts().get(0);
+    assertThat(part.toWorld().isMirroring()).isTrue();
+    assertThat(part.geometry().indices()).containsExactly(0, 1, 2);
+    assertClose(part.toWorld().normal(Vec3.Z), Vec3.Z);
+  }
+
+  @Test
+  void deepTreesAreRead() throws ModelFormatException, IOException {
+    file.triangle("");
+    for (int i = 0; i < 1999; i++) {
+      node("{'children': [" + (i + 1) + "], 'translation': [1, 0, 0]}");
+    }
+    node("{'mesh': 0}");
+    assertThat(file.read().parts().get(0).toWorld().point(Vec3.ZERO))
+        .isEqualTo(new Vec3(1999, 0, 0));
+  }
+}
