@@ -1,5 +1,6 @@
 package io.github.lumbre.compare;
 
+import io.github.lumbre.compare.internal.HeatScale;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.internal.Elementary;

@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 
@@ -115,8 +116,6 @@ public enum Kernel {
   }
 
   private static boolean suitVectors(BvhItems items) {
-    return items.count() >= MIN_ITEMS
-        && items.hasFiniteExtent()
-        && items.suitFloats();
+    return items.count() >= MIN_ITEMS && items.hasFiniteExtent() && items.suitFloats();
   }
 }

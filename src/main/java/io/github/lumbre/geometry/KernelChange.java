@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import java.util.ArrayList;

@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import java.util.Arrays;
 
 /**

@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import java.util.Arrays;
 
 /**
@@ -76,8 +77,8 @@ final class WideTree {
 
   /**
    * Returns the nodes, with the root first. Each node starts with the float bits of its children's
-   * boxes: eight minima on x, eight maxima on x, then y, then z. From {@link #CHILDREN} on,
-   * between y and z, it holds the children: the offset of a node, or a {@link LeafRef}.
+   * boxes: eight minima on x, eight maxima on x, then y, then z. From {@link #CHILDREN} on, between
+   * y and z, it holds the children: the offset of a node, or a {@link LeafRef}.
    */
   int[] nodes() {
     return nodes;

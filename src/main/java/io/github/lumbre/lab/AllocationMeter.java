@@ -1,8 +1,8 @@
 package io.github.lumbre.lab;
 
 import com.sun.management.ThreadMXBean;
-import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.lang.management.ManagementFactory;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -39,7 +39,7 @@ final class AllocationMeter implements Progress {
   }
 
   @Override
-  public void finished(Bucket bucket) {
+  public void finished(Crop bucket) {
     bytes.put(Thread.currentThread(), THREADS.getCurrentThreadAllocatedBytes());
     listener.finished(bucket);
   }

@@ -1,6 +1,8 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
@@ -51,7 +53,7 @@ record AnisotropicReflection(
     return new Vec3(side * (cos * x + sin * y), side * (cos * y - sin * x), side * z);
   }
 
-  /** Returns the density of facet normals; see {@link MicrofacetDistribution#density}. */
+  /** Returns the density of facet normals; see {@link Microfacets#density}. */
   private double density(Vec3 m) {
     double alpha = Math.sqrt(alphaAlong * alphaAcross);
     double x = m.x() / alphaAlong;
@@ -60,7 +62,7 @@ record AnisotropicReflection(
     return m.z() <= 0 ? 0 : Elementary.INV_PI / (root * root);
   }
 
-  /** Returns Λ · cos θ; see {@link MicrofacetDistribution#hidden}. */
+  /** Returns Λ · cos θ; see {@link Microfacets#hidden}. */
   private double hidden(Vec3 w) {
     double x = alphaAlong * w.x();
     double y = alphaAcross * w.y();

@@ -84,7 +84,7 @@ public final class BsdfSample {
    *
    * @param wo direction to the viewer: local, of unit length
    */
-  void weighBy(Bsdf bsdf, Vec3 wo) {
+  public void weighBy(Bsdf bsdf, Vec3 wo) {
     bsdf.evaluate(wo.x(), wo.y(), wo.z(), x, y, z, value);
     if (value.pdf() > 0 && value.pdf() < Double.POSITIVE_INFINITY) {
       set(wi(), value.f().times(1 / value.pdf()), value.pdf());

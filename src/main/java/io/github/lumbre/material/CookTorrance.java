@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
@@ -20,7 +21,7 @@ public record CookTorrance(
     Texture<Rgb> specular,
     ScalarTexture roughness,
     ScalarTexture ior,
-    MicrofacetDistribution.Kind distribution)
+    MicrofacetDistribution distribution)
     implements Material {
   /** Below this roughness α, a surface is treated as perfectly smooth. */
   public static final double SMOOTH = 1e-3;
@@ -42,7 +43,7 @@ public record CookTorrance(
         Values.reflectance("specular", specular),
         Values.number("roughness", roughness, 0, 1),
         ScalarTexture.constant(DEFAULT_IOR),
-        MicrofacetDistribution.Kind.GGX);
+        MicrofacetDistribution.GGX);
   }
 
   public CookTorrance {
@@ -70,6 +71,6 @@ public record CookTorrance(
         alpha < SMOOTH
             ? new FresnelMirror(colors.specular(), index)
             : new MicrofacetReflection(
-                colors.specular(), index, MicrofacetDistribution.of(distribution, alpha)));
+                colors.specular(), index, Microfacets.of(distribution, alpha)));
   }
 }

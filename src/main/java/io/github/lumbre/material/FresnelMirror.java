@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Fresnel;
 import io.github.lumbre.math.Vec3;
 
 /**

@@ -1,6 +1,8 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;

@@ -1,6 +1,9 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -2,6 +2,12 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.RoughDielectric;
+import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.material.internal.Tilted;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;

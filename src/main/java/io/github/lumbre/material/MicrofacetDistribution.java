@@ -1,78 +1,9 @@
 package io.github.lumbre.material;
 
-import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.Vec3;
-
-/**
- * The distribution of the microfacet normals of a rough surface, with its masking and shadowing
- * (PBRT 4e, sec. 9.6). All directions are unit vectors in the local frame, above the surface.
- * Immutable.
- */
-public sealed interface MicrofacetDistribution permits Beckmann, Ggx {
-  /**
-   * Returns the density D of normals at m, per solid angle and per projected area of the surface.
-   */
-  double density(Vec3 m);
-
-  /**
-   * Returns Λ(θ) · cos θ, where Λ is Smith's ratio of hidden to visible microfacet area. Unlike Λ,
-   * the product stays finite towards the horizon.
-   *
-   * @param cosTheta cosine of the angle θ to the normal, in [0,1]
-   */
-  double hidden(double cosTheta);
-
-  /** Returns (1 + Λ(θ)) · cos θ; the argument is in [0,1]. */
-  default double visible(double cosTheta) {
-    return cosTheta + hidden(cosTheta);
-  }
-
-  /**
-   * Samples a microfacet normal in proportion to the area visible from wo: with density {@link
-   * #visibleDensity}.
-   *
-   * @param u uniform in [0,1)²
-   */
-  Vec3 sampleVisible(Vec3 wo, Point2 u);
-
-  /**
-   * Returns the density of {@link #sampleVisible} per solid angle: G1 · max(0, wo·m) · D / cos θo,
-   * with G1 = 1 / (1 + Λ).
-   */
-  default double visibleDensity(Vec3 wo, Vec3 m) {
-    return Math.max(0, wo.dot(m)) * density(m) / visible(wo.z());
-  }
-
-  /**
-   * Returns the fraction, in [0,1], of the microfacets visible from one direction that are also
-   * visible from the other. With height-correlated masking it is G / G1 = (1 + Λo) / (1 + Λo + Λi).
-   *
-   * @param cosO cosine of the first direction's angle to the normal, in (0,1]
-   * @param cosI cosine of the second direction's angle to the normal, in (0,1]
-   */
-  default double maskingRatio(double cosO, double cosI) {
-    return maskingRatio(cosO, visible(cosO), cosI);
-  }
-
-  /**
-   * Returns the same ratio.
-   *
-   * @param visibleO result of {@link #visible} for the first direction
-   */
-  default double maskingRatio(double cosO, double visibleO, double cosI) {
-    return 1 / (1 + hidden(cosI) / cosI * (cosO / visibleO));
-  }
-
-  /** Returns the distribution of a kind for a roughness α &gt; 0. */
-  static MicrofacetDistribution of(Kind kind, double alpha) {
-    return kind == Kind.BECKMANN ? new Beckmann(alpha) : new Ggx(alpha);
-  }
-
-  /** The kinds of distributions. */
-  enum Kind {
-    /** Slopes with a normal distribution (Beckmann &amp; Spizzichino 1963). */
-    BECKMANN,
-    /** Slopes with long tails (Walter et al. 2007). */
-    GGX
-  }
+/** A distribution of the microfacet normals of a rough surface. */
+public enum MicrofacetDistribution {
+  /** Slopes with a normal distribution (Beckmann &amp; Spizzichino 1963). */
+  BECKMANN,
+  /** Slopes with long tails (Walter et al. 2007). */
+  GGX
 }

@@ -1,6 +1,8 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Fresnel;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
@@ -13,8 +15,7 @@ import io.github.lumbre.math.Vec3;
  * @param ior index of refraction of the facets, &gt; 0
  * @param facets distribution of the microfacet normals
  */
-record MicrofacetReflection(Rgb specular, double ior, MicrofacetDistribution facets)
-    implements Lobe {
+record MicrofacetReflection(Rgb specular, double ior, Microfacets facets) implements Lobe {
   @Override
   public void evaluate(
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {

@@ -2,6 +2,7 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
 import java.util.Optional;

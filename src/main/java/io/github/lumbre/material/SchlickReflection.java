@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 

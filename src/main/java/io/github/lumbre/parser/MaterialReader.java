@@ -3,21 +3,21 @@ package io.github.lumbre.parser;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Channel;
-import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Mirror;
-import io.github.lumbre.material.NormalChannel;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
-import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -38,11 +38,11 @@ final class MaterialReader {
 
   private static final Range IOR = Range.above(0, MAX_IOR);
   private static final Range ROUGHNESS = Range.closed(0, 1);
-  private static final Map<String, Kind> DISTRIBUTIONS = new LinkedHashMap<>();
+  private static final Map<String, MicrofacetDistribution> DISTRIBUTIONS = new LinkedHashMap<>();
 
   static {
-    DISTRIBUTIONS.put("beckmann", Kind.BECKMANN);
-    DISTRIBUTIONS.put("ggx", Kind.GGX);
+    DISTRIBUTIONS.put("beckmann", MicrofacetDistribution.BECKMANN);
+    DISTRIBUTIONS.put("ggx", MicrofacetDistribution.GGX);
   }
 
   /** Reads a material of one type. */
@@ -208,7 +208,7 @@ final class MaterialReader {
             textures.color(material, "specularColor", material.rgb("specularColor")),
             textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
             textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
-            material.choice("distribution", DISTRIBUTIONS, Kind.BECKMANN)));
+            material.choice("distribution", DISTRIBUTIONS, MicrofacetDistribution.BECKMANN)));
   }
 
   private static String[] metallicRoughnessKeys() {

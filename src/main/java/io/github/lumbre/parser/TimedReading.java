@@ -1,6 +1,6 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.geometry.HierarchyLimitException;
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.parser.SceneFormatException.Kind;

@@ -3,7 +3,6 @@ package io.github.lumbre.parser;
 import com.google.gson.JsonObject;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Channel;
-import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
@@ -12,12 +11,13 @@ import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Mirror;
-import io.github.lumbre.material.NormalChannel;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
-import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.scene.SceneNode;
 import java.util.Optional;
 
@@ -130,7 +130,7 @@ final class WrittenMaterials {
     textures.color(to, "specularColor", glossy.specular());
     textures.scalar(to, "roughness", glossy.roughness(), 0, 1);
     textures.scalar(to, "ior", glossy.ior(), 1, MAX_IOR);
-    boolean isGgx = glossy.distribution() == MicrofacetDistribution.Kind.GGX;
+    boolean isGgx = glossy.distribution() == MicrofacetDistribution.GGX;
     to.addProperty("distribution", isGgx ? "ggx" : "beckmann");
   }
 

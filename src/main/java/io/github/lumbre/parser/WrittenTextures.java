@@ -17,6 +17,7 @@ import io.github.lumbre.texture.internal.ImageTexture;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import io.github.lumbre.texture.internal.ImageTexture.Role;
 import io.github.lumbre.texture.internal.LinearTexture;
+import io.github.lumbre.texture.internal.MappedTexture;
 import io.github.lumbre.texture.internal.MarbleTexture;
 import io.github.lumbre.texture.internal.RedChannel;
 import io.github.lumbre.texture.internal.StudioSky;
@@ -51,7 +52,7 @@ final class WrittenTextures {
     if (texture instanceof Constant<Rgb> constant) {
       return new Parts(constant.value(), UvMapping.IDENTITY, texture);
     }
-    if (texture instanceof UvMapping.Mapped<Rgb> mapped) {
+    if (texture instanceof MappedTexture<Rgb> mapped) {
       return parts(mapped.texture()).mapped(mapped.mapping());
     }
     if (texture instanceof TintedTexture tinted) {

@@ -7,6 +7,7 @@ import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.integrator.SampleLayers;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,7 +44,7 @@ final class BucketRenderer implements Runnable {
   /** Increases with the samples; the {@link Watchdog} reads it. */
   private volatile long beats;
 
-  private volatile Optional<Bucket> bucket = Optional.empty();
+  private volatile Optional<Crop> bucket = Optional.empty();
   private long samples;
   private long reported;
   private long rejected;
@@ -98,7 +99,7 @@ final class BucketRenderer implements Runnable {
   }
 
   /** Renders a bucket; returns whether it is complete. */
-  private boolean render(Bucket bucket) {
+  private boolean render(Crop bucket) {
     for (int y = bucket.y(); y < bucket.y() + bucket.height(); y++) {
       for (int x = bucket.x(); x < bucket.x() + bucket.width(); x++) {
         long before = rays();
@@ -204,7 +205,7 @@ final class BucketRenderer implements Runnable {
   }
 
   /** Returns the current bucket; empty if there is none. Any thread may call this. */
-  Optional<Bucket> bucket() {
+  Optional<Crop> bucket() {
     return bucket;
   }
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.function.BooleanSupplier;
 
 /** Forwards all events to a listener, and also cancels if a condition holds. */
@@ -15,12 +16,12 @@ record CancellingProgress(Progress listener, BooleanSupplier condition) implemen
   }
 
   @Override
-  public void stalled(Bucket bucket, double seconds) {
+  public void stalled(Crop bucket, double seconds) {
     listener.stalled(bucket, seconds);
   }
 
   @Override
-  public void finished(Bucket bucket) {
+  public void finished(Crop bucket) {
     listener.finished(bucket);
   }
 

@@ -5,6 +5,7 @@ import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,7 +43,7 @@ public final class FilmRenderer implements PassRenderer {
   private final Scene scene;
   private final IntegratorSource integrators;
   private final LongFunction<Sampler> samplers;
-  private final UnaryOperator<List<Bucket>> order;
+  private final UnaryOperator<List<Crop>> order;
   private final Crew crew;
   private final boolean hasAlpha;
   private final FilmLayers layers;
@@ -90,7 +91,7 @@ public final class FilmRenderer implements PassRenderer {
       Scene scene,
       IntegratorSource integrators,
       LongFunction<Sampler> samplers,
-      UnaryOperator<List<Bucket>> order,
+      UnaryOperator<List<Crop>> order,
       Crew crew) {
     this.samplers = Objects.requireNonNull(samplers, "samplers");
     this.order = order;
@@ -106,7 +107,7 @@ public final class FilmRenderer implements PassRenderer {
    * Returns the same renderer with another order in which threads take the buckets of a pass. The
    * default is row by row from the top.
    */
-  FilmRenderer inOrder(UnaryOperator<List<Bucket>> newOrder) {
+  FilmRenderer inOrder(UnaryOperator<List<Crop>> newOrder) {
     return new FilmRenderer(settings, scene, integrators, samplers, newOrder, crew);
   }
 
@@ -226,7 +227,7 @@ public final class FilmRenderer implements PassRenderer {
     } catch (PilotRows.Stopped e) {
       return new PassResult(false, RenderStatistics.ZERO);
     }
-    List<Bucket> buckets = order.apply(buckets(settings.window()));
+    List<Crop> buckets = order.apply(buckets(settings.window()));
     RenderQueue queue = new RenderQueue(buckets, progress);
     List<BucketRenderer> workers = new ArrayList<>();
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
@@ -273,13 +274,13 @@ public final class FilmRenderer implements PassRenderer {
     return PilotRows.threads(settings);
   }
 
-  private List<Bucket> buckets(RenderSettings.Crop window) {
+  private List<Crop> buckets(RenderSettings.Crop window) {
     int size = settings.bucketSize();
-    List<Bucket> buckets = new ArrayList<>();
+    List<Crop> buckets = new ArrayList<>();
     for (long y = 0; y < window.height(); y += size) {
       for (long x = 0; x < window.width(); x += size) {
         buckets.add(
-            new Bucket(
+            new Crop(
                 window.x() + (int) x,
                 window.y() + (int) y,
                 (int) Math.min(size, window.width() - x),

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
 
@@ -23,10 +24,10 @@ public interface Progress {
    * Reports that no sample of a bucket has ended for the given number of seconds. Called after 60
    * s, 120 s, 240 s and so on.
    */
-  default void stalled(Bucket bucket, double seconds) {}
+  default void stalled(Crop bucket, double seconds) {}
 
   /** Reports that all pixels of a bucket have the samples of a pass. */
-  default void finished(Bucket bucket) {}
+  default void finished(Crop bucket) {}
 
   /**
    * Returns whether to cancel. Called every few samples; if true, the render stops and returns its

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -7,26 +8,26 @@ import java.util.concurrent.atomic.AtomicInteger;
 
 /** The remaining buckets of a pass, and whether the workers should stop. All workers share it. */
 final class RenderQueue {
-  private final List<Bucket> buckets;
+  private final List<Crop> buckets;
   private final Progress progress;
   private volatile Optional<Thread> owner = Optional.empty();
   private final AtomicInteger next = new AtomicInteger();
   private final AtomicInteger finished = new AtomicInteger();
   private final AtomicBoolean stopped = new AtomicBoolean();
 
-  RenderQueue(List<Bucket> buckets, Progress progress) {
+  RenderQueue(List<Crop> buckets, Progress progress) {
     this.buckets = List.copyOf(buckets);
     this.progress = progress;
   }
 
   /** Takes the next bucket; empty if there is none left. */
-  Optional<Bucket> take() {
+  Optional<Crop> take() {
     // The counter stops near the end, so it cannot overflow.
     int number = next.get() < buckets.size() ? next.getAndIncrement() : buckets.size();
     return number < buckets.size() ? Optional.of(buckets.get(number)) : Optional.empty();
   }
 
-  void finish(Bucket bucket) {
+  void finish(Crop bucket) {
     finished.incrementAndGet();
     progress.finished(bucket);
   }

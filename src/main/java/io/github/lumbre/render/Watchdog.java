@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -30,7 +31,7 @@ final class Watchdog {
     }
 
     private void look(double now, Progress progress) {
-      Optional<Bucket> bucket = worker.bucket();
+      Optional<Crop> bucket = worker.bucket();
       if (worker.beats() != beats || bucket.isEmpty()) {
         beats = worker.beats();
         since = now;

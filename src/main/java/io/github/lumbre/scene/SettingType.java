@@ -1,18 +1,7 @@
 package io.github.lumbre.scene;
 
-import io.github.lumbre.image.Exposure;
-import io.github.lumbre.text.Spelling;
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.EnumSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Set;
-import java.util.function.Function;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * The allowed values of a {@link Setting}, and their text form in scene files, on the command line,
@@ -20,7 +9,7 @@ import java.util.stream.Stream;
  *
  * @param <T> the type of the values
  */
-public sealed interface SettingType<T> {
+public interface SettingType<T> {
   /** The text form of a value that the program chooses. */
   String AUTO = "auto";
 
@@ -50,202 +39,11 @@ public sealed interface SettingType<T> {
     return List.of();
   }
 
-  /** Integers in a range, with both ends included. */
-  record IntegerType(int low, int high) implements SettingType<Integer> {
-    @Override
-    public Integer parse(String text) {
-      return number(text, Integer::valueOf, "an integer up to " + Integer.MAX_VALUE);
-    }
-
-    @Override
-    public boolean accepts(Integer value) {
-      return value >= low && value <= high;
-    }
-
-    @Override
-    public String expected() {
-      return low + " to " + high;
-    }
-  }
-
-  /** All 64-bit integers. */
-  record LongType() implements SettingType<Long> {
-    @Override
-    public Long parse(String text) {
-      return number(text, Long::valueOf, expected());
-    }
-
-    @Override
-    public String expected() {
-      return "an integer up to " + Long.MAX_VALUE;
-    }
-  }
-
-  /** Positive numbers, infinity included: a limit that may be absent. */
-  record LimitType() implements SettingType<Double> {
-    @Override
-    public Double parse(String text) {
-      return number(text, Double::valueOf, "a number");
-    }
-
-    @Override
-    public boolean accepts(Double value) {
-      return value > 0;
-    }
-
-    @Override
-    public String expected() {
-      return "more than 0";
-    }
-  }
-
-  /** The values {@code true} and {@code false}. */
-  record FlagType() implements SettingType<Boolean> {
-    @Override
-    public Boolean parse(String text) {
-      if (!text.equals("true") && !text.equals("false")) {
-        throw unexpected(expected(), text);
-      }
-      return Boolean.valueOf(text);
-    }
-
-    @Override
-    public String expected() {
-      return "true or false";
-    }
-
-    @Override
-    public List<String> names() {
-      return List.of("true", "false");
-    }
-  }
-
-  /** The constants of an enum, written in lower case with hyphens. */
-  record ChoiceType<E extends Enum<E>>(Class<E> type) implements SettingType<E> {
-    @Override
-    public E parse(String text) {
-      return Arrays.stream(type.getEnumConstants())
-          .filter(value -> format(value).equals(text))
-          .findFirst()
-          .orElseThrow(() -> unexpected(expected(), text));
-    }
-
-    @Override
-    public String expected() {
-      return "one of " + String.join(", ", names());
-    }
-
-    @Override
-    public List<String> names() {
-      return List.copyOf(choices().keySet());
-    }
-
-    @Override
-    public String format(E value) {
-      return nameOf(value);
-    }
-
-    /** Returns the constants by their text form, in the order of their declaration. */
-    public Map<String, E> choices() {
-      return Arrays.stream(type.getEnumConstants())
-          .collect(
-              Collectors.toMap(this::format, Function.identity(), (a, b) -> a, LinkedHashMap::new));
-    }
-  }
-
-  /** A number of stops, or {@code auto}. */
-  record ExposureType() implements SettingType<Exposure> {
-    @Override
-    public Exposure parse(String text) {
-      if (text.equals(AUTO)) {
-        return Exposure.AUTO;
-      }
-      try {
-        return Exposure.of(Double.parseDouble(text));
-      } catch (IllegalArgumentException e) {
-        throw unexpected(expected(), text);
-      }
-    }
-
-    @Override
-    public String expected() {
-      return "auto or a finite number of stops";
-    }
-
-    @Override
-    public List<String> names() {
-      return List.of(AUTO);
-    }
-
-    @Override
-    public String format(Exposure value) {
-      return value.stops().isPresent() ? String.valueOf(value.stops().getAsDouble()) : AUTO;
-    }
-  }
-
-  /** Layers, separated by commas: their names, {@code all} or {@code denoise}. */
-  record LayersType() implements SettingType<Set<Layer>> {
-    @Override
-    public Set<Layer> parse(String text) {
-      EnumSet<Layer> layers = EnumSet.noneOf(Layer.class);
-      if (!text.isEmpty()) {
-        for (String name : text.split(",", -1)) {
-          layers.addAll(named(name.strip()));
-        }
-      }
-      return Collections.unmodifiableSet(layers);
-    }
-
-    private Set<Layer> named(String name) {
-      return switch (name) {
-        case Layer.ALL -> EnumSet.allOf(Layer.class);
-        case Layer.DENOISE -> Layer.FOR_DENOISING;
-        default -> Set.of(Layer.named(name).orElseThrow(() -> unknown(name)));
-      };
-    }
-
-    private IllegalArgumentException unknown(String name) {
-      List<String> known = Arrays.stream(Layer.values()).map(Layer::text).toList();
-      String message = unexpected(expected(), name).getMessage();
-      return new IllegalArgumentException(message + Spelling.suggestion(name, known));
-    }
-
-    @Override
-    public String expected() {
-      return Arrays.stream(Layer.values())
-          .map(Layer::text)
-          .collect(Collectors.joining(", ", "all, denoise, or some of ", ""));
-    }
-
-    @Override
-    public List<String> names() {
-      Stream<String> groups = Stream.of(Layer.ALL, Layer.DENOISE);
-      return Stream.concat(groups, Arrays.stream(Layer.values()).map(Layer::text)).toList();
-    }
-
-    @Override
-    public String format(Set<Layer> value) {
-      return value.stream().map(Layer::text).collect(Collectors.joining(","));
-    }
-  }
-
-  private static <N> N number(String text, Function<String, N> parser, String expected) {
-    try {
-      return parser.apply(text);
-    } catch (NumberFormatException e) {
-      throw unexpected(expected, text);
-    }
-  }
-
   /**
    * Returns the text form of an enum constant in scene files and on the command line: lower case
    * with hyphens.
    */
   static String nameOf(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
-  }
-
-  private static IllegalArgumentException unexpected(String expected, String found) {
-    return new IllegalArgumentException("expected " + expected + ", found '" + found + "'");
   }
 }

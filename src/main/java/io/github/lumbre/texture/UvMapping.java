@@ -1,5 +1,6 @@
 package io.github.lumbre.texture;
 
+import io.github.lumbre.texture.internal.MappedTexture;
 import java.util.Objects;
 
 /**
@@ -26,27 +27,19 @@ public record UvMapping(double offsetX, double offsetY, double scaleX, double sc
   }
 
   /** Returns the texture coordinate of a surface's u. */
-  double u(double u) {
+  public double u(double u) {
     return u * scaleX + offsetX;
   }
 
   /** Returns the texture coordinate of a surface's v. */
-  double v(double v) {
+  public double v(double v) {
     return v * scaleY + offsetY;
   }
 
   /** Returns the texture with this mapping applied to its coordinates. */
   public <T> Texture<T> over(Texture<T> texture) {
     Objects.requireNonNull(texture, "texture");
-    return equals(IDENTITY) ? texture : new Mapped<>(this, texture);
-  }
-
-  /** A texture whose coordinates are mapped. */
-  public record Mapped<T>(UvMapping mapping, Texture<T> texture) implements Texture<T> {
-    @Override
-    public T at(double u, double v) {
-      return texture.at(mapping.u(u), mapping.v(v));
-    }
+    return equals(IDENTITY) ? texture : new MappedTexture<>(this, texture);
   }
 
   /** Returns the mapping that repeats a texture so many times over u and v from 0 to 1. */

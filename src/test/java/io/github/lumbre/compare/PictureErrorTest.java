@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.compare.internal.ErrorMap;
 import io.github.lumbre.image.Image;
 import org.junit.jupiter.api.Test;
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;

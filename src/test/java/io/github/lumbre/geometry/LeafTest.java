@@ -3,6 +3,7 @@ package io.github.lumbre.geometry;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import org.junit.jupiter.api.Test;
 
 /** Tests the encoding, the weights and the numbering of leaves. */

@@ -13,10 +13,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
-import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.MetallicRoughness;
-import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.internal.SobolSampler;

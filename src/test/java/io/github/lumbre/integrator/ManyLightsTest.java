@@ -18,7 +18,7 @@ import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Scene;
@@ -110,7 +110,7 @@ class ManyLightsTest {
             GREY,
             ScalarTexture.constant(.2),
             ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
-            Kind.GGX);
+            MicrofacetDistribution.GGX);
     SceneBuilder builder = empty().add(floor(), glossy).add(EnvironmentLight.uniform(Rgb.grey(.1)));
     SplittableRandom random = new SplittableRandom(9);
     for (int i = 0; i < 6; i++) {

@@ -14,7 +14,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
@@ -50,13 +50,13 @@ class PerturbedNormalsTest {
     return Stream.of(
         matte(1),
         new Phong(WHITE, WHITE, ScalarTexture.constant(10)),
-        rough(Kind.BECKMANN, .3),
-        rough(Kind.GGX, .05),
-        rough(Kind.GGX, 0),
+        rough(MicrofacetDistribution.BECKMANN, .3),
+        rough(MicrofacetDistribution.GGX, .05),
+        rough(MicrofacetDistribution.GGX, 0),
         new Mirror(WHITE));
   }
 
-  private static CookTorrance rough(Kind kind, double roughness) {
+  private static CookTorrance rough(MicrofacetDistribution kind, double roughness) {
     return new CookTorrance(
         WHITE,
         WHITE,

@@ -17,7 +17,7 @@ import io.github.lumbre.geometry.Box;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.CookTorrance;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -83,7 +83,7 @@ class SplitPathsTest {
                 grey,
                 ScalarTexture.constant(.2),
                 ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
-                Kind.GGX))
+                MicrofacetDistribution.GGX))
         .add(new Box(at(1.5, .5, 0), 1, 1, 1), matte(.7))
         .add(
             EnvironmentLight.image(

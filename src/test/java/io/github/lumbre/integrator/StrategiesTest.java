@@ -20,7 +20,7 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
@@ -56,7 +56,7 @@ class StrategiesTest {
 
   private record Named<T>(String name, T value) {}
 
-  private static Material glossy(double roughness, Kind kind) {
+  private static Material glossy(double roughness, MicrofacetDistribution kind) {
     return new CookTorrance(
         GREY,
         GREY,
@@ -69,9 +69,9 @@ class StrategiesTest {
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
     return List.of(
         new Named<>("matte", matte(.5)),
-        new Named<>("facets of .5", glossy(.5, Kind.BECKMANN)),
-        new Named<>("facets of .1", glossy(.1, Kind.GGX)),
-        new Named<>(NARROWEST, glossy(.001, Kind.GGX)),
+        new Named<>("facets of .5", glossy(.5, MicrofacetDistribution.BECKMANN)),
+        new Named<>("facets of .1", glossy(.1, MicrofacetDistribution.GGX)),
+        new Named<>(NARROWEST, glossy(.001, MicrofacetDistribution.GGX)),
         new Named<>("phong", new Phong(GREY, GREY, ScalarTexture.constant(200))),
         new Named<>(
             GROUND,

@@ -2,8 +2,8 @@ package io.github.lumbre.lab;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.render.Bucket;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 /** Tests the measurement of allocation per thread. */
 class AllocationMeterTest {
   private static final int LARGE = 1 << 24;
-  private static final Bucket BUCKET = new Bucket(0, 0, 1, 1);
+  private static final Crop BUCKET = new Crop(0, 0, 1, 1);
 
   private final List<Object> kept = new ArrayList<>();
 
@@ -48,7 +48,7 @@ class AllocationMeterTest {
           }
 
           @Override
-          public void finished(Bucket bucket) {
+          public void finished(Crop bucket) {
             heard.add("finished " + bucket.width());
           }
 

@@ -12,6 +12,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;

@@ -2,7 +2,7 @@ package io.github.lumbre.material;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
@@ -14,7 +14,7 @@ import java.util.function.ToDoubleFunction;
  * the azimuth. Unlike sampled facets, they include hidden ones. In these coordinates, integrals and
  * histograms of rough surfaces are smooth for any roughness, also at the steep end, s = 0.
  */
-record FacetMap(Kind kind, double alpha) {
+record FacetMap(MicrofacetDistribution kind, double alpha) {
   private static final int CELLS = Effort.count(16, 64);
   private static final int POINTS = Effort.count(24, 10);
 
@@ -29,13 +29,13 @@ record FacetMap(Kind kind, double alpha) {
   /** The maximum error of the sum over the cells. */
   private static final double ERROR = 1e-3;
 
-  MicrofacetDistribution distribution() {
-    return MicrofacetDistribution.of(kind, alpha);
+  Microfacets distribution() {
+    return Microfacets.of(kind, alpha);
   }
 
   private Vec3 facet(double s, double v) {
     double rest = s * s;
-    double squared = kind == Kind.BECKMANN ? -Math.log(rest) : (1 - rest) / rest;
+    double squared = kind == MicrofacetDistribution.BECKMANN ? -Math.log(rest) : (1 - rest) / rest;
     double slope = alpha * Math.sqrt(squared);
     double phi = 2 * Math.PI * v;
     return new Vec3(slope * Math.cos(phi), slope * Math.sin(phi), 1).normalized();
@@ -44,14 +44,16 @@ record FacetMap(Kind kind, double alpha) {
   /** Returns the density of normals per solid angle: D cos θ ds/d(s²). */
   private double density(Vec3 m) {
     double s = steepness(m);
-    double tail = kind == Kind.BECKMANN ? s * s : s * s * s * s;
+    double tail = kind == MicrofacetDistribution.BECKMANN ? s * s : s * s * s * s;
     return tail / (Math.PI * alpha * alpha * Math.pow(m.z(), 3)) / (2 * s);
   }
 
   /** Returns s, from 1 for a flat facet to 0 for an upright one. */
   private double steepness(Vec3 m) {
     double squared = (m.x() * m.x() + m.y() * m.y()) / (alpha * alpha * m.z() * m.z());
-    return kind == Kind.BECKMANN ? Math.exp(-.5 * squared) : 1 / Math.sqrt(1 + squared);
+    return kind == MicrofacetDistribution.BECKMANN
+        ? Math.exp(-.5 * squared)
+        : 1 / Math.sqrt(1 + squared);
   }
 
   /** The direction into which a facet reflects or refracts wo, and its density in this map. */

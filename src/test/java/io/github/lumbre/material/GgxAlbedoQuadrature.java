@@ -1,5 +1,6 @@
 package io.github.lumbre.material;
 
+import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import java.nio.ByteBuffer;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.math.Vec3;
 import java.io.IOException;
 import java.io.InputStream;
@@ -22,7 +22,7 @@ class GgxAlbedoTest {
   private static final double[] ALPHAS = {1e-3, .004, .01, .03, .1, .2, .33, .5, .71, .9, 1};
 
   private static double quadrature(double f0, double f90, double cosine, double alpha) {
-    FacetMap map = new FacetMap(Kind.GGX, alpha);
+    FacetMap map = new FacetMap(MicrofacetDistribution.GGX, alpha);
     Bsdf bsdf = new SchlickReflection(Rgb.grey(f0), f90, new Ggx(alpha));
     Vec3 wo = direction(cosine);
     return map.integral(wo, 0, 200, wi -> bsdf.evaluate(wo, wi).f().g());

@@ -4,7 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Vec3;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -26,11 +27,11 @@ class LossTableTest {
     "BECKMANN, .1", "BECKMANN, .2", "BECKMANN, .3", "BECKMANN, .5", "BECKMANN, .7", "BECKMANN, 1",
     "GGX, .1", "GGX, .2", "GGX, .3", "GGX, .5", "GGX, .7", "GGX, 1",
   })
-  void facetsThatReflectEverything(Kind kind, double alpha) throws IOException {
+  void facetsThatReflectEverything(MicrofacetDistribution kind, double alpha) throws IOException {
     FacetMap map = new FacetMap(kind, alpha);
     Bsdf bsdf =
         new MicrofacetReflection(Rgb.WHITE, MicrofacetReflectionTest.PERFECT, map.distribution());
-    String name = kind == Kind.GGX ? "`ggx`" : "`beckmann`";
+    String name = kind == MicrofacetDistribution.GGX ? "`ggx`" : "`beckmann`";
     assertManualHas(
         name,
         alpha,

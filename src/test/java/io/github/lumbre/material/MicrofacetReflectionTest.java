@@ -8,7 +8,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.Beckmann;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
@@ -27,7 +28,7 @@ class MicrofacetReflectionTest {
 
   private final SplittableRandom random = new SplittableRandom(Effort.seed(41));
 
-  private static MicrofacetReflection bsdf(double ior, MicrofacetDistribution facets) {
+  private static MicrofacetReflection bsdf(double ior, Microfacets facets) {
     return new MicrofacetReflection(Rgb.WHITE, ior, facets);
   }
 
@@ -41,7 +42,7 @@ class MicrofacetReflectionTest {
   })
   void albedoOfPerfectFacetsIsTheTabulatedOne(
       double alpha, double normal, double at30, double at60, double at80) {
-    FacetMap map = new FacetMap(Kind.BECKMANN, alpha);
+    FacetMap map = new FacetMap(MicrofacetDistribution.BECKMANN, alpha);
     Bsdf bsdf = bsdf(PERFECT, map.distribution());
     double[] expected = {normal, at30, at60, at80};
     double[] degrees = {0, 30, 60, 80};
@@ -53,8 +54,8 @@ class MicrofacetReflectionTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void sampledWeightsAverageToTheAlbedoAndNeverExceedOne(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void sampledWeightsAverageToTheAlbedoAndNeverExceedOne(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
       FacetMap map = new FacetMap(kind, alpha);
       for (double ior : new double[] {PERFECT, 1.5}) {
@@ -72,10 +73,10 @@ class MicrofacetReflectionTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void scatteringIsReciprocal(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void scatteringIsReciprocal(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
-      Bsdf bsdf = bsdf(1.5, MicrofacetDistribution.of(kind, alpha));
+      Bsdf bsdf = bsdf(1.5, Microfacets.of(kind, alpha));
       for (int i = 0; i < 10_000; i++) {
         Vec3 a = direction(random);
         Vec3 b = i % 2 == 0 ? direction(random) : nearMirror(a, alpha);
@@ -94,8 +95,8 @@ class MicrofacetReflectionTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void sampledDirectionsFollowPdfAndThoseBelowTheHorizonAreRefused(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void sampledDirectionsFollowPdfAndThoseBelowTheHorizonAreRefused(MicrofacetDistribution kind) {
     int samples = Effort.count(40_000, 1_000_000);
     for (double alpha : new double[] {1e-3, .1, .5, 1}) {
       FacetMap map = new FacetMap(kind, alpha);
@@ -107,10 +108,10 @@ class MicrofacetReflectionTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void weightIsEvalOverPdf(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void weightIsEvalOverPdf(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
-      Bsdf bsdf = new MicrofacetReflection(TINT, 1.5, MicrofacetDistribution.of(kind, alpha));
+      Bsdf bsdf = new MicrofacetReflection(TINT, 1.5, Microfacets.of(kind, alpha));
       for (double cos : COSINES) {
         BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(cos), 1000, random, 1e-12);
         BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(-cos), 1000, random, 1e-12);
@@ -119,11 +120,11 @@ class MicrofacetReflectionTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void extremesAreHarmless(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void extremesAreHarmless(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
       for (double ior : new double[] {.5, 1, 1 + 1e-7, 1.5, 1e6}) {
-        BsdfLaws.assertExtremesAreHarmless(bsdf(ior, MicrofacetDistribution.of(kind, alpha)));
+        BsdfLaws.assertExtremesAreHarmless(bsdf(ior, Microfacets.of(kind, alpha)));
       }
     }
   }
@@ -137,17 +138,17 @@ class MicrofacetReflectionTest {
 
   /** At normal incidence and exitance, the value is F D / 4, with F = 0.04 and D = 1 / πα². */
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void highlightIsAsHighAsTheDistribution(Kind kind) {
-    double value = bsdf(1.5, MicrofacetDistribution.of(kind, .2)).evaluate(Vec3.Z, Vec3.Z).f().g();
+  @EnumSource(MicrofacetDistribution.class)
+  void highlightIsAsHighAsTheDistribution(MicrofacetDistribution kind) {
+    double value = bsdf(1.5, Microfacets.of(kind, .2)).evaluate(Vec3.Z, Vec3.Z).f().g();
     assertThat(value).isCloseTo(.04 / (4 * Math.PI * .04), within(1e-13));
   }
 
   /** The narrowest lobe scatters as much light as the mirror that replaces it. */
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void albedoIsContinuousWhereTheMirrorTakesOver(Kind kind) {
-    Lobe rough = bsdf(1.5, MicrofacetDistribution.of(kind, CookTorrance.SMOOTH));
+  @EnumSource(MicrofacetDistribution.class)
+  void albedoIsContinuousWhereTheMirrorTakesOver(MicrofacetDistribution kind) {
+    Lobe rough = bsdf(1.5, Microfacets.of(kind, CookTorrance.SMOOTH));
     Lobe mirror = new FresnelMirror(Rgb.WHITE, 1.5);
     for (double cos : COSINES) {
       assertThat(rough.importance(cos)).isEqualTo(mirror.importance(cos));
@@ -158,10 +159,10 @@ class MicrofacetReflectionTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void noFacetOverhangsOrStandsUpright(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void noFacetOverhangsOrStandsUpright(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
-      MicrofacetDistribution facets = MicrofacetDistribution.of(kind, alpha);
+      Microfacets facets = Microfacets.of(kind, alpha);
       assertThat(facets.density(Vec3.X)).isZero();
       assertThat(facets.density(direction(-.1))).isZero();
       assertThat(facets.density(direction(-1))).isZero();
@@ -170,10 +171,10 @@ class MicrofacetReflectionTest {
 
   /** For both distributions, the projected area of all facets is that of the surface. */
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void facetsCoverTheSurface(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void facetsCoverTheSurface(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
-      MicrofacetDistribution facets = MicrofacetDistribution.of(kind, alpha);
+      Microfacets facets = Microfacets.of(kind, alpha);
       int n = 20_000;
       double sum = 0;
       for (int i = 0; i < n; i++) {
@@ -189,11 +190,11 @@ class MicrofacetReflectionTest {
 
   /** From every direction, the projected area of the visible facets is that of the surface. */
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void visibleFacetsCoverTheSurface(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void visibleFacetsCoverTheSurface(MicrofacetDistribution kind) {
     for (double alpha : new double[] {.05, .5, 1}) {
       FacetMap map = new FacetMap(kind, alpha);
-      MicrofacetDistribution facets = map.distribution();
+      Microfacets facets = map.distribution();
       for (double cos : COSINES) {
         Vec3 wo = direction(cos);
         double sum =

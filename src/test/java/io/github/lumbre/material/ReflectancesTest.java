@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.ScalarTexture;
@@ -23,7 +23,8 @@ class ReflectancesTest {
     return Texture.constant(new Rgb(r, g, b));
   }
 
-  private static Bsdf cookTorrance(Texture<Rgb> diffuse, double roughness, Kind kind) {
+  private static Bsdf cookTorrance(
+      Texture<Rgb> diffuse, double roughness, MicrofacetDistribution kind) {
     return new CookTorrance(
             diffuse,
             color(1, 1, 1),
@@ -75,15 +76,15 @@ class ReflectancesTest {
         assertThat(BsdfLaws.sampledAlbedo(phong, wo, 4000)).isLessThan(1.005);
       }
       for (double roughness : new double[] {0, .1, 1}) {
-        Bsdf bsdf = cookTorrance(color(1, 1, 1), roughness, Kind.BECKMANN);
+        Bsdf bsdf = cookTorrance(color(1, 1, 1), roughness, MicrofacetDistribution.BECKMANN);
         assertThat(BsdfLaws.sampledAlbedo(bsdf, wo, 4000)).isLessThan(1.005);
       }
     }
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void roughnessBelowAThousandthIsAMirror(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void roughnessBelowAThousandthIsAMirror(MicrofacetDistribution kind) {
     Texture<Rgb> black = color(0, 0, 0);
     assertThat(cookTorrance(black, JUST_BELOW, kind)).isInstanceOf(FresnelMirror.class);
     assertThat(cookTorrance(black, 0, kind).isSpecular()).isTrue();

@@ -8,7 +8,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.Effort;
@@ -35,7 +36,7 @@ class RoughDielectricTest {
 
   /** Returns the reflected or the transmitted fraction, by quadrature. */
   static double albedo(RoughDielectric glass, Vec3 wo, boolean passes, int n) {
-    FacetMap map = new FacetMap(Kind.GGX, ((Ggx) glass.facets()).alpha());
+    FacetMap map = new FacetMap(MicrofacetDistribution.GGX, ((Ggx) glass.facets()).alpha());
     double side = Math.signum(wo.z());
     return map.integral(
         new Vec3(wo.x(), wo.y(), Math.abs(wo.z())),
@@ -110,7 +111,7 @@ class RoughDielectricTest {
             new RoughDielectric(Rgb.grey(.9), Rgb.grey(.4), ior, new Ggx(alpha));
         for (double cos : new double[] {1, -.9, .5, -.5, .1, -.1, .01, -.01}) {
           Vec3 wo = direction(cos);
-          new FacetMap(Kind.GGX, alpha)
+          new FacetMap(MicrofacetDistribution.GGX, alpha)
               .assertSamplesFollowPdf(glass, wo, eta(glass, wo), samples, random);
         }
       }

@@ -26,7 +26,7 @@ class SimplifiedMaterialTest {
         new Matte(color),
         new Mirror(color),
         new Phong(color, HALF, number),
-        new CookTorrance(color, HALF, number, INDEX, MicrofacetDistribution.Kind.BECKMANN),
+        new CookTorrance(color, HALF, number, INDEX, MicrofacetDistribution.BECKMANN),
         new Glass(color, HALF, INDEX, number));
   }
 
@@ -68,7 +68,7 @@ class SimplifiedMaterialTest {
   @Test
   void oneTextureThatVariesMakesAMaterialVary() {
     ScalarTexture number = (u, v) -> u;
-    MicrofacetDistribution.Kind kind = MicrofacetDistribution.Kind.GGX;
+    MicrofacetDistribution kind = MicrofacetDistribution.GGX;
     for (Material material :
         List.of(
             new Phong(HALF, VARYING, ROUGH),

@@ -4,7 +4,8 @@ import static io.github.lumbre.material.BsdfLaws.direction;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Figures;
@@ -87,8 +88,8 @@ class WhiteFurnaceTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void facetsReflectTheirAlbedo(Kind kind) {
+  @EnumSource(MicrofacetDistribution.class)
+  void facetsReflectTheirAlbedo(MicrofacetDistribution kind) {
     for (double alpha : ROUGHNESSES) {
       FacetMap map = new FacetMap(kind, alpha);
       for (double ior : new double[] {MicrofacetReflectionTest.PERFECT, 1.5}) {

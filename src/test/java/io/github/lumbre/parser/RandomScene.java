@@ -33,7 +33,6 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.light.SpotLight;
-import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
@@ -43,9 +42,10 @@ import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.material.Phong;
-import io.github.lumbre.material.ScalarChannel;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -252,7 +252,7 @@ final class RandomScene {
               color(kind / 9),
               scalar(0, 1, .7),
               ScalarTexture.constant(1.5),
-              MicrofacetDistribution.Kind.BECKMANN);
+              MicrofacetDistribution.BECKMANN);
       case 7 ->
           random.nextBoolean() ? ShadowCatcher.of(rgb(1)) : CookTorrance.of(rgb(.5), rgb(.5), .3);
       default -> layered(kind / 9);

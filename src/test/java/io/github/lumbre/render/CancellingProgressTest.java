@@ -2,6 +2,7 @@ package io.github.lumbre.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
@@ -46,7 +47,7 @@ class CancellingProgressTest {
     if (type == long.class) {
       return 7L;
     }
-    return type == double.class ? (Object) 2.5 : new Bucket(1, 2, 3, 4);
+    return type == double.class ? (Object) 2.5 : new Crop(1, 2, 3, 4);
   }
 
   @Test

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -11,9 +12,9 @@ final class Orders {
   private Orders() {}
 
   /** Returns an order that is shuffled again for each pass. */
-  static UnaryOperator<List<Bucket>> shuffled(Random random) {
+  static UnaryOperator<List<Crop>> shuffled(Random random) {
     return buckets -> {
-      List<Bucket> result = new ArrayList<>(buckets);
+      List<Crop> result = new ArrayList<>(buckets);
       Collections.shuffle(result, random);
       return result;
     };

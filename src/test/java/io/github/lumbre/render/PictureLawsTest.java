@@ -14,7 +14,7 @@ import io.github.lumbre.light.PointLight;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Matte;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Phong;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
@@ -127,8 +127,9 @@ class PictureLawsTest {
    * The relative difference between the last rough picture and the first smooth one is below 1 %.
    */
   @ParameterizedTest
-  @EnumSource(Kind.class)
-  void mirrorTakesOverFromFacetsWithoutAStep(Kind kind) throws InterruptedException {
+  @EnumSource(MicrofacetDistribution.class)
+  void mirrorTakesOverFromFacetsWithoutAStep(MicrofacetDistribution kind)
+      throws InterruptedException {
     float[] rough = shiny(CookTorrance.SMOOTH, kind);
     float[] smooth = shiny(Math.nextDown(CookTorrance.SMOOTH), kind);
     double sum = 0;
@@ -142,7 +143,8 @@ class PictureLawsTest {
     assertThat(shiny(1e-6, kind)).isEqualTo(smooth);
   }
 
-  private static float[] shiny(double roughness, Kind kind) throws InterruptedException {
+  private static float[] shiny(double roughness, MicrofacetDistribution kind)
+      throws InterruptedException {
     CookTorrance material =
         new CookTorrance(
             Texture.constant(Rgb.grey(.2)),

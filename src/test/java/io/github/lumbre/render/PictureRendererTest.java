@@ -91,7 +91,7 @@ class PictureRendererTest {
   void listenerHearsOfEverySampleAndBucketOnce() throws InterruptedException {
     AtomicLong total = new AtomicLong();
     AtomicLong advanced = new AtomicLong();
-    Set<Bucket> buckets = ConcurrentHashMap.newKeySet();
+    Set<Crop> buckets = ConcurrentHashMap.newKeySet();
     RenderResult result =
         new PictureRenderer(small().build())
             .render(
@@ -108,7 +108,7 @@ class PictureRendererTest {
                   }
 
                   @Override
-                  public void finished(Bucket bucket) {
+                  public void finished(Crop bucket) {
                     buckets.add(bucket);
                   }
                 });
@@ -124,11 +124,11 @@ class PictureRendererTest {
 
   @Test
   void cancelledRenderReturnsWhatItHas() throws InterruptedException {
-    Set<Bucket> done = ConcurrentHashMap.newKeySet();
+    Set<Crop> done = ConcurrentHashMap.newKeySet();
     Progress afterTwo =
         new Progress() {
           @Override
-          public void finished(Bucket bucket) {
+          public void finished(Crop bucket) {
             done.add(bucket);
           }
 

@@ -10,6 +10,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +39,7 @@ class WatchdogTest {
   private final Progress listener =
       new Progress() {
         @Override
-        public void stalled(Bucket bucket, double seconds) {
+        public void stalled(Crop bucket, double seconds) {
           told.add(bucket.x() + "," + bucket.y() + " " + seconds);
         }
       };
@@ -66,7 +67,7 @@ class WatchdogTest {
 
   private static BucketRenderer worker(Integrator integrator) {
     FilmRenderer renderer = new FilmRenderer(SETTINGS, SCENE, integrator);
-    RenderQueue queue = new RenderQueue(List.of(new Bucket(0, 0, 8, 8)), Progress.NONE);
+    RenderQueue queue = new RenderQueue(List.of(new Crop(0, 0, 8, 8)), Progress.NONE);
     return new BucketRenderer(
         SETTINGS,
         SCENE,

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
-import io.github.lumbre.scene.SettingType.ChoiceType;
-import io.github.lumbre.scene.SettingType.ExposureType;
-import io.github.lumbre.scene.SettingType.FlagType;
-import io.github.lumbre.scene.SettingType.IntegerType;
-import io.github.lumbre.scene.SettingType.LimitType;
-import io.github.lumbre.scene.SettingType.LongType;
+import io.github.lumbre.scene.internal.SettingTypes.ChoiceType;
+import io.github.lumbre.scene.internal.SettingTypes.ExposureType;
+import io.github.lumbre.scene.internal.SettingTypes.FlagType;
+import io.github.lumbre.scene.internal.SettingTypes.IntegerType;
+import io.github.lumbre.scene.internal.SettingTypes.LimitType;
+import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

@@ -6,7 +6,7 @@ import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.RenderSettings.Size;
-import io.github.lumbre.scene.SettingType.ChoiceType;
+import io.github.lumbre.scene.internal.SettingTypes.ChoiceType;
 import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.List;

@@ -3,7 +3,7 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
-import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.internal.SettingTypes;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -150,7 +150,7 @@ public final class SettingFlags {
 
     @Override
     public boolean isList() {
-      return setting.type() instanceof SettingType.LayersType;
+      return setting.type() instanceof SettingTypes.LayersType;
     }
   }
 

@@ -6,7 +6,7 @@ import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.render.Bucket;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -100,7 +100,7 @@ public final class RenderMonitor implements LabHost.Display {
   }
 
   @Override
-  public void stalled(Bucket bucket, double seconds) {
+  public void stalled(Crop bucket, double seconds) {
     messages.line(
         String.format(
             Locale.ROOT,

@@ -12,17 +12,17 @@ import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
-import io.github.lumbre.material.ColorChannel;
 import io.github.lumbre.material.CookTorrance;
-import io.github.lumbre.material.Fresnel;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
-import io.github.lumbre.material.MicrofacetDistribution.Kind;
+import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.Phong;
-import io.github.lumbre.material.ScalarChannel;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Fresnel;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Sampler;
@@ -69,8 +69,8 @@ final class MaterialInvariants {
   static List<Invariant> all() {
     String range =
         "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX), glass,"
-            + " metallic-roughness, anisotropy, clear coat, sheen and thin glass of roughness 1e-3 to"
-            + " 1, mirror; cosines 0.01 to 0.95";
+            + " metallic-roughness, anisotropy, clear coat, sheen and thin glass of roughness 1e-3"
+            + " to 1, mirror; cosines 0.01 to 0.95";
     return List.of(
         new Invariant(
             "furnace",
@@ -87,8 +87,8 @@ final class MaterialInvariants {
         new Invariant(
             "reciprocity",
             "relative difference of f(wo, wi) and f(wi, wo)",
-            "matte, Phong, Cook-Torrance, metallic-roughness, anisotropy, clear coat, sheen and thin"
-                + " glass; roughness from 0.05, exponents to 1000",
+            "matte, Phong, Cook-Torrance, metallic-roughness, anisotropy, clear coat, sheen and"
+                + " thin glass; roughness from 0.05, exponents to 1000",
             1e-12,
             MaterialInvariants::reciprocity),
         new Invariant(
@@ -121,7 +121,7 @@ final class MaterialInvariants {
         materials.add(new Phong(half, half, ScalarTexture.constant(exponent)));
       }
     }
-    for (Kind kind : Kind.values()) {
+    for (MicrofacetDistribution kind : MicrofacetDistribution.values()) {
       for (double roughness : ROUGHNESSES) {
         if (roughness >= leastRoughness) {
           ScalarTexture alpha = ScalarTexture.constant(roughness);
@@ -193,7 +193,9 @@ final class MaterialInvariants {
     ScalarTexture smooth = ScalarTexture.constant(0);
     ScalarTexture ior = ScalarTexture.constant(1.5);
     materials.add(new Glass(white, white, ior, smooth));
-    materials.add(new CookTorrance(Texture.constant(Rgb.BLACK), white, smooth, ior, Kind.GGX));
+    materials.add(
+        new CookTorrance(
+            Texture.constant(Rgb.BLACK), white, smooth, ior, MicrofacetDistribution.GGX));
     return all(materials);
   }
 

@@ -41,13 +41,14 @@ class InvariantsTest {
       addParts(bsdf, measured);
     }
     Path classes = Path.of(Bsdf.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Path materials = classes.resolve("io/github/lumbre/material");
     Set<String> expected = new TreeSet<>();
-    try (Stream<Path> files = Files.list(classes.resolve("io/github/lumbre/material"))) {
+    try (Stream<Path> files = Files.walk(materials)) {
       for (Path file : files.filter(path -> path.toString().endsWith(".class")).toList()) {
-        String name = file.getFileName().toString().replace(".class", "");
-        Class<?> type = Class.forName("io.github.lumbre.material." + name);
+        String name = classes.relativize(file).toString().replace(".class", "");
+        Class<?> type = Class.forName(name.replaceAll("[/\\\\]", "."));
         if (Bsdf.class.isAssignableFrom(type) && !Modifier.isAbstract(type.getModifiers())) {
-          expected.add(name);
+          expected.add(type.getSimpleName());
         }
       }
     }

@@ -1,13 +1,14 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Channel;
 import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 
 /** A color that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
-public non-sealed interface ColorChannel extends Channel {
+public interface ColorChannel extends Channel {
   /** Returns the linear color at a point of a surface; each component is at least 0. */
   Rgb at(SurfacePoint point);
 

@@ -1,5 +1,6 @@
-package io.github.lumbre.compare;
+package io.github.lumbre.compare.internal;
 
+import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.Elementary;
 

@@ -1,12 +1,13 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
+import io.github.lumbre.material.Channel;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.SurfacePoint;
 import java.util.Objects;
 
 /** A number that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
-public non-sealed interface ScalarChannel extends Channel {
+public interface ScalarChannel extends Channel {
   /** Returns the value at a point of a surface. */
   double at(SurfacePoint point);
 

@@ -1,6 +1,9 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
@@ -15,8 +18,8 @@ import io.github.lumbre.math.Vec3;
  *     distance of 1e-8 from 1, a refracted direction has only half of its digits left
  * @param facets distribution of the microfacet normals
  */
-public record RoughDielectric(
-    Rgb reflectance, Rgb transmittance, double ior, MicrofacetDistribution facets) implements Bsdf {
+public record RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Microfacets facets)
+    implements Bsdf {
   @Override
   public boolean isTransmissive() {
     return true;

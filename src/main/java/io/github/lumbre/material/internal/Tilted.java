@@ -1,6 +1,9 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 
@@ -10,19 +13,19 @@ import io.github.lumbre.math.Vec3;
  *
  * @param frame around the BSDF's normal, in the surface's shading frame
  */
-record Tilted(Bsdf bsdf, Frame frame) implements Bsdf {
+public record Tilted(Bsdf bsdf, Frame frame) implements Bsdf {
   /**
    * Returns a BSDF around another normal; the BSDF itself if the viewer is behind that normal.
    *
    * @param normal unit vector in the surface's shading frame
    * @param wo direction to the viewer, in the surface's shading frame
    */
-  static Bsdf of(Bsdf bsdf, Vec3 normal, Vec3 wo) {
+  public static Bsdf of(Bsdf bsdf, Vec3 normal, Vec3 wo) {
     return wo.dot(normal) * wo.z() > 0 ? new Tilted(bsdf, Frame.around(normal)) : bsdf;
   }
 
   /** Returns the absolute cosine of the angle between a unit direction and the BSDF's normal. */
-  double cosine(double x, double y, double z) {
+  public double cosine(double x, double y, double z) {
     Vec3 n = frame.normal();
     return Math.min(1, Math.abs(n.x() * x + n.y() * y + n.z() * z));
   }

@@ -1,4 +1,4 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.math.internal.Elementary;
 

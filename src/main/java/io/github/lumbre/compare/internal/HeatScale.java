@@ -1,9 +1,9 @@
-package io.github.lumbre.compare;
+package io.github.lumbre.compare.internal;
 
 import io.github.lumbre.image.internal.Srgb;
 
 /** Maps numbers to colors. Stateless. */
-final class HeatScale {
+public final class HeatScale {
   private HeatScale() {}
 
   /**
@@ -13,7 +13,7 @@ final class HeatScale {
    * @param colors at least two, evenly spaced, each with three values from 0 to 255
    * @param at index of the red value in {@code rgb}
    */
-  static void paint(double place, int[][] colors, float[] rgb, int at) {
+  public static void paint(double place, int[][] colors, float[] rgb, int at) {
     double scaled = Math.max(0, Math.min(place, 1)) * (colors.length - 1);
     int below = Math.min((int) scaled, colors.length - 2);
     for (int c = 0; c < 3; c++) {

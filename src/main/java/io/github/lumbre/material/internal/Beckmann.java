@@ -1,4 +1,4 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -10,7 +10,7 @@ import io.github.lumbre.math.internal.Elementary;
  *
  * @param alpha roughness: √2 times the standard deviation of the slopes, &gt; 0
  */
-record Beckmann(double alpha) implements MicrofacetDistribution {
+public record Beckmann(double alpha) implements Microfacets {
   private static final double INV_SQRT_PI = 0.5641895835477563;
 
   @Override

@@ -1,4 +1,4 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.math.internal.Elementary;
 
@@ -46,7 +46,7 @@ public final class Fresnel {
    *
    * @param sin2I squared sine of the angle of incidence
    */
-  static double cosTransmitted(double cosI, double sin2I, double eta) {
+  public static double cosTransmitted(double cosI, double sin2I, double eta) {
     if (eta == 1) {
       return cosI;
     }

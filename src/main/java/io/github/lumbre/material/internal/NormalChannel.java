@@ -1,6 +1,8 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.Channel;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.NormalMap;
 import java.util.Objects;
@@ -16,7 +18,7 @@ public record NormalChannel(NormalMap map, int uvSet) implements Channel {
   }
 
   /** Perturbs a hit's shading frame. */
-  void perturb(SurfaceHit hit) {
+  public void perturb(SurfaceHit hit) {
     Vec3 local = local(hit);
     if (local.maxAbs() != 0) {
       hit.perturb(toWorld(local, hit));
@@ -27,7 +29,7 @@ public record NormalChannel(NormalMap map, int uvSet) implements Channel {
    * Returns a BSDF around the perturbed normal; the BSDF itself where the surface keeps its normal,
    * or if the viewer is behind the perturbed one.
    */
-  Bsdf tilted(Bsdf bsdf, SurfaceHit hit) {
+  public Bsdf tilted(Bsdf bsdf, SurfaceHit hit) {
     Vec3 local = local(hit);
     return local.maxAbs() == 0
         ? bsdf

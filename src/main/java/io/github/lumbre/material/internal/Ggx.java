@@ -1,4 +1,4 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -10,7 +10,7 @@ import io.github.lumbre.sampling.internal.Warp;
  *
  * @param alpha roughness, &gt; 0
  */
-record Ggx(double alpha) implements MicrofacetDistribution {
+public record Ggx(double alpha) implements Microfacets {
   @Override
   public double density(Vec3 m) {
     // cos⁴ (1 + tan²/α²)², rewritten so that neither a small cosine nor a small α loses digits.
