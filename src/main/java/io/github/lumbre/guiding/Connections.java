@@ -37,12 +37,6 @@ final class Connections {
   private final double power;
 
   /**
-   * For each of {@link #count} equal steps of the power, the first record whose sum reaches it.
-   * Searches start there.
-   */
-  private final int[] firsts;
-
-  /**
    * Prepares the connections of some records.
    *
    * @param drawnBy the guide that drew their directions
@@ -60,14 +54,6 @@ final class Connections {
       powers[i] = sum;
     }
     power = sum;
-    firsts = new int[count + 1];
-    int record = 0;
-    for (int part = 0; part <= count; part++) {
-      while (record < count - 1 && powers[record] < power * ((double) part / count)) {
-        record++;
-      }
-      firsts[part] = record;
-    }
   }
 
   /**
@@ -139,11 +125,17 @@ final class Connections {
 
   /** Returns the first record up to which the power exceeds a part of the whole. */
   private int record(double part) {
-    int record = firsts[(int) (part * count)];
-    while (record < count - 1 && powers[record] <= part * power) {
-      record++;
+    int low = 0;
+    int high = count - 1;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (powers[middle] <= part * power) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
     }
-    return record;
+    return low;
   }
 
   /** Returns the density with which the path of a record would have drawn a direction. */

@@ -48,10 +48,7 @@ public final class GuideBuilder {
     return build(records, drawnBy, sights, Guide.MOST_INTS, false);
   }
 
-  /**
-   * Returns a guide to record paths for a better one: all cells have the same mixture. The
-   * parameters are those of {@link #build}.
-   */
+  /** Returns a guide to record paths for a better one: all cells have the same mixture. */
   public static Guide train(GuideRecords records, Guide drawnBy, Supplier<? extends Sight> sights) {
     return build(records, drawnBy, sights, Guide.MOST_INTS, true);
   }

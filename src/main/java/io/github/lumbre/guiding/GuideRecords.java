@@ -23,7 +23,9 @@ public final class GuideRecords {
   /** Mean density of the ways in which the directions of a cell were drawn. */
   static final int ALL_PDF = 15;
 
+  /** All that is not set is 0. */
   private float[] numbers = new float[STRIDE * 64];
+
   private boolean[] continues = new boolean[64];
   private int size;
 
@@ -78,16 +80,11 @@ public final class GuideRecords {
     numbers[at + 2] = (float) z;
     numbers[at + AXIS] = Guide.axis(nx, ny, nz);
     numbers[at + DIRECT] = (float) direct;
-    numbers[at + PDF] = 0;
-    numbers[at + BSDF_PDF] = 0;
-    numbers[at + FOUND] = 0;
-    numbers[at + WEIGHT] = 0;
     numbers[at + NORMAL] = (float) nx;
     numbers[at + NORMAL + 1] = (float) ny;
     numbers[at + NORMAL + 2] = (float) nz;
     numbers[at + DIFFUSE] = (float) diffuse;
-    numbers[at + ALL_PDF] = 0;
-    continues[size++] = false;
+    size++;
   }
 
   /**

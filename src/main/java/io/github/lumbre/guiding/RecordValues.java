@@ -3,7 +3,6 @@ package io.github.lumbre.guiding;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 
 /**
@@ -20,9 +19,6 @@ final class RecordValues {
   private static final int NEIGHBORS = 32;
 
   private static final int ROUNDS = 8;
-
-  /** Neighborhoods that one thread updates at a time. */
-  private static final int GRAIN = 256;
 
   private final GuideRecords records;
 
@@ -60,24 +56,10 @@ final class RecordValues {
     for (int i = 0; i < ranges.size(); i++) {
       starts[i + 1] = starts[i] + ranges.get(i).size();
     }
-    forEachNeighborhood(i -> enter(i, ranges.get(i)));
+    IntStream.range(0, means.length).parallel().forEach(i -> enter(i, ranges.get(i)));
     for (int round = 0; round <= ROUNDS; round++) {
-      double[] next = new double[means.length];
-      forEachNeighborhood(i -> next[i] = update(i));
-      means = next;
+      means = IntStream.range(0, means.length).parallel().mapToDouble(this::update).toArray();
     }
-  }
-
-  private void forEachNeighborhood(IntConsumer action) {
-    IntStream.rangeClosed(0, (means.length - 1) / GRAIN)
-        .parallel()
-        .forEach(
-            part -> {
-              int end = Math.min(means.length, (part + 1) * GRAIN);
-              for (int i = part * GRAIN; i < end; i++) {
-                action.accept(i);
-              }
-            });
   }
 
   /**

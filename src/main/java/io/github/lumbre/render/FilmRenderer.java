@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
@@ -147,7 +148,7 @@ public final class FilmRenderer implements PassRenderer {
   public Optional<GuideReport> plan(Progress progress) throws InterruptedException {
     try {
       integrators.get(pilot(progress));
-    } catch (PilotRows.Stopped e) {
+    } catch (CancellationException e) {
       return Optional.empty();
     }
     return guiding();
@@ -224,7 +225,7 @@ public final class FilmRenderer implements PassRenderer {
     Integrator integrator;
     try {
       integrator = integrators.get(pilot(progress));
-    } catch (PilotRows.Stopped e) {
+    } catch (CancellationException e) {
       return new PassResult(false, RenderStatistics.ZERO);
     }
     List<Crop> buckets = order.apply(buckets(settings.window()));

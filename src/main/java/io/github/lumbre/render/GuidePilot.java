@@ -15,6 +15,7 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 
 /**
  * The pilot render of {@code --guide}. It traces paths over the full frame in passes of doubled
@@ -66,11 +67,11 @@ final class GuidePilot {
    * @param scene framed for the settings
    * @param crew renders the pilot
    * @throws InterruptedException if the calling thread is interrupted; all threads have then ended
-   * @throws PilotRows.Stopped if the crew was stopped; all threads have then ended
+   * @throws CancellationException if the crew was stopped; all threads have then ended
    * @throws RenderException if a path failed
    */
   static Learned learn(RenderSettings settings, Scene scene, PilotRows crew)
-      throws InterruptedException, PilotRows.Stopped {
+      throws InterruptedException {
     return findsLight(settings, scene)
         ? new GuidePilot(settings, scene, crew).learn()
         : new Learned(Guide.NONE, GuideReport.unused(Outcome.NO_LIGHT, 0));
@@ -94,7 +95,7 @@ final class GuidePilot {
         && scene.primitives().stream().anyMatch(Primitive::scatters);
   }
 
-  private Learned learn() throws InterruptedException, PilotRows.Stopped {
+  private Learned learn() throws InterruptedException {
     int paths = paths(settings);
     Guide guide = Guide.NONE;
     for (int pass = 0; pass < PASSES; pass++) {
@@ -112,8 +113,7 @@ final class GuidePilot {
   }
 
   /** Traces the paths of a pass. */
-  private GuideRecords records(Guide guide, int paths, int pass)
-      throws InterruptedException, PilotRows.Stopped {
+  private GuideRecords records(Guide guide, int paths, int pass) throws InterruptedException {
     Integrator integrator = Integrator.of(scene, settings, guide);
     PilotGrid grid = PilotGrid.of(settings, paths);
     int limit = Math.max(1, MOST_RECORDS / grid.rows());
@@ -129,7 +129,7 @@ final class GuidePilot {
   private record Row(GuideRecords records, long rays) {}
 
   private Row recordRow(Integrator integrator, PilotGrid grid, int row, int pass, int limit)
-      throws InterruptedException, PilotRows.Stopped {
+      throws InterruptedException {
     GuideRecords records = new GuideRecords(limit);
     GuideRecorder recorder = new GuideRecorder(records);
     RenderContext context = RenderContext.recordedBy(recorder);

@@ -5,6 +5,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Guiding;
 import io.github.lumbre.scene.Scene;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 
 /** Makes the integrator of a renderer when the first pass needs it. Shared by threads. */
 final class IntegratorSource {
@@ -36,9 +37,9 @@ final class IntegratorSource {
    *
    * @param crew renders the pilot if there is none yet
    * @throws InterruptedException if the calling thread is interrupted; no thread then works on it
-   * @throws PilotRows.Stopped if the crew was stopped
+   * @throws CancellationException if the crew was stopped
    */
-  synchronized Integrator get(PilotRows crew) throws InterruptedException, PilotRows.Stopped {
+  synchronized Integrator get(PilotRows crew) throws InterruptedException {
     if (integrator.isEmpty()) {
       GuidePilot.Learned learned = GuidePilot.learn(settings, scene, crew);
       guiding = Optional.of(learned.report());

@@ -4,6 +4,7 @@ import io.github.lumbre.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -34,28 +35,22 @@ record PilotRows(int threads, BooleanSupplier isStopped) {
         : settings.threads();
   }
 
-  /** Thrown if the pilot was stopped, so that there is no result. */
-  static final class Stopped extends Exception {
-    private static final long serialVersionUID = 1;
-  }
-
-  /** Renders a row. */
+  /** Renders a row, for one thread. */
   interface Row<T> {
-    /**
-     * Renders a row, for one thread.
-     *
-     * @throws InterruptedException if the thread is interrupted
-     */
-    T render(int row) throws InterruptedException, Stopped;
+    T render(int row) throws InterruptedException;
   }
 
-  /** Checks whether to go on; rows call this before each pixel. */
-  void check() throws InterruptedException, Stopped {
+  /**
+   * Checks whether to go on; rows call this before each pixel.
+   *
+   * @throws CancellationException if the pilot is stopped
+   */
+  void check() throws InterruptedException {
     if (Thread.interrupted()) {
       throw new InterruptedException("the pilot render was interrupted");
     }
     if (isStopped.getAsBoolean()) {
-      throw new Stopped();
+      throw new CancellationException("the pilot render was stopped");
     }
   }
 
@@ -63,10 +58,10 @@ record PilotRows(int threads, BooleanSupplier isStopped) {
    * Renders all rows and returns them in order.
    *
    * @throws InterruptedException if the calling thread is interrupted; all threads have then ended
-   * @throws Stopped if the pilot was stopped; all threads have then ended
+   * @throws CancellationException if the pilot was stopped; all threads have then ended
    * @throws RenderException if a row failed
    */
-  <T> List<T> render(int rows, Row<T> row) throws InterruptedException, Stopped {
+  <T> List<T> render(int rows, Row<T> row) throws InterruptedException {
     List<T> done = new ArrayList<>();
     if (threads == 0) {
       for (int number = 0; number < rows; number++) {
@@ -90,18 +85,13 @@ record PilotRows(int threads, BooleanSupplier isStopped) {
       }
       return done;
     } catch (ExecutionException e) {
-      if (e.getCause() instanceof Stopped stopped) {
+      if (e.getCause() instanceof CancellationException stopped) {
         throw stopped;
       }
       throw Crew.failure(e.getCause());
     } finally {
       pool.shutdownNow();
-      Crew.await(
-          () -> {
-            while (!pool.awaitTermination(1, TimeUnit.MINUTES)) {
-              continue;
-            }
-          });
+      Crew.await(() -> pool.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS));
     }
   }
 }

@@ -52,8 +52,6 @@ public final class PixelReplay {
         return source.get(PilotRows.of(settings));
       } catch (InterruptedException e) {
         isInterrupted = true;
-      } catch (PilotRows.Stopped e) {
-        throw new AssertionError("nothing stops it", e);
       } finally {
         if (isInterrupted) {
           Thread.currentThread().interrupt();
