@@ -11,6 +11,7 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.TextFile;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -53,7 +54,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error"
     })
 final class ImportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "MODEL", description = "Model: " + ModelReader.FORMATS + ".")
+  @Parameters(paramLabel = "MODEL", description = "Model: " + ModelFormat.TITLES + ".")
   private Path model;
 
   @Option(

@@ -23,6 +23,7 @@ import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.ModelViews;
 import io.github.lumbre.parser.SceneFile;
@@ -81,7 +82,7 @@ final class ViewsCommand implements Callable<Integer> {
   /** The gaps of the contact sheet are narrower than a picture by this factor. */
   private static final int GAPS_PER_WIDTH = 64;
 
-  @Parameters(paramLabel = "MODEL", description = "Model: " + ModelReader.FORMATS + ".")
+  @Parameters(paramLabel = "MODEL", description = "Model: " + ModelFormat.TITLES + ".")
   private Path model;
 
   @Option(

@@ -2,7 +2,6 @@ package io.github.lumbre.file;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** Recognizes the format of a file by its first bytes, for messages. Stateless. */
@@ -110,8 +109,6 @@ public final class FileContent {
       return found + "; name the scene or model that uses it";
     }
     return switch (found) {
-      case "GLB", "glTF", "PLY", "STL", "OBJ" ->
-          found + "; give its name the ending ." + found.toLowerCase(Locale.ROOT);
       case MTL -> found + "; name that file";
       case LFS -> found + "; fetch it with git lfs pull";
       case "an HTML page" -> found + "; download the file itself";
@@ -121,7 +118,8 @@ public final class FileContent {
     };
   }
 
-  private static String text(byte[] start) {
+  /** Returns the first {@link #START} bytes of a file as characters. */
+  public static String text(byte[] start) {
     return new String(start, 0, Math.min(start.length, START), StandardCharsets.ISO_8859_1);
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,7 +12,7 @@ import java.util.Map;
 /** Reads model files for scenes that are built in code. Stateless. */
 public final class Models {
   /** The endings of the names of model files, for messages. */
-  public static final String NAMES = ModelReader.NAMES;
+  public static final String NAMES = ModelFormat.ENDINGS;
 
   private Models() {}
 

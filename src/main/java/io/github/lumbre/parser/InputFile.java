@@ -1,8 +1,7 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.file.FileContent;
 import io.github.lumbre.limit.Limits;
-import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -42,16 +41,13 @@ final class InputFile {
   /** Refuses a content that is neither a scene nor a model, and names its kind. */
   static void requireScene(byte[] text, Path file, Problems problems) throws SceneFormatException {
     boolean isNamed = text.length == 0 || file.toString().endsWith(".json");
-    String found =
-        ModelReader.isModel(text, text.length)
-            ? ModelReader.contentOf(text)
-            : FileContent.describe(text).orElse(isNamed ? "JSON" : "another kind of file");
+    String found = ModelFormat.describe(text).orElse(isNamed ? "JSON" : "another kind of file");
     if (text.length > 0 && !found.equals("JSON")) {
       problems.error(
           Kind.INVALID,
           () -> "",
           "expected a scene (.json) or a model (%s), found %s"
-              .formatted(ModelReader.NAMES, FileContent.withAdvice(found)));
+              .formatted(ModelFormat.ENDINGS, found));
       throw problems.exception();
     }
   }

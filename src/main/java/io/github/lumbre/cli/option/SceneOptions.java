@@ -6,6 +6,7 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -39,7 +40,7 @@ public final class SceneOptions {
       paramLabel = "SCENE",
       description =
           "JSON scene, or model: "
-              + ModelReader.FORMATS
+              + ModelFormat.TITLES
               + "; - for standard input, where a model is one file, such as GLB.")
   private Path scene;
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.gltf;
 
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Transform;
@@ -21,6 +22,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * Reads glTF 2.0, as .gltf or .glb. Not reusable.
@@ -31,6 +33,8 @@ import java.util.Optional;
  * change in skinned meshes only, which are in world space.
  */
 public final class GltfReader {
+  private static final Pattern ASSET = Pattern.compile("\"asset\"\\s*:\\s*\\{");
+
   private final GltfDocument document;
   private final GltfAccessors accessors;
   private final GltfInfluences influences;
@@ -69,6 +73,13 @@ public final class GltfReader {
     nodes = new GltfNodes(document, lights.size());
     pose =
         options.pose().isPresent() ? animations.pose(options.pose().get(), nodes) : new GltfPose();
+  }
+
+  /** Returns whether a file begins like a GLB file, or like a JSON text with an asset. */
+  public static boolean startsIn(byte[] start, long size) {
+    String found = FileContent.describe(start).orElse("");
+    return found.equals("GLB")
+        || found.equals("JSON") && ASSET.matcher(FileContent.text(start)).find();
   }
 
   /**

@@ -1,41 +1,72 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.file.FileContent;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.gltf.GltfReader;
+import io.github.lumbre.model.obj.ObjModelReader;
+import io.github.lumbre.model.ply.PlyReader;
+import io.github.lumbre.model.stl.StlReader;
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
-import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
-/** The formats of model files, by the endings of their names and by their first bytes. */
-enum ModelFormat {
-  GLTF("a glTF file", "GLB", "gltf", "glb"),
-  OBJ("an OBJ file", "OBJ", "obj"),
-  PLY("a PLY file", "PLY", "ply"),
-  STL("an STL file", "STL", "stl");
+/**
+ * The formats of model files, by the endings of their names and by their first bytes. Only this
+ * class names the packages of the formats.
+ */
+public enum ModelFormat {
+  GLTF("a glTF file", GltfReader::startsIn, GltfReader::read, "gltf", "glb"),
+  OBJ("an OBJ file", ObjModelReader::startsIn, ObjModelReader::read, "obj"),
+  PLY("a PLY file", PlyReader::startsIn, PlyReader::read, "ply"),
+  STL("an STL file", StlReader::startsIn, StlReader::read, "stl");
 
-  private static final Pattern ASSET = Pattern.compile("\"asset\"\\s*:\\s*\\{");
-  private static final Pattern VERTEX = Pattern.compile("(?m)^\\s*v\\s+[-+.\\d]");
-  private static final Set<String> STATEMENTS =
-      Set.of("v", "vt", "vn", "vp", "f", "l", "p", "o", "g", "s", "usemtl", "mtllib");
+  /** The formats for texts in which a line may not break after the dot of an ending. */
+  public static final String TITLES = "glTF, GLB, OBJ, PLY or STL";
 
-  private final String title;
-  private final String content;
-  private final List<String> endings;
+  /** The name endings of the formats, for messages: {@code .gltf, .glb}. */
+  public static final String ENDINGS =
+      Arrays.stream(values())
+          .flatMap(format -> format.endings.stream())
+          .map("."::concat)
+          .collect(Collectors.joining(", "));
 
-  ModelFormat(String title, String content, String... endings) {
-    this.title = title;
-    this.content = content;
-    this.endings = List.of(endings);
+  /** Recognizes a format. */
+  private interface Start {
+    /**
+     * Returns whether a file may be of the format.
+     *
+     * @param start the first {@link FileContent#START} bytes, or more; all if the file has fewer
+     * @param size of the file in bytes
+     */
+    boolean isIn(byte[] start, long size);
   }
 
-  /** Returns the name of a content of this format. */
-  String content() {
-    return content;
+  /** Reads a format. */
+  private interface Reader {
+    /**
+     * Returns the content of a file.
+     *
+     * @param folder reads other files that the model names
+     */
+    Model read(byte[] content, ModelFolder folder, ModelOptions options)
+        throws ModelFormatException, IOException;
+  }
+
+  private final String title;
+  private final Start start;
+  private final Reader reader;
+  private final List<String> endings;
+
+  ModelFormat(String title, Start start, Reader reader, String... endings) {
+    this.title = title;
+    this.start = start;
+    this.reader = reader;
+    this.endings = List.of(endings);
   }
 
   /** Returns a file of this format in words, with an article. */
@@ -49,47 +80,27 @@ enum ModelFormat {
     return Arrays.stream(values()).filter(format -> format.endings.contains(ending)).findFirst();
   }
 
-  /**
-   * Returns the format of a file's content; empty if it is none of a model.
-   *
-   * @param start the first {@link FileContent#START} bytes, or more; all if the file has fewer
-   * @param size of the file in bytes
-   */
+  /** Returns the format of a file's content, whose parameters {@link Start} has; may be empty. */
   static Optional<ModelFormat> in(byte[] start, long size) {
-    Optional<String> found = FileContent.describe(start);
-    if (found.isPresent() && !found.get().equals("JSON")) {
-      return Arrays.stream(values()).filter(f -> f.content.equals(found.get())).findFirst();
-    }
-    String text =
-        new String(
-            start, 0, Math.min(start.length, FileContent.START), StandardCharsets.ISO_8859_1);
-    if (found.isPresent()) {
-      return ASSET.matcher(text).find() ? Optional.of(GLTF) : Optional.empty();
-    }
-    if (isBinaryStl(start, size)) {
-      return Optional.of(STL);
-    }
-    return isObj(text) ? Optional.of(OBJ) : Optional.empty();
+    return Arrays.stream(values()).filter(format -> format.start.isIn(start, size)).findFirst();
   }
 
-  private static boolean isBinaryStl(byte[] start, long size) {
-    if (start.length < 84) {
-      return false;
-    }
-    long triangles =
-        Integer.toUnsignedLong(ByteBuffer.wrap(start).order(ByteOrder.LITTLE_ENDIAN).getInt(80));
-    return triangles > 0 && size == 84 + 50 * triangles;
+  /** Returns the content of a file of this format. */
+  Model read(byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return reader.read(content, folder, options);
   }
 
-  /** Returns whether the whole lines of a text are statements, and one states a vertex. */
-  private static boolean isObj(String text) {
-    String whole = text.substring(0, Math.max(0, text.lastIndexOf('\n')));
-    return VERTEX.matcher(whole).find()
-        && whole
-            .lines()
-            .map(String::strip)
-            .filter(line -> !line.isEmpty() && line.charAt(0) != '#')
-            .allMatch(line -> STATEMENTS.contains(line.split("\\s", 2)[0]));
+  /** Returns what kind of file a content is, and what to do; empty if it is not recognized. */
+  public static Optional<String> describe(byte[] file) {
+    return in(file, file.length)
+        .map(format -> format.withAdvice(file))
+        .or(() -> FileContent.describe(file).map(FileContent::withAdvice));
+  }
+
+  private String withAdvice(byte[] file) {
+    String content = this != GLTF ? name() : file[0] == 'g' ? "GLB" : "glTF";
+    return content + "; give its name the ending ." + content.toLowerCase(Locale.ROOT);
   }
 
   /**
@@ -97,11 +108,8 @@ enum ModelFormat {
    * format.
    */
   Optional<String> otherThanThis(byte[] file) {
-    Optional<String> found = FileContent.describe(file);
-    return found.isEmpty()
-            || found.get().equals(content)
-            || this == GLTF && found.get().equals("JSON")
-        ? Optional.empty()
-        : Optional.of(FileContent.withAdvice(found.get()));
+    Optional<String> found = describe(file);
+    boolean isThis = in(file, file.length).filter(this::equals).isPresent();
+    return isThis || this == GLTF && found.equals(Optional.of("JSON")) ? Optional.empty() : found;
   }
 }

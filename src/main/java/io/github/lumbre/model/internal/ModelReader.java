@@ -6,10 +6,6 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
-import io.github.lumbre.model.gltf.GltfReader;
-import io.github.lumbre.model.obj.ObjModelReader;
-import io.github.lumbre.model.ply.PlyReader;
-import io.github.lumbre.model.stl.StlReader;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
@@ -22,12 +18,6 @@ import java.util.concurrent.CancellationException;
 
 /** Reads model files of all supported formats. Stateless. */
 public final class ModelReader {
-  /** The name endings of supported files, for messages. */
-  public static final String NAMES = ".gltf, .glb, .obj, .ply, .stl";
-
-  /** The supported formats, for texts in which a line may not break after the dot of an ending. */
-  public static final String FORMATS = "glTF, GLB, OBJ, PLY or STL";
-
   private ModelReader() {}
 
   /** Returns whether a file's name ends like the name of a model. */
@@ -64,12 +54,6 @@ public final class ModelReader {
     }
   }
 
-  /** Returns the usual name of the format of a file that is a model, such as GLB. */
-  public static String contentOf(byte[] file) {
-    ModelFormat format = ModelFormat.in(file, file.length).orElseThrow();
-    return format == ModelFormat.GLTF && file[0] != 'g' ? "glTF" : format.content();
-  }
-
   /**
    * Returns the content of a model file. The ending of its name chooses the format; if it is
    * unknown, such as .vrm, the content does. The model has a triangle with an area, or a light.
@@ -88,7 +72,7 @@ public final class ModelReader {
       requireNone("variants", "a variant ", options.variant());
     }
     try {
-      return checked(read(format, content, folder, options), options);
+      return checked(format.read(content, folder, options), options);
     } catch (ModelFormatException e) {
       Optional<String> other = format.otherThanThis(content);
       if (other.isEmpty() || e.kind() == Kind.TOO_LARGE || e.kind() == Kind.ASSET) {
@@ -112,21 +96,8 @@ public final class ModelReader {
                 "",
                 "expected a model (%s), found %s"
                     .formatted(
-                        NAMES,
-                        FileContent.describe(content)
-                            .map(FileContent::withAdvice)
-                            .orElse("another kind of file"))));
-  }
-
-  private static Model read(
-      ModelFormat format, byte[] content, ModelFolder folder, ModelOptions options)
-      throws ModelFormatException, IOException {
-    return switch (format) {
-      case GLTF -> GltfReader.read(content, folder, options);
-      case OBJ -> ObjModelReader.read(content, folder, options);
-      case PLY -> PlyReader.read(content, folder, options);
-      case STL -> StlReader.read(content, options);
-    };
+                        ModelFormat.ENDINGS,
+                        ModelFormat.describe(content).orElse("another kind of file"))));
   }
 
   private static Model checked(Model model, ModelOptions options) throws ModelFormatException {

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.obj;
 
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -21,6 +22,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * Reads Wavefront OBJ with its material libraries. Each material of each object is a part; if no
@@ -28,6 +30,11 @@ import java.util.Set;
  */
 public final class ObjModelReader {
   private static final int MAX_LIBRARIES = 100;
+  private static final Pattern VERTEX = Pattern.compile("(?m)^\\s*v\\s+[-+.\\d]");
+
+  /** Statements that the beginning of a file may have. */
+  private static final Set<String> STATEMENTS =
+      Set.of("v", "vt", "vn", "vp", "f", "l", "p", "o", "g", "s", "usemtl", "mtllib");
 
   /** Statements that have no effect on polygons. */
   private static final Set<String> IGNORED =
@@ -83,6 +90,21 @@ public final class ObjModelReader {
     faces = new ObjFaces(scanner, ObjCensus.of(text, options.limits()), true);
     this.folder = new ModelFiles(folder, options.limits(), warnings);
     this.options = options;
+  }
+
+  /**
+   * Returns whether the whole lines at the beginning of a file are statements, and one states a
+   * vertex.
+   */
+  public static boolean startsIn(byte[] start, long size) {
+    String text = FileContent.text(start);
+    String whole = text.substring(0, Math.max(0, text.lastIndexOf('\n')));
+    return VERTEX.matcher(whole).find()
+        && whole
+            .lines()
+            .map(String::strip)
+            .filter(line -> !line.isEmpty() && line.charAt(0) != '#')
+            .allMatch(line -> STATEMENTS.contains(line.split("\\s", 2)[0]));
   }
 
   /** Returns the content of an OBJ file. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.ply;
 
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
@@ -57,6 +58,11 @@ public final class PlyReader {
     requireFaces();
     vertexCount = vertex.get().count();
     vertices = new PlyVertices(vertex.get(), options.limits(), warnings, tally);
+  }
+
+  /** Returns whether a file begins like a PLY file. */
+  public static boolean startsIn(byte[] start, long size) {
+    return FileContent.describe(start).equals(Optional.of("PLY"));
   }
 
   /** Returns the triangles of a PLY file. */

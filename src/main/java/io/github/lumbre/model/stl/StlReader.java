@@ -1,6 +1,8 @@
 package io.github.lumbre.model.stl;
 
+import io.github.lumbre.file.FileContent;
 import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
@@ -13,6 +15,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Reads STL, in binary form and as text. A file is binary if its size matches the number of
@@ -22,12 +25,22 @@ import java.util.List;
  */
 public final class StlReader {
   private static final int HEADER_BYTES = 80;
+  private static final int EMPTY_BYTES = HEADER_BYTES + Integer.BYTES;
   private static final int FACET_BYTES = 50;
 
   private StlReader() {}
 
+  /** Returns whether a file begins like an STL text, or has the size that its header states. */
+  public static boolean startsIn(byte[] start, long size) {
+    Optional<String> found = FileContent.describe(start);
+    return found.isEmpty()
+        ? size > EMPTY_BYTES && claimedBytes(start) == size
+        : found.get().equals("STL");
+  }
+
   /** Returns the triangles of an STL file. */
-  public static Model read(byte[] file, ModelOptions options) throws ModelFormatException {
+  public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException {
     Warnings warnings = new Warnings();
     long claimed = claimedBytes(file);
     List<StlSolid> solids =
@@ -43,11 +56,11 @@ public final class StlReader {
 
   /** Returns the size of a binary file by its header; 0 if the file has no header. */
   private static long claimedBytes(byte[] file) {
-    if (file.length < HEADER_BYTES + Integer.BYTES) {
+    if (file.length < EMPTY_BYTES) {
       return 0;
     }
     long triangles = Integer.toUnsignedLong(little(file).getInt(HEADER_BYTES));
-    return HEADER_BYTES + Integer.BYTES + FACET_BYTES * triangles;
+    return EMPTY_BYTES + FACET_BYTES * triangles;
   }
 
   private static StlSolid readBinary(
@@ -59,7 +72,7 @@ public final class StlReader {
           "",
           "expected \"solid\" or a header of 84 bytes, found " + file.length + " bytes");
     }
-    long triangles = (claimed - HEADER_BYTES - Integer.BYTES) / FACET_BYTES;
+    long triangles = (claimed - EMPTY_BYTES) / FACET_BYTES;
     if (claimed > file.length) {
       throw new ModelFormatException(
           Kind.MALFORMED,
@@ -79,7 +92,7 @@ public final class StlReader {
       if ((i & ModelLimits.INTERRUPT_MASK) == 0) {
         Interrupts.check();
       }
-      int at = HEADER_BYTES + Integer.BYTES + FACET_BYTES * i;
+      int at = EMPTY_BYTES + FACET_BYTES * i;
       for (int k = 0; k < facet.length; k++) {
         facet[k] = in.getFloat(at + Float.BYTES * k);
       }
