@@ -189,6 +189,7 @@ final class CompletionScript {
   private static String endings(CommandSpec command) {
     return command.positionalParameters().stream()
         .map(ArgSpec::paramLabel)
+        .distinct()
         .map(label -> ENDINGS.getOrDefault(label, ""))
         .collect(Collectors.joining());
   }

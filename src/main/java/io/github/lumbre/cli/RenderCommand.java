@@ -13,8 +13,10 @@ import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.RunFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.TargetFlags;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -44,6 +46,7 @@ import io.github.lumbre.stopping.Budget;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -52,6 +55,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /**
@@ -78,6 +82,7 @@ import picocli.CommandLine.Spec;
       "  lumbre render scene.json -o picture.exr --mode ray --stats",
       "  lumbre render - -o - --format jpg < scene.json > picture.jpg",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
+      "  lumbre render *.glb -o pictures --format jpg",
       "  lumbre render scene.json --timeout 5m",
       "  lumbre render scene.json --target-error 2%% --time 10m",
       "  lumbre render scene.json -s 4000 --checkpoint night.film"
@@ -99,21 +104,13 @@ final class RenderCommand implements Callable<Integer> {
 
   @Mixin private final SceneOptions options = new SceneOptions();
 
-  @Option(
-      names = {"-o", "--output"},
-      paramLabel = "OUT",
-      description = {
-        "Picture to write: PNG or JPEG for the screen, OpenEXR or PFM for linear light, by its"
-            + " ending; - for standard output.",
-        "Default: the scene's name with .png, in the working directory."
-      })
-  private Optional<Path> output;
+  @Parameters(
+      index = "1..*",
+      paramLabel = "SCENE",
+      description = "More scenes or models, rendered in turn with the same flags; -o is a folder.")
+  private List<Path> others = new ArrayList<>();
 
-  @Option(
-      names = "--format",
-      paramLabel = "NAME",
-      description = "Format of the picture with -o -: png, exr, pfm or jpg (png).")
-  private Optional<ImageFormat> format;
+  @Mixin private final TargetFlags to = new TargetFlags();
 
   @Mixin private final RenderFlags flags = new RenderFlags();
 
@@ -168,21 +165,53 @@ final class RenderCommand implements Callable<Integer> {
     Instant start = budgets.start();
     Duration startup = Duration.between(start, Instant.now());
     Deadline deadline = run.deadline();
-    List<Path> targets = targets();
-    int count = dryRun ? 1 : targets.size();
+    List<Path> scenes = new ArrayList<>(List.of(options.scene()));
+    scenes.addAll(others);
+    List<Path> targets = targets(scenes);
     int code = ExitCodes.OK;
     try (Interruption interruption = Interruption.listen();
         Frames frames = new Frames(targets, interruption, deadline)) {
-      Course course = new Course(start, startup, deadline, interruption, frames);
+      Course course = new Course(start, startup, deadline, interruption, scenes, frames);
+      if (!others.isEmpty()) {
+        return batch(course);
+      }
+      int count = dryRun ? 1 : targets.size();
       for (int i = 0; i < count && code <= ExitCodes.WARNINGS; i++) {
         if (turntable.isPresent()) {
           options.turn(360. * i / turntable.get());
         }
-        JsonSummary report = new JsonSummary("render", options.scene());
-        JsonSummary.Action frame = () -> frames.render(report, () -> run(report, course));
-        code = Math.max(code, run.summarized(report, frame));
+        code = Math.max(code, frame(course));
       }
     }
+    return code;
+  }
+
+  private int frame(Course course) throws SceneFormatException, TaskException {
+    JsonSummary report = new JsonSummary("render", options.scene());
+    return run.summarized(report, () -> course.frames.render(report, () -> run(report, course)));
+  }
+
+  /** Renders several scenes, and returns the highest of their exit codes. */
+  private int batch(Course course) throws SceneFormatException, TaskException {
+    Frames frames = course.frames;
+    int code = ExitCodes.OK;
+    for (Path scene : course.scenes) {
+      options.choose(scene);
+      run.about(frames, scene);
+      try {
+        code = Math.max(code, frame(course));
+      } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
+        if (!frames.areReserved() || frames.haveEnded() && code <= Failures.exitCode(e)) {
+          throw e;
+        }
+        code = Math.max(code, Failures.report(e, spec.commandLine(), run.errors()));
+        if (frames.haveEnded()) {
+          return code;
+        }
+        frames.fail(scene);
+      }
+    }
+    run.summarize(frames.summary(), Duration.between(course.start, Instant.now()));
     return code;
   }
 
@@ -196,28 +225,30 @@ final class RenderCommand implements Callable<Integer> {
       Duration startup,
       Deadline deadline,
       Interruption interruption,
+      List<Path> scenes,
       Frames frames) {}
 
   /** Returns the paths of all pictures. */
-  private List<Path> targets() throws TaskException {
+  private List<Path> targets(List<Path> scenes) throws TaskException {
+    List<Path> targets = to.targets(scenes);
     if (turntable.isEmpty()) {
-      return List.of(target());
+      return targets;
     }
     int count = turntable.get();
     new FlagChecks(spec).requireIn("--turntable", 1, 10_000, count);
     require(
-        options.isModel() && checkpoint.isEmpty() && !isStandardOutput(),
+        options.isModel() && checkpoint.isEmpty() && !to.isStandardOutput(),
         "--turntable: requires a model file, and cannot be combined with --checkpoint or -o -");
-    return Frames.numbered(target(), count);
+    return Frames.numbered(targets.get(0), count);
   }
 
   /** Renders one frame. */
   private int run(JsonSummary report, Course course) throws SceneFormatException, TaskException {
     Frames frames = course.frames;
-    if (frames.isEmpty()) {
+    if (!frames.areReserved()) {
       validate();
       requireStreams();
-      reserve(frames);
+      reserve(course.scenes, frames);
     }
     Instant begin = frames.isSingle() ? course.start : Instant.now();
     Messages messages = run.errors();
@@ -270,18 +301,17 @@ final class RenderCommand implements Callable<Integer> {
   }
 
   /** Checks and reserves the files of all pictures. */
-  private void reserve(Frames frames) throws TaskException {
+  private void reserve(List<Path> scenes, Frames frames) throws TaskException {
     Path target = frames.targets().get(0);
     require(
         !flags.hasLayers() || checkpoint.isPresent() || holdsLayers(target),
         "--layers: expected an .exr picture (-o) or --checkpoint, which hold layers, found "
             + target);
     requireDenoising(target);
-    checkOutputs(frames.targets());
+    checkOutputs(scenes, frames.targets());
     Optional<Denoising> denoising = stored.denoising();
-    if (isStandardOutput()) {
-      frames.reserve(
-          PictureOutput.toStandardOutput(format.orElse(ImageFormat.PNG), checkpoints.fallback()));
+    if (to.isStandardOutput()) {
+      frames.reserve(PictureOutput.toStandardOutput(to.format(), checkpoints.fallback()));
     } else {
       frames.reserve(denoising, checkpoints.fallback());
     }
@@ -290,7 +320,7 @@ final class RenderCommand implements Callable<Integer> {
   private void requireDenoising(Path target) {
     if (stored.isDenoising()) {
       require(
-          !isStandardOutput(),
+          !to.isStandardOutput(),
           "--denoise: expected a file (-o), found " + target + "; the noisy picture is kept too");
       flags.recordForDenoising();
     }
@@ -339,41 +369,33 @@ final class RenderCommand implements Callable<Integer> {
     return ExitCodes.OK;
   }
 
-  private Path target() {
-    Path scene = options.scene();
-    Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene));
-    require(
-        isStandardOutput() || ImageFormat.of(target).isPresent(),
-        target + ": expected a name that ends in one of " + ImageFormat.endings());
-    return target;
-  }
-
   /** Returns whether the format of the picture holds layers. */
   private boolean holdsLayers(Path target) {
-    Optional<ImageFormat> chosen = isStandardOutput() ? format : ImageFormat.of(target);
+    Optional<ImageFormat> chosen =
+        to.isStandardOutput() ? Optional.of(to.format()) : ImageFormat.of(target);
     return chosen.equals(Optional.of(ImageFormat.EXR));
-  }
-
-  private boolean isStandardOutput() {
-    return output.equals(Optional.of(PictureOutput.STANDARD));
   }
 
   /** Rejects flags that cannot be combined with standard input or output. */
   private void requireStreams() {
-    require(format.isEmpty() || isStandardOutput(), "--format: requires -o -");
     require(
-        checkpoint.isEmpty() || !options.isStandardInput() && !isStandardOutput(),
+        checkpoint.isEmpty() || !options.isStandardInput() && !to.isStandardOutput(),
         "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' needs"
             + " both files");
-    require(!isStandardOutput() || !run.isJson(), "-o -: cannot be combined with --json");
+    require(!to.isStandardOutput() || !run.isJson(), "-o -: cannot be combined with --json");
     require(
-        !isStandardOutput() || !StandardOutput.isTerminal(),
+        !to.isStandardOutput() || !StandardOutput.isTerminal(),
         "-o -: standard output is a terminal; expected a file or a pipe");
   }
 
-  private void checkOutputs(List<Path> targets) throws TaskException {
-    OutputGuard guard = options.guardedBy(overwrite.guard());
-    if (!isStandardOutput()) {
+  private void checkOutputs(List<Path> scenes, List<Path> targets) throws TaskException {
+    OutputGuard guard = overwrite.guard();
+    if (scenes.size() > 1) {
+      options.guardAll(scenes, guard);
+    } else {
+      options.guardedBy(guard);
+    }
+    if (!to.isStandardOutput()) {
       targets.forEach(target -> stored.guarding(guard, target));
     }
     // An existing checkpoint file is rejected later, with the advice to resume it.

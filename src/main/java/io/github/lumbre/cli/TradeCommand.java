@@ -10,6 +10,7 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.TextOutput;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.trade.ExactRow;
 import io.github.lumbre.lab.trade.Knob;
@@ -188,7 +189,7 @@ final class TradeCommand implements Callable<Integer> {
   }
 
   private static String baseName(Path scene) {
-    String picture = PictureOutput.defaultFor(scene).toString();
+    String picture = PictureOutput.defaultFor(scene, ImageFormat.PNG).toString();
     return picture.substring(0, picture.lastIndexOf('.'));
   }
 

@@ -312,7 +312,7 @@ class ModelCommandsTest {
     assertThat(outcome.err().replace(directory + "/", ""))
         .endsWith(
             "lumbre: --timeout: the time ended after 0 of 3 pictures: a-000.pfm is partial,"
-                + " a-001.pfm to a-002.pfm are not rendered\n");
+                + " 2 not rendered: a-001.pfm to a-002.pfm\n");
     assertThat(directory.resolve("a-000.pfm")).exists();
     assertThat(directory.resolve("a-001.pfm")).doesNotExist();
   }

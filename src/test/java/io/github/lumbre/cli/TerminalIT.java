@@ -334,7 +334,7 @@ class TerminalIT {
       assertThat(terminal.screen())
           .contains(
               "lumbre: stopped after 0 of 3 pictures: a-000.png is partial,"
-                  + " a-001.png to a-002.png are not rendered");
+                  + " 2 not rendered: a-001.png to a-002.png");
     }
     assertThat(directory.resolve("a-000.png")).exists();
     assertThat(directory.resolve("a-001.png")).doesNotExist();

@@ -8,12 +8,16 @@ import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.DenoisedPicture;
+import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -53,6 +57,24 @@ public final class RunFlags {
       description = "Print ray counts, throughput, threads and memory at the end.")
   private boolean stats;
 
+  private String title = "";
+  private List<String> names = List.of();
+
+  /** Names the current one of several scenes in its messages and on its progress bar. */
+  public void about(Frames frames, Path scene) {
+    Path picture = frames.target().getFileName();
+    title = frames.title();
+    names = List.of(scene.toString(), String.valueOf(scene.getFileName()), picture.toString());
+  }
+
+  /** Prints the summary of several pictures, unless there shall be none. */
+  public void summarize(String summary, Duration time) {
+    if (!quiet) {
+      names = List.of();
+      errors().line(String.format(Locale.ROOT, "%s; %.2f s", summary, 1e-9 * time.toNanos()));
+    }
+  }
+
   /** Returns the deadline that the timeout sets, counted from now. */
   public Deadline deadline() {
     return Deadline.after(timeout);
@@ -70,7 +92,7 @@ public final class RunFlags {
 
   /** Returns the printer of everything else, standard error. */
   public Messages errors() {
-    return new Messages(spec.commandLine().getErr());
+    return new Messages(spec.commandLine().getErr(), names);
   }
 
   public RenderMonitor monitor(Interruption interruption, Deadline deadline) {
@@ -82,7 +104,7 @@ public final class RunFlags {
         progress.orElse(
             !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
     return switch (style) {
-      case BAR -> ProgressBar.onStandardError();
+      case BAR -> ProgressBar.onStandardError(title);
       case JSON -> new JsonProgress(errors());
       case NONE -> ProgressDisplay.NONE;
     };

@@ -16,6 +16,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -24,6 +25,7 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 
 /** The flags and arguments of all commands that read a scene. */
@@ -78,6 +80,42 @@ public final class SceneOptions {
     return isStandardInput()
         ? ModelReader.isModel(standardInput(), standardInput().length)
         : ModelReader.isModel(scene);
+  }
+
+  /** Chooses one of several scenes. */
+  public void choose(Path chosen) {
+    scene = chosen;
+  }
+
+  /**
+   * Adds several scenes and their asset files to the files that a command reads, as {@link
+   * #guardedBy} does. Models are read at once if a picture may replace one of their files, because
+   * another scene's picture would be written before they are read.
+   *
+   * @throws ParameterException that names the scene, if a flag does not suit it
+   */
+  public void guardAll(List<Path> scenes, OutputGuard given) throws TaskException {
+    Path chosen = scene;
+    for (Path one : scenes) {
+      choose(one);
+      guardedBy(given);
+      try {
+        if (isModel()) {
+          model.stage(turn);
+          given.readsAssets(one, () -> modelFiles(one));
+        } else {
+          model.requireNone();
+        }
+      } catch (ParameterException e) {
+        throw new ParameterException(e.getCommandLine(), one + ": " + e.getMessage(), e);
+      }
+    }
+    choose(chosen);
+  }
+
+  private Set<Path> modelFiles(Path file) throws SceneFormatException, IOException {
+    SceneFile read = parser().parse(file, model.stage(turn));
+    return read.assetPaths(read.text().orElseThrow().path());
   }
 
   /**
@@ -169,7 +207,7 @@ public final class SceneOptions {
   public SceneFile load(SceneParser parser, Messages messages)
       throws SceneFormatException, TaskException {
     SceneFile file = read(parser);
-    if (guard.isPresent()) {
+    if (guard.isPresent() && isModel()) {
       guard.get().checkAssets(scene, file.assetPaths(file.text().orElseThrow().path()));
     }
     messages.warnings(file.warnings());

@@ -7,6 +7,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
 import io.github.lumbre.text.Spelling;
+import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.util.List;
 import java.util.Optional;
@@ -86,7 +87,16 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
 
   /** Reports an exception or error thrown by a command, and returns the exit code. */
   public static int report(Throwable thrown, CommandLine command, boolean debug) {
-    Messages messages = new Messages(command.getErr());
+    return report(thrown, command.getErr(), debug, new Messages(command.getErr()));
+  }
+
+  /** Reports an exception or error of one of several scenes, and returns the exit code. */
+  public static int report(Throwable thrown, CommandLine command, Messages messages) {
+    return report(
+        thrown, command.getErr(), isDebug(command.getParent().getParseResult()), messages);
+  }
+
+  private static int report(Throwable thrown, PrintWriter err, boolean debug, Messages messages) {
     if (thrown instanceof SceneFormatException) {
       problems(thrown).forEach(messages::line);
     } else {
@@ -95,14 +105,14 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
       problems(thrown).forEach(problem -> messages.error(problem + advice));
     }
     if (debug) {
-      thrown.printStackTrace(command.getErr());
-      command.getErr().flush();
+      thrown.printStackTrace(err);
+      err.flush();
     }
     return exitCode(thrown);
   }
 
   /** Returns the exit code for an exception or error. */
-  static int exitCode(Throwable thrown) {
+  public static int exitCode(Throwable thrown) {
     if (thrown instanceof TaskException e) {
       return ExitCodes.of(e.kind());
     }
@@ -113,7 +123,7 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
         case LIMIT -> ExitCodes.LIMIT;
       };
     }
-    if (thrown instanceof InvalidPathException) {
+    if (thrown instanceof InvalidPathException || thrown instanceof ParameterException) {
       return ExitCodes.USAGE;
     }
     return rootIs(thrown, OutOfMemoryError.class) ? ExitCodes.LIMIT : ExitCodes.INTERNAL;
@@ -121,8 +131,8 @@ public final class Failures implements IExecutionExceptionHandler, IParameterExc
 
   /** Returns the problems that an exception or error reports, at least one line. */
   static List<String> problems(Throwable thrown) {
-    if (thrown instanceof TaskException e) {
-      return List.of(e.getMessage());
+    if (thrown instanceof TaskException || thrown instanceof ParameterException) {
+      return List.of(thrown.getMessage());
     }
     if (thrown instanceof SceneFormatException e) {
       return ProblemText.of(e);

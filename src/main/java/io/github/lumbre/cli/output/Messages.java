@@ -5,6 +5,8 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Prints messages, one line each. Characters that could move the cursor, color the terminal or fake
@@ -14,17 +16,38 @@ public final class Messages {
   /** Prints nothing. */
   public static final Messages NONE = new Messages(new PrintWriter(Writer.nullWriter()));
 
+  /** The starts of lines that stay in front of a scene's name. */
+  private static final Pattern START = Pattern.compile("^(lumbre: |warning: |hint: |)");
+
   private final PrintWriter out;
+  private final List<String> names;
 
   public Messages(PrintWriter out) {
+    this(out, List.of());
+  }
+
+  /**
+   * @param names names of the scene and its files; the first is added to lines that contain none.
+   *     If empty, lines are printed as they are
+   */
+  public Messages(PrintWriter out, List<String> names) {
     this.out = out;
+    this.names = names;
+  }
+
+  private String named(String text) {
+    return names.isEmpty() || names.stream().anyMatch(text::contains)
+        ? text
+        : START
+            .matcher(text)
+            .replaceFirst(m -> Matcher.quoteReplacement(m.group() + names.get(0) + ": "));
   }
 
   /** Prints a line. */
   public void line(String text) {
     ProgressBar.aside(
         () -> {
-          out.println(printable(text));
+          out.println(printable(named(text)));
           out.flush();
         });
   }

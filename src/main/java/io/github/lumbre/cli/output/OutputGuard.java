@@ -14,6 +14,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The files that a command reads and writes. {@link #check} rejects a command before it starts if
@@ -25,6 +27,9 @@ public final class OutputGuard {
   private final List<Input> inputs = new ArrayList<>();
   private final List<Assets> assets = new ArrayList<>();
   private final List<Output> outputs = new ArrayList<>();
+
+  /** The outputs by the identities of the files that writing them replaces or deletes. */
+  private final Map<Object, Output> replaced = new HashMap<>();
 
   /** Lists the files that a scene's assets name. */
   @FunctionalInterface
@@ -115,9 +120,12 @@ public final class OutputGuard {
    */
   public void check() throws TaskException {
     for (Output output : outputs) {
-      for (Input input : inputs) {
-        requireDifferent(output, input);
+      for (Path path : written(output.path)) {
+        PictureOutput.identities(path).forEach(identity -> replaced.putIfAbsent(identity, output));
       }
+    }
+    for (Input input : inputs) {
+      requireDifferent(input);
     }
     Map<Object, Output> written = new HashMap<>();
     for (Output output : outputs) {
@@ -139,19 +147,26 @@ public final class OutputGuard {
    */
   public void checkAssets(Path model, Set<Path> assets) throws TaskException {
     for (Path asset : assets) {
-      for (Output output : outputs) {
-        requireDifferent(output, new Input(asset, "a file of the scene " + model));
-      }
+      requireDifferent(new Input(asset, "a file of the scene " + model));
     }
   }
 
-  /** Reads the scenes' asset lists only if an output exists: only then can it be an asset. */
+  /**
+   * Reads the asset list of a scene only if an output exists in the scene's folder or below: only
+   * then can it be an asset.
+   */
   private void checkAssets() throws TaskException {
-    if (outputs.stream().flatMap(o -> written(o.path).stream()).noneMatch(Files::exists)) {
-      return;
-    }
+    Set<Path> folders =
+        outputs.stream()
+            .flatMap(output -> written(output.path).stream())
+            .filter(Files::exists)
+            .flatMap(path -> Stream.ofNullable(PictureOutput.real(path).getParent()))
+            .collect(Collectors.toSet());
     for (Assets ofScene : assets) {
-      checkAssets(ofScene.scene, ofScene.files());
+      Path folder = PictureOutput.real(ofScene.scene).getParent();
+      if (folders.stream().anyMatch(existing -> existing.startsWith(folder))) {
+        checkAssets(ofScene.scene, ofScene.files());
+      }
     }
   }
 
@@ -161,9 +176,10 @@ public final class OutputGuard {
     return name == null ? List.of(output) : List.of(output, OutputFile.temporary(output));
   }
 
-  private static void requireDifferent(Output output, Input input) throws TaskException {
-    for (Path written : written(output.path)) {
-      if (PictureOutput.isSame(written, input.path)) {
+  private void requireDifferent(Input input) throws TaskException {
+    for (Object identity : PictureOutput.identities(input.path)) {
+      Output output = replaced.get(identity);
+      if (output != null) {
         throw refused(
             output.path
                 + ": is "

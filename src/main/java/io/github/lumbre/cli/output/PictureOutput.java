@@ -38,24 +38,15 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Returns the default path of a scene's picture: the scene's name with {@code .png}, in the
-   * working directory; {@code stdin.png} for a scene from standard input.
+   * Returns the default name of a scene's picture: the scene's name with the ending of the format,
+   * such as {@code .png}; {@code stdin.png} for a scene from standard input.
    */
-  public static Path defaultFor(Path scene) {
+  public static Path defaultFor(Path scene, ImageFormat format) {
     Path name = scene.equals(STANDARD) ? STDIN : scene.getFileName();
     String text = name == null ? "" : name.toString();
     int dot = text.lastIndexOf('.');
     String base = dot > 0 ? text.substring(0, dot) : text;
-    return Path.of((base.isEmpty() ? "picture" : base) + ImageFormat.PNG.ending());
-  }
-
-  /** Returns whether two paths denote the same file, which need not exist. */
-  static boolean isSame(Path one, Path other) {
-    try {
-      return Files.isSameFile(one, other);
-    } catch (IOException e) {
-      return real(one).equals(real(other));
-    }
+    return Path.of((base.isEmpty() ? "picture" : base) + format.ending());
   }
 
   /**
@@ -75,7 +66,7 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /** Returns a path with symbolic links resolved; the file itself need not exist. */
-  private static Path real(Path path) {
+  static Path real(Path path) {
     Path absolute = path.toAbsolutePath();
     Path parent = absolute.getParent();
     try {

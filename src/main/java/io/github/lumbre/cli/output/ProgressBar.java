@@ -36,6 +36,7 @@ public final class ProgressBar implements ProgressDisplay {
   private static final AtomicReference<Optional<ProgressBar>> SHOWN =
       new AtomicReference<>(Optional.empty());
 
+  private final String title;
   private final PrintStream out;
   private final TerminalWidth width;
   private final boolean hasEscapes;
@@ -67,7 +68,12 @@ public final class ProgressBar implements ProgressDisplay {
   private boolean closed;
 
   private ProgressBar(
-      PrintStream out, TerminalWidth width, boolean hasEscapes, DoubleSupplier clock) {
+      String title,
+      PrintStream out,
+      TerminalWidth width,
+      boolean hasEscapes,
+      DoubleSupplier clock) {
+    this.title = title.isEmpty() ? "" : Messages.printable(title) + ": ";
     this.out = out;
     this.width = width;
     this.hasEscapes = hasEscapes;
@@ -76,11 +82,16 @@ public final class ProgressBar implements ProgressDisplay {
     lastTick = start;
   }
 
-  /** Returns a bar on standard error and starts to draw it. */
-  public static ProgressBar onStandardError() {
+  /**
+   * Returns a bar on standard error and starts to draw it.
+   *
+   * @param title start of its line, such as {@code 3/12 c.png}; may be empty
+   */
+  public static ProgressBar onStandardError(String title) {
     String terminal = System.getenv().getOrDefault("TERM", "dumb");
     ProgressBar bar =
         new ProgressBar(
+            title,
             System.err,
             TerminalWidth.watching(),
             !terminal.equals("dumb"),
@@ -93,8 +104,12 @@ public final class ProgressBar implements ProgressDisplay {
 
   /** Returns a bar that is drawn only by {@link #tick}. */
   static ProgressBar manual(
-      PrintStream out, TerminalWidth width, boolean hasEscapes, DoubleSupplier clock) {
-    return new ProgressBar(out, width, hasEscapes, clock);
+      String title,
+      PrintStream out,
+      TerminalWidth width,
+      boolean hasEscapes,
+      DoubleSupplier clock) {
+    return new ProgressBar(title, out, width, hasEscapes, clock);
   }
 
   /** Prints lines above the bar if one is shown: erases it first, and the next tick redraws it. */
@@ -231,10 +246,13 @@ public final class ProgressBar implements ProgressDisplay {
     if (drawn > 0 && columns != drawnWidth) {
       erase();
     }
+    String head = BarStatus.cut(title, columns / 3);
+    int room = columns - 1 - head.length();
     String text =
-        activity.isEmpty()
-            ? status(seconds).line(columns - 1)
-            : BarStatus.cut(activity + " ... " + clock(seconds), columns - 1);
+        head
+            + (activity.isEmpty()
+                ? status(seconds).line(room)
+                : BarStatus.cut(activity + " ... " + clock(seconds), room));
     String rest = hasEscapes ? "\033[K" : " ".repeat(Math.max(0, drawn - text.length()));
     out.print("\r" + text + rest + "\r");
     out.flush();

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -18,12 +19,18 @@ import java.util.stream.IntStream;
  * one signal or deadline ends the whole sequence. Mutable, for one thread.
  */
 public final class Frames implements AutoCloseable {
+  /** The number of failed scenes that are named. */
+  private static final int MOST_NAMES = 20;
+
   private final List<Path> targets;
   private final Interruption interruption;
   private final Deadline deadline;
   private final List<PictureOutput> pictures = new ArrayList<>();
   private final List<DenoisedPicture> denoised = new ArrayList<>();
-  private int complete;
+  private final List<Path> failed = new ArrayList<>();
+  private int current;
+  private boolean reserved;
+  private boolean ended;
 
   /** Renders the current frame and returns its exit code. */
   @FunctionalInterface
@@ -68,12 +75,14 @@ public final class Frames implements AutoCloseable {
       pictures.add(PictureOutput.reserve(target, fallback));
       denoised.add(DenoisedPicture.reserve(denoising, target, fallback));
     }
+    reserved = true;
   }
 
   /** Sets the only picture, for one that is not a file. */
   public void reserve(PictureOutput picture) {
     pictures.add(picture);
     denoised.add(DenoisedPicture.NONE);
+    reserved = true;
   }
 
   /** Returns the paths of all pictures. */
@@ -81,9 +90,9 @@ public final class Frames implements AutoCloseable {
     return targets;
   }
 
-  /** Returns whether nothing is reserved yet. */
-  public boolean isEmpty() {
-    return pictures.isEmpty();
+  /** Returns whether the files of all pictures are reserved. */
+  public boolean areReserved() {
+    return reserved;
   }
 
   /** Returns whether there is only one picture. */
@@ -93,22 +102,67 @@ public final class Frames implements AutoCloseable {
 
   /** Returns whether the current frame is the first one. */
   public boolean isFirst() {
-    return complete == 0;
+    return current == 0;
   }
 
-  /** Returns the number of frames that are not complete. */
+  /** Returns the number of frames that are neither complete nor failed. */
   public int left() {
-    return targets.size() - complete;
+    return targets.size() - current;
+  }
+
+  /** Returns whether a signal or the deadline has ended the sequence. */
+  public boolean haveEnded() {
+    return ended;
+  }
+
+  /** Returns the place and name of the current frame, {@code 3/12 c.png}; empty if it is single. */
+  public String title() {
+    return isSingle()
+        ? ""
+        : "%d/%d %s".formatted(current + 1, targets.size(), target().getFileName());
+  }
+
+  /**
+   * Goes to the next frame, because the current one failed.
+   *
+   * @param scene scene of the current frame, for {@link #summary}
+   */
+  public void fail(Path scene) {
+    failed.add(scene);
+    current++;
+  }
+
+  /** Returns {@code 11 of 12 pictures written, 1 failed: c.glb}. */
+  public String summary() {
+    String failures = failed.isEmpty() ? "" : ", " + failures();
+    return complete() + " of " + Numbers.count(targets.size(), "picture") + " written" + failures;
+  }
+
+  private int complete() {
+    return current - failed.size();
+  }
+
+  /** Returns the number of failed frames and their first scenes. */
+  private String failures() {
+    int more = failed.size() - MOST_NAMES;
+    String names =
+        failed.stream().limit(MOST_NAMES).map(Path::toString).collect(Collectors.joining(", "));
+    return failed.size() + " failed: " + names + (more > 0 ? " and " + more + " more" : "");
+  }
+
+  /** Returns the path of the current picture. */
+  public Path target() {
+    return targets.get(current);
   }
 
   /** Returns the output of the current frame. */
   public PictureOutput picture() {
-    return pictures.get(complete);
+    return pictures.get(current);
   }
 
   /** Returns the denoised output of the current frame. */
   public DenoisedPicture denoised() {
-    return denoised.get(complete);
+    return denoised.get(current);
   }
 
   /**
@@ -128,7 +182,7 @@ public final class Frames implements AutoCloseable {
       throw hasEnded && !isSingle() ? ended(e.kind(), 0) : e;
     }
     int partial = report.isPartial() ? 1 : 0;
-    complete += 1 - partial;
+    current += 1 - partial;
     if (interruption.isRequested() && !isSingle() && left() > 0) {
       throw ended(Kind.STOPPED, partial);
     }
@@ -142,25 +196,33 @@ public final class Frames implements AutoCloseable {
    * @param partial number of partial frames, 0 or 1
    */
   private TaskException ended(Kind kind, int partial) {
+    ended = true;
     String what = kind == Kind.STOPPED ? "stopped after " : "--timeout: the time ended after ";
     List<String> states = new ArrayList<>();
-    if (complete > 0) {
-      states.add(names(0, complete) + " complete");
+    if (failed.isEmpty() && current > 0) {
+      states.add(names(0, current) + " complete");
     }
     if (partial > 0) {
-      states.add(names(complete, complete + 1) + " partial");
+      states.add(names(current, current + 1) + " partial");
     }
-    if (complete + partial < targets.size()) {
-      states.add(names(complete + partial, targets.size()) + " not rendered");
+    int begun = current + partial;
+    if (begun < targets.size()) {
+      states.add(left() - partial + " not rendered: " + range(begun, targets.size()));
     }
-    String done = complete + " of " + Numbers.count(targets.size(), "picture");
+    if (!failed.isEmpty()) {
+      states.add(failures());
+    }
+    String done = complete() + " of " + Numbers.count(targets.size(), "picture");
     return new TaskException(kind, what + done + ": " + String.join(", ", states));
   }
 
   /** Returns the names of the frames from a first one to before a last one, with a verb. */
   private String names(int from, int to) {
-    String last = targets.get(to - 1).toString();
-    return to - from == 1 ? last + " is" : targets.get(from) + " to " + last + " are";
+    return range(from, to) + (to - from == 1 ? " is" : " are");
+  }
+
+  private String range(int from, int to) {
+    return (to - from == 1 ? "" : targets.get(from) + " to ") + targets.get(to - 1);
   }
 
   /** Releases the reserved files that are not written, in reverse order. */

@@ -28,7 +28,7 @@ public final class RenderMonitor implements LabHost.Display {
   public RenderMonitor(Interruption interruption, boolean hasDisplay) {
     this(
         interruption,
-        hasDisplay ? ProgressBar.onStandardError() : ProgressDisplay.NONE,
+        hasDisplay ? ProgressBar.onStandardError("") : ProgressDisplay.NONE,
         Deadline.NEVER,
         new Messages(new PrintWriter(System.err, true)));
   }

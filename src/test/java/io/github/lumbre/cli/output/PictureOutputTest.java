@@ -24,7 +24,7 @@ class PictureOutputTest {
     "/, picture.png"
   })
   void defaultIsTheScenesNameInTheWorkingDirectory(Path scene, Path picture) {
-    assertThat(PictureOutput.defaultFor(scene)).isEqualTo(picture);
+    assertThat(PictureOutput.defaultFor(scene, ImageFormat.PNG)).isEqualTo(picture);
   }
 
   @Test

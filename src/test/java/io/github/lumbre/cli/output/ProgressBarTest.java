@@ -16,8 +16,12 @@ class ProgressBarTest {
   private final TerminalWidth width = TerminalWidth.measuredBy(() -> columns);
 
   private ProgressBar bar(boolean hasEscapes) {
-    return ProgressBar.manual(
-        new PrintStream(bytes, true, StandardCharsets.UTF_8), width, hasEscapes, () -> now);
+    return bar("", hasEscapes);
+  }
+
+  private ProgressBar bar(String title, boolean hasEscapes) {
+    PrintStream out = new PrintStream(bytes, true, StandardCharsets.UTF_8);
+    return ProgressBar.manual(title, out, width, hasEscapes, () -> now);
   }
 
   private String printed() {

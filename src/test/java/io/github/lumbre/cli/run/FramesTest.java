@@ -75,7 +75,7 @@ class FramesTest {
     assertEnds(
         Kind.STOPPED,
         "stopped after 1 of 4 pictures: a-000.png is complete, a-001.png is partial,"
-            + " a-002.png to a-003.png are not rendered",
+            + " 2 not rendered: a-002.png to a-003.png",
         after(1),
         false,
         interruption::request);
@@ -85,8 +85,8 @@ class FramesTest {
   void signalsBetweenTwoFramesEndIt() throws Exception {
     assertEnds(
         Kind.STOPPED,
-        "stopped after 3 of 4 pictures: a-000.png to a-002.png are complete, a-003.png is not"
-            + " rendered",
+        "stopped after 3 of 4 pictures: a-000.png to a-002.png are complete, 1 not"
+            + " rendered: a-003.png",
         after(2),
         true,
         interruption::request);
@@ -111,8 +111,8 @@ class FramesTest {
   void signalsDuringReadingNameTheFrames() throws Exception {
     assertEnds(
         Kind.STOPPED,
-        "stopped after 2 of 4 pictures: a-000.png to a-001.png are complete, a-002.png to a-003.png"
-            + " are not rendered",
+        "stopped after 2 of 4 pictures: a-000.png to a-001.png are complete, 2 not rendered:"
+            + " a-002.png to a-003.png",
         after(2),
         false,
         () -> {
@@ -125,7 +125,7 @@ class FramesTest {
     assertEnds(
         Kind.LIMIT,
         "--timeout: the time ended after 2 of 4 pictures: a-000.png to a-001.png are complete,"
-            + " a-002.png is partial, a-003.png is not rendered",
+            + " a-002.png is partial, 1 not rendered: a-003.png",
         after(2),
         false,
         () -> nanos.set(1));

@@ -1,0 +1,132 @@
+package io.github.lumbre.cli.option;
+
+import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.text.Normalizer;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The flags that name the pictures of {@code render}. */
+public final class TargetFlags {
+  /** The flags that cannot be combined with several scenes. */
+  private static final Set<String> FOR_ONE_SCENE =
+      Set.of("--checkpoint", "--dry-run", "--turntable");
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "OUT",
+      description = {
+        "Picture to write: PNG or JPEG for the screen, OpenEXR or PFM for linear light, by its"
+            + " ending; - for standard output. A name without an ending is a folder, in which"
+            + " pictures have the names of their scenes.",
+        "Default: the scene's name with .png, in the working directory."
+      })
+  private Optional<Path> output;
+
+  @Option(
+      names = "--format",
+      paramLabel = "NAME",
+      description = "Format of the pictures with -o - or a folder: png, exr, pfm or jpg (png).")
+  private Optional<ImageFormat> format;
+
+  /** Returns whether the picture is written to standard output. */
+  public boolean isStandardOutput() {
+    return output.equals(Optional.of(PictureOutput.STANDARD));
+  }
+
+  /** Returns the format of a picture that {@code -o} does not name. */
+  public ImageFormat format() {
+    return format.orElse(ImageFormat.PNG);
+  }
+
+  /**
+   * Returns the picture of each scene.
+   *
+   * @throws TaskException if two scenes have the same picture, also if only the case of letters
+   *     differs, which many file systems ignore
+   */
+  public List<Path> targets(List<Path> scenes) throws TaskException {
+    if (scenes.size() > 1) {
+      requireBatch(scenes);
+    }
+    boolean isFolder = isFolder();
+    new FlagChecks(spec)
+        .require(
+            format.isEmpty() || isStandardOutput() || isFolder,
+            "--format: requires -o - or a folder (-o)");
+    List<Path> targets = new ArrayList<>();
+    Map<String, Path> named = new HashMap<>();
+    for (Path scene : scenes) {
+      Path target = isFolder ? inFolder(scene) : single(scene);
+      String name = Normalizer.normalize(target.toString(), Normalizer.Form.NFC);
+      Path other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), scene);
+      if (other != null) {
+        throw new TaskException(
+            Kind.OUTPUT,
+            "%s and %s: both pictures would be %s; rename one, or render them into two folders"
+                .formatted(other, scene, target));
+      }
+      targets.add(target);
+    }
+    return targets;
+  }
+
+  private void requireBatch(List<Path> scenes) {
+    FlagChecks checks = new FlagChecks(spec);
+    for (String flag : FOR_ONE_SCENE) {
+      checks.require(
+          !spec.commandLine().getParseResult().hasMatchedOption(flag),
+          flag + ": requires one scene, found " + scenes.size());
+    }
+    checks.require(
+        !scenes.contains(PictureOutput.STANDARD),
+        "-: standard input cannot be one of several scenes");
+    checks.require(
+        output.isPresent(),
+        scenes.get(1) + ": several scenes require a folder for their pictures (-o FOLDER)");
+    checks.require(
+        isFolder(),
+        "-o: expected a folder for the pictures of several scenes, which exists or has a name"
+            + " without an ending, found "
+            + output.get());
+  }
+
+  /** Returns whether {@code -o} is a folder, which need not exist if its name has no ending. */
+  private boolean isFolder() {
+    return output
+        .filter(out -> !isStandardOutput() && (Files.isDirectory(out) || !hasEnding(out)))
+        .isPresent();
+  }
+
+  private static boolean hasEnding(Path path) {
+    return String.valueOf(path.getFileName()).indexOf('.') > 0;
+  }
+
+  private Path inFolder(Path scene) {
+    return output.orElseThrow().resolve(PictureOutput.defaultFor(scene, format()));
+  }
+
+  private Path single(Path scene) {
+    Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene, ImageFormat.PNG));
+    new FlagChecks(spec)
+        .require(
+            isStandardOutput() || ImageFormat.of(target).isPresent(),
+            target + ": expected a name that ends in one of " + ImageFormat.endings());
+    return target;
+  }
+}
