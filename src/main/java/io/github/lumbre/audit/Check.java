@@ -1,11 +1,11 @@
 package io.github.lumbre.audit;
 
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.List;
 
 /** Checks a scene for one kind of problem. Stateless. */
 @FunctionalInterface
 interface Check {
   /** Returns the findings; empty if there are none. */
-  List<Finding> of(SceneFile file, Pilot pilot);
+  List<Finding> of(ParsedScene file, Pilot pilot);
 }

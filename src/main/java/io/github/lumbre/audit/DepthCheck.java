@@ -2,7 +2,7 @@ package io.github.lumbre.audit;
 
 import io.github.lumbre.audit.Finding.Severity;
 import io.github.lumbre.parser.Origin;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.render.internal.DepthCut;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.util.List;
@@ -14,7 +14,7 @@ final class DepthCheck implements Check {
   private static final double WORTH_A_WARNING = .05;
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     DepthCut cut;
     try {
       cut = DepthCut.of(file.scene(), file.settings());

@@ -10,7 +10,7 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.sampling.internal.Warp;
 import io.github.lumbre.scene.Primitive;
@@ -33,7 +33,7 @@ final class GlassCheck implements Check {
   private record Pane(int primitive, Shape shape, Bvh alone) {}
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
     List<Pane> closed = new ArrayList<>();
     for (int i = 0; i < file.scene().primitives().size(); i++) {
@@ -79,7 +79,7 @@ final class GlassCheck implements Check {
   }
 
   /** Adds a finding if the surface of one object lies partly or wholly inside the other. */
-  private static void compare(Pane surface, Pane volume, SceneFile file, List<Finding> findings) {
+  private static void compare(Pane surface, Pane volume, ParsedScene file, List<Finding> findings) {
     int inside = 0;
     int points = 0;
     NearestHit hit = new NearestHit();

@@ -2,7 +2,7 @@ package io.github.lumbre.audit;
 
 import io.github.lumbre.light.Light;
 import io.github.lumbre.parser.Origin;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Primitive;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -21,7 +21,7 @@ final class LightCheck implements Check {
   private static final double LEAST_POWER = .01;
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
     List<Light> emitters = file.scene().emitters();
     if (emitters.isEmpty() && file.scene().ambient().isBlack() && !emits(file)) {
@@ -49,13 +49,13 @@ final class LightCheck implements Check {
     return findings;
   }
 
-  private static boolean emits(SceneFile file) {
+  private static boolean emits(ParsedScene file) {
     return file.scene().primitives().stream()
         .anyMatch(p -> p.emission().isPresent() && !p.emission().get().isBlack());
   }
 
   /** Reports infinite emitters, which cannot be sampled. */
-  private static void unsampled(SceneFile file, List<Finding> findings) {
+  private static void unsampled(ParsedScene file, List<Finding> findings) {
     for (int i = 0; i < file.scene().primitives().size(); i++) {
       Primitive primitive = file.scene().primitives().get(i);
       boolean isEndless = !Double.isFinite(primitive.shape().area());
@@ -72,7 +72,7 @@ final class LightCheck implements Check {
     }
   }
 
-  private static void shares(SceneFile file, Pilot pilot, List<Finding> findings) {
+  private static void shares(ParsedScene file, Pilot pilot, List<Finding> findings) {
     List<Light> emitters = file.scene().emitters();
     double radius = file.scene().radius();
     double all = emitters.stream().mapToDouble(e -> e.power(radius)).sum();

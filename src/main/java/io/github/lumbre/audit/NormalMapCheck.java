@@ -3,7 +3,7 @@ package io.github.lumbre.audit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -19,7 +19,7 @@ final class NormalMapCheck implements Check {
   private static final double MOST_ODD = .5;
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
     for (Surfaces.Used used : Surfaces.materials(file)) {
       if (used.material() instanceof NormalMapped mapped) {

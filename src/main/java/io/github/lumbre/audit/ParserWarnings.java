@@ -2,14 +2,14 @@ package io.github.lumbre.audit;
 
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.Problem;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Reports the parser's warnings, and rejected samples (negative, NaN or infinite). */
 final class ParserWarnings implements Check {
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
     file.warnings().forEach(warning -> findings.add(finding(warning)));
     if (pilot.rejected() > 0) {

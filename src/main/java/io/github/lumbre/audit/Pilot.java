@@ -1,7 +1,7 @@
 package io.github.lumbre.audit;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.FoundLight;
 import io.github.lumbre.path.PathVertex.Source;
@@ -23,7 +23,7 @@ final class Pilot {
   /** The number of vertices beyond the scene's path length limit. */
   private static final int DEEPER = 32;
 
-  private final SceneFile file;
+  private final ParsedScene file;
   private final RenderSettings settings;
   private final long[] met;
   private final double[] lightOfEmitter;
@@ -32,7 +32,7 @@ final class Pilot {
   private double light;
   private double lightBeyond;
 
-  private Pilot(SceneFile file) {
+  private Pilot(ParsedScene file) {
     this.file = file;
     settings = file.settings();
     met = new long[file.scene().primitives().size()];
@@ -40,7 +40,7 @@ final class Pilot {
   }
 
   /** Traces the paths of the pilot render. */
-  static Pilot of(SceneFile file) {
+  static Pilot of(ParsedScene file) {
     Pilot pilot = new Pilot(file);
     pilot.run();
     return pilot;

@@ -7,7 +7,7 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.Phong;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
@@ -20,7 +20,7 @@ final class ReflectanceCheck implements Check {
   private static final String LAW = "reflectance";
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     List<Finding> findings = new ArrayList<>();
     for (Surfaces.Used used : Surfaces.materials(file)) {
       Material material = Surfaces.flat(used.material());

@@ -3,7 +3,7 @@ package io.github.lumbre.audit;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import java.util.List;
@@ -16,7 +16,7 @@ final class ScaleCheck implements Check {
   private static final double ENVELOPE = 1e9;
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     double farthest = cameraDistance(file);
     double smallest = Double.POSITIVE_INFINITY;
     int far = -1;
@@ -56,7 +56,7 @@ final class ScaleCheck implements Check {
             "move the objects closer together, or the whole scene closer to the origin"));
   }
 
-  private static double cameraDistance(SceneFile file) {
+  private static double cameraDistance(ParsedScene file) {
     Sampler sampler = new SobolSampler(file.settings().seed());
     sampler.startSample(0, 0, 0);
     Optional<Ray> ray = file.scene().camera().rayFor(new Point2(.5, .5), sampler);

@@ -2,6 +2,7 @@ package io.github.lumbre.audit;
 
 import io.github.lumbre.audit.Finding.Severity;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.Comparator;
 import java.util.List;
 
@@ -28,9 +29,10 @@ public final class SceneAudit {
    * findings may be missing and the interrupt status stays set.
    */
   public static List<Finding> of(SceneFile file) {
-    Pilot pilot = Pilot.of(file);
+    ParsedScene scene = ParsedScene.of(file);
+    Pilot pilot = Pilot.of(scene);
     return CHECKS.stream()
-        .flatMap(check -> check.of(file, pilot).stream())
+        .flatMap(check -> check.of(scene, pilot).stream())
         .sorted(Comparator.comparing(Finding::severity).thenComparing(f -> f.advice().isEmpty()))
         .toList();
   }

@@ -3,7 +3,7 @@ package io.github.lumbre.audit;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.Origin;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
@@ -23,7 +23,7 @@ final class Surfaces {
   record Used(Origin origin, Material material) {}
 
   /** Returns the distinct materials in use, each with its place in the file. */
-  static List<Used> materials(SceneFile file) {
+  static List<Used> materials(ParsedScene file) {
     Set<Material> known = new HashSet<>();
     List<Used> used = new ArrayList<>();
     for (int i = 0; i < file.scene().primitives().size(); i++) {

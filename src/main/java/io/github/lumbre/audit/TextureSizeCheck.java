@@ -4,8 +4,8 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.parser.Origin;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneOrigins.TextureUse;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneOrigins.TextureUse;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
@@ -37,7 +37,7 @@ final class TextureSizeCheck implements Check {
   private record Seen(int primitive, TexturePoint point) {}
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     List<TextureUse> large =
         file.origins().textures().stream()
             .filter(use -> (long) use.width() * use.height() >= LEAST_TEXELS)
@@ -92,7 +92,7 @@ final class TextureSizeCheck implements Check {
   }
 
   /** Returns du/dx, dv/dx, du/dy and dv/dy per pixel for sampled pixels, by material. */
-  private static Map<Origin, List<double[]>> steps(SceneFile file) {
+  private static Map<Origin, List<double[]>> steps(ParsedScene file) {
     int width = file.settings().width();
     int height = file.settings().height();
     Sampler sampler = new SobolSampler(file.settings().seed());
@@ -125,7 +125,7 @@ final class TextureSizeCheck implements Check {
   }
 
   private static Optional<Seen> seen(
-      SceneFile file, int x, int y, Sampler sampler, NearestHit hit) {
+      ParsedScene file, int x, int y, Sampler sampler, NearestHit hit) {
     Scene scene = file.scene();
     Point2 film =
         new Point2(

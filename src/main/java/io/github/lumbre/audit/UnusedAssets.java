@@ -1,13 +1,13 @@
 package io.github.lumbre.audit;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneOrigins;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneOrigins;
 import java.util.List;
 
 /** Reports assets of the file that the rendered scene does not use. */
 final class UnusedAssets implements Check {
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     return file.origins().unused().stream().map(UnusedAssets::finding).toList();
   }
 

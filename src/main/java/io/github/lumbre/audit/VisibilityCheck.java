@@ -1,7 +1,7 @@
 package io.github.lumbre.audit;
 
 import io.github.lumbre.parser.Origin;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -10,7 +10,7 @@ final class VisibilityCheck implements Check {
   private static final String LAW = "unseen";
 
   @Override
-  public List<Finding> of(SceneFile file, Pilot pilot) {
+  public List<Finding> of(ParsedScene file, Pilot pilot) {
     int objects = file.scene().primitives().size();
     if (objects > 0 && IntStream.range(0, objects).allMatch(i -> pilot.met(i) == 0)) {
       return List.of(

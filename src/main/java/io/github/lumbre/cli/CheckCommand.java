@@ -8,12 +8,12 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.model.ModelAnimation;
-import io.github.lumbre.parser.ModelContents;
-import io.github.lumbre.parser.SceneContents;
+import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.internal.ModelContents;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -79,8 +79,9 @@ final class CheckCommand implements Callable<Integer> {
 
   private static int print(SceneFile file, JsonSummary report, Messages out) {
     report.putScene(file);
-    report.putContents(file.contents());
-    file.text().flatMap(SceneText::model).ifPresent(report::putModel);
+    ParsedScene parsed = ParsedScene.of(file);
+    report.putContents(parsed.contents());
+    parsed.model().ifPresent(report::putModel);
     report.put("exit_code", ExitCodes.OK);
     report.print(out);
     return ExitCodes.OK;
@@ -88,7 +89,8 @@ final class CheckCommand implements Callable<Integer> {
 
   private void describe(SceneFile file, Messages out) {
     RenderSettings settings = file.settings();
-    SceneContents contents = file.contents();
+    ParsedScene parsed = ParsedScene.of(file);
+    SceneContents contents = parsed.contents();
     out.line("scene      " + options.scene() + " is valid");
     out.line("camera     " + contents.camera());
     out.line("size       " + settings.width() + "x" + settings.height() + " pixels");
@@ -98,7 +100,7 @@ final class CheckCommand implements Callable<Integer> {
     out.line("meshes     " + contents.meshes());
     out.line("triangles  " + contents.triangles());
     out.line("lights     " + contents.lights());
-    Optional<ModelContents> model = file.text().flatMap(SceneText::model);
+    Optional<ModelContents> model = parsed.model();
     List<String> names = model.map(ModelContents::materials).orElse(List.of());
     String materials = listed(names.stream().map(CheckCommand::quoted));
     out.line("materials  " + contents.materials() + (materials.isEmpty() ? "" : ": " + materials));

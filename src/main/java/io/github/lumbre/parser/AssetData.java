@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.internal.Sha256;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;

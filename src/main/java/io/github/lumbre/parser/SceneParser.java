@@ -6,6 +6,9 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.internal.FileHashes;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.text.PrintableText;
@@ -381,7 +384,7 @@ public final class SceneParser {
     world.read(settings.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);
-    return new SceneFile(
+    return new ParsedScene(
         scene,
         settings,
         problems.warnings(),
@@ -389,7 +392,8 @@ public final class SceneParser {
         new FileHashes(Sha256.of(text), data.hashes()),
         world.contents(),
         world.origins(),
-        source);
+        source,
+        Optional.empty());
   }
 
   /**

@@ -6,6 +6,8 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.parser.ObjectTree.Placed;
+import io.github.lumbre.parser.internal.SceneContents;
+import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;

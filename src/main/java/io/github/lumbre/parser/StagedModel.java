@@ -18,6 +18,12 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.parser.internal.CameraPose;
+import io.github.lumbre.parser.internal.FileHashes;
+import io.github.lumbre.parser.internal.ModelContents;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneContents;
+import io.github.lumbre.parser.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
@@ -136,7 +142,7 @@ final class StagedModel {
             stage.background(),
             parser.kernel(),
             Optional.empty());
-    return new SceneFile(
+    return new ParsedScene(
         scene,
         settings,
         problems.warnings(),
@@ -145,11 +151,8 @@ final class StagedModel {
         contents(camera, models),
         parts.origins(List.of(), List.of()),
         // One line, which the header of a checkpoint file can hold.
-        Optional.of(
-            new SceneText(
-                text,
-                folder.resolve(file.getFileName()),
-                Optional.of(ModelContents.of(model, framing)))));
+        Optional.of(new SceneText(text, folder.resolve(file.getFileName()))),
+        Optional.of(ModelContents.of(model, framing.min(), framing.max())));
   }
 
   /** Returns a scene of this model as it is seen from each of some directions. */

@@ -17,6 +17,7 @@ import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFile;
+import io.github.lumbre.parser.internal.Sha256;
 import io.github.lumbre.scene.SceneNode;
 import io.github.lumbre.scene.SurfaceNames;
 import java.nio.charset.StandardCharsets;

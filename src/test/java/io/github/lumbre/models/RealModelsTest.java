@@ -9,6 +9,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -241,7 +242,7 @@ class RealModelsTest {
     SceneFile scene = new SceneParser().parse(file, Stage.DEFAULT);
     List<String> warnings =
         scene.warnings().stream().map(w -> w.path() + ": " + w.message()).toList();
-    return new Content(scene.contents().triangles(), warnings);
+    return new Content(ParsedScene.of(scene).contents().triangles(), warnings);
   }
 
   private static Content sky(Path file) throws IOException {

@@ -19,6 +19,7 @@ import io.github.lumbre.light.PointLight;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.TexturePoint;
 import java.nio.file.Path;
@@ -123,7 +124,7 @@ class LightReaderTest {
     String one = json("{'type': 'Light', 'lightType': 'Ambient', 'intensity': 0.25}");
     SceneFile file = fixture.parse(scene(one + "," + one, ""));
     assertThat(file.scene().ambient()).isEqualTo(Rgb.grey(.5));
-    assertThat(file.contents().lights()).isEqualTo(2);
+    assertThat(ParsedScene.of(file).contents().lights()).isEqualTo(2);
   }
 
   @ParameterizedTest

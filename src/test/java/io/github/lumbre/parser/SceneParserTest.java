@@ -11,6 +11,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.awt.image.BufferedImage;
@@ -48,7 +50,8 @@ class SceneParserTest {
     assertThat(file.scene().primitives()).isEmpty();
     assertThat(file.settings()).isEqualTo(RenderSettings.DEFAULT);
     assertThat(file.warnings()).isEmpty();
-    assertThat(file.contents()).isEqualTo(new SceneContents("Pinhole", 0, 0, 0, 0, 0, 0));
+    assertThat(ParsedScene.of(file).contents())
+        .isEqualTo(new SceneContents("Pinhole", 0, 0, 0, 0, 0, 0));
   }
 
   @Test
@@ -322,7 +325,7 @@ class SceneParserTest {
             json(
                 "{'id': 2, 'assetType': 'Mesh', 'file': 'unused.obj'},"
                     + "{'id': 3, 'assetType': 'Texture', 'file': 'unused.png'}"));
-    assertThat(fixture.parse(text).origins().unused()).hasSize(2);
+    assertThat(ParsedScene.of(fixture.parse(text)).origins().unused()).hasSize(2);
   }
 
   @ParameterizedTest
@@ -356,7 +359,8 @@ class SceneParserTest {
     Path sub = Files.createDirectory(folder.resolve("sub"));
     Files.createSymbolicLink(folder.resolve("link"), sub);
     Files.writeString(sub.resolve("a.obj"), TRIANGLE);
-    assertThat(fixture.parse(sceneWithMeshFile(name)).contents().triangles()).isEqualTo(1);
+    assertThat(ParsedScene.of(fixture.parse(sceneWithMeshFile(name))).contents().triangles())
+        .isEqualTo(1);
   }
 
   @Test
@@ -405,7 +409,7 @@ class SceneParserTest {
             scene(
                 json("{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2}"),
                 json("{'id': 2, 'assetType': 'Mesh', 'base64OBJ': '" + lines + "'}")));
-    assertThat(file.contents().triangles()).isEqualTo(1);
+    assertThat(ParsedScene.of(file).contents().triangles()).isEqualTo(1);
   }
 
   @Test
@@ -496,7 +500,8 @@ class SceneParserTest {
                     + "{'id': 4, 'assetType': 'Material', 'materialType': 'None'},"
                     + "{'id': 6, 'assetType': 'Material', 'materialType': 'None'}");
     SceneFile file = fixture.parse(scene(objects, assets));
-    assertThat(file.contents()).isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 1, 2, 1));
+    assertThat(ParsedScene.of(file).contents())
+        .isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 1, 2, 1));
     assertThat(file.warnings())
         .map(Object::toString)
         .containsExactly("scene.json: $.assets[0].base64OBJ: dropped triangles of zero area: 1");

@@ -21,6 +21,7 @@ import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;
@@ -113,8 +114,9 @@ class SceneWriterTest {
   void codeScenesHaveHashesPlacesAndAudits() {
     SceneFile file = SceneWriter.file(simple().build(), SETTINGS);
     assertThat(file.hash()).hasSize(64);
-    assertThat(file.origins().primitives().get(0).toString()).isEqualTo("$.objects[0] \"ball\"");
-    assertThat(file.contents().shapes()).isEqualTo(1);
+    assertThat(ParsedScene.of(file).origins().primitives().get(0).toString())
+        .isEqualTo("$.objects[0] \"ball\"");
+    assertThat(ParsedScene.of(file).contents().shapes()).isEqualTo(1);
     assertThat(SceneAudit.of(file)).isNotNull();
     assertThat(new PixelReplay(file.scene(), SETTINGS).pixel(8, 5, 1).brightest()).isNotEmpty();
     Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GREY).build();

@@ -103,8 +103,8 @@ public final class PixelJson {
 
   private Map<String, Object> hit(Hit hit) {
     Map<String, Object> values = new LinkedHashMap<>();
-    put("object", report.file().origins().primitives().get(hit.primitive()), values);
-    put("material", report.file().origins().materials().get(hit.primitive()), values);
+    put("object", report.origins().primitives().get(hit.primitive()), values);
+    put("material", report.origins().materials().get(hit.primitive()), values);
     values.put("bsdf", hit.bsdf());
     values.put("position", vector(hit.position()));
     values.put("geometric_normal", vector(hit.geometricNormal()));
@@ -123,7 +123,7 @@ public final class PixelJson {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("source", SettingType.nameOf(light.source()));
     if (light.emitter() >= 0) {
-      put("emitter", report.file().origins().emitters().get(light.emitter()), values);
+      put("emitter", report.origins().emitters().get(light.emitter()), values);
     }
     values.put("wi", vector(light.wi()));
     values.put("radiance", rgb(light.radiance()));

@@ -5,6 +5,8 @@ import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.FoundLight;
@@ -40,6 +42,11 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
    * @param samples the number of samples whose camera ray hits it first
    */
   record Seen(Origin object, Origin material, int samples) {}
+
+  /** Returns the places of the scene's objects in its file. */
+  SceneOrigins origins() {
+    return ParsedScene.of(file).origins();
+  }
 
   /** Returns the path of a sample, vertex by vertex. */
   public String text(PixelReplay.Sample sample) {
@@ -131,8 +138,8 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   List<Seen> seen(PixelReplay.Pixel all) {
     Map<List<Origin>, Integer> samples = new LinkedHashMap<>();
     for (PixelReplay.Seen seen : all.seen()) {
-      Origin object = file.origins().primitives().get(seen.primitive());
-      Origin material = file.origins().materials().get(seen.primitive());
+      Origin object = origins().primitives().get(seen.primitive());
+      Origin material = origins().materials().get(seen.primitive());
       samples.merge(List.of(object, material), seen.samples(), Integer::sum);
     }
     return samples.entrySet().stream()
@@ -165,7 +172,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   }
 
   private String material(Hit hit) {
-    String what = material(file.origins().materials().get(hit.primitive()));
+    String what = material(origins().materials().get(hit.primitive()));
     return hit.bsdf().isEmpty() ? what : what + " (" + hit.bsdf() + ")";
   }
 
@@ -223,12 +230,12 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
 
   /** Returns the place of an object in the scene file. */
   String primitive(int number) {
-    return file.origins().primitives().get(number).toString();
+    return origins().primitives().get(number).toString();
   }
 
   /** Returns the place of a light in the scene file. */
   String emitter(int number) {
-    return file.origins().emitters().get(number).toString();
+    return origins().emitters().get(number).toString();
   }
 
   /** Returns a label of the density that is weighted against light sampling. */

@@ -12,7 +12,8 @@ import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneOrigins;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -30,7 +31,7 @@ public final class PlanReport {
   public PlanReport(SceneFile file) {
     scene = file.scene();
     settings = file.settings();
-    unused = file.origins().unused();
+    unused = ParsedScene.of(file).origins().unused();
   }
 
   /** Prints one line for each kind of step: what is done, or why it is skipped. */

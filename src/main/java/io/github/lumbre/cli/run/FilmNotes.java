@@ -13,6 +13,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Size;
@@ -71,7 +72,7 @@ public final class FilmNotes {
               notes.put(SCENE_TEXT, new String(text.json(), StandardCharsets.UTF_8));
               notes.put(SCENE_FOLDER, text.path().toAbsolutePath().getParent().toString());
             });
-    FilmFiles.text(file.files()).ifPresent(text -> notes.put(FILES, text));
+    FilmFiles.text(ParsedScene.of(file).files()).ifPresent(text -> notes.put(FILES, text));
     notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
     notes.put(SAMPLES, String.valueOf(settings.samples()));
     notes.put(EXPOSURE, settings.text(Setting.EXPOSURE));
@@ -150,7 +151,10 @@ public final class FilmNotes {
    */
   public List<String> changedFiles(Path scene, SceneFile now) {
     return Optional.ofNullable(header.notes().get(FILES))
-        .map(then -> FilmFiles.changed(then, now.files(), String.valueOf(scene.getFileName())))
+        .map(
+            then ->
+                FilmFiles.changed(
+                    then, ParsedScene.of(now).files(), String.valueOf(scene.getFileName())))
         .orElse(List.of());
   }
 

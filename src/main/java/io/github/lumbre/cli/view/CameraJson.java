@@ -7,7 +7,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.CameraPose;
+import io.github.lumbre.parser.internal.CameraPose;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;

@@ -5,7 +5,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.parser.CameraPose;
+import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.scene.Scene;
 
 /**

@@ -1,22 +1,24 @@
 package io.github.lumbre.cli.view;
 
-import io.github.lumbre.parser.CameraPose;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.CameraPose;
+import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.Optional;
 
 /** A scene and where its camera has been moved to. Mutable; callers synchronize. */
 final class SceneCamera {
-  private Optional<SceneFile> home = Optional.empty();
-  private Optional<SceneFile> current = Optional.empty();
+  private Optional<ParsedScene> home = Optional.empty();
+  private Optional<ParsedScene> current = Optional.empty();
   private Optional<Orbit> orbit = Optional.empty();
   private Optional<CameraPose> pose = Optional.empty();
 
   /** Replaces the scene; the camera stays where it was moved to. */
   void open(SceneFile file) {
     boolean isFirst = home.isEmpty();
-    home = Optional.of(file);
+    ParsedScene opened = ParsedScene.of(file);
+    home = Optional.of(opened);
     orbit = isFirst || pose.isEmpty() ? Optional.of(Orbit.of(file.scene())) : orbit;
-    current = Optional.of(pose.map(file::seenFrom).orElse(file));
+    current = Optional.of(pose.map(opened::seenFrom).orElse(opened));
   }
 
   /** Moves the camera. Returns whether there is a scene. */
@@ -39,7 +41,7 @@ final class SceneCamera {
 
   /** Returns the scene with the camera where it is; empty before the first one is read. */
   Optional<SceneFile> scene() {
-    return current;
+    return current.map(file -> file);
   }
 
   Optional<Orbit> orbit() {

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.CameraPose;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.preview.Preview;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;

@@ -1,10 +1,10 @@
 package io.github.lumbre.model.gltf;
 
-import io.github.lumbre.model.ModelAnimation;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.GltfText;
+import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.ArrayList;

@@ -1,7 +1,6 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.model.ModelAnimation;
 import io.github.lumbre.model.ModelFormatException;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,11 +1,11 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 
 /** Angles of the scene format. */
-final class Rotations {
+public final class Rotations {
   private Rotations() {}
 
   /**
@@ -14,7 +14,7 @@ final class Rotations {
    *
    * @param axes right (x), up (y) and forward (z)
    */
-  static Vec3 degrees(Frame axes) {
+  public static Vec3 degrees(Frame axes) {
     Vec3 forward = axes.normal();
     double pitch = Math.toDegrees(Elementary.asin(Math.max(-1, Math.min(1, -forward.y()))));
     double yaw;

@@ -1,5 +1,6 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
+import io.github.lumbre.parser.Origin;
 import java.util.List;
 
 /**

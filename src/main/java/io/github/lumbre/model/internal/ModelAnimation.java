@@ -1,4 +1,4 @@
-package io.github.lumbre.model;
+package io.github.lumbre.model.internal;
 
 import java.util.Objects;
 import java.util.OptionalDouble;

@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
 /**
  * The number of objects and assets in a scene and its models.

@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
 import java.util.Collections;
 import java.util.Map;

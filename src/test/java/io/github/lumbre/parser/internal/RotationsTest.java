@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.math.Frame;
@@ -32,7 +32,7 @@ public record CameraPose(Vec3 position, Vec3 rotation) {
   }
 
   /** Returns the right, up and forward directions, with the bits of a scene file's camera. */
-  Frame axes() {
+  public Frame axes() {
     Transform turn = Transform.IDENTITY.times(Transform.rotationDegrees(rotation));
     return new Frame(turn.vector(Vec3.X), turn.vector(Vec3.Y), turn.vector(Vec3.Z));
   }

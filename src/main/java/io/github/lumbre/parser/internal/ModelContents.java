@@ -1,8 +1,8 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.model.ModelAnimation;
 import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -33,15 +33,18 @@ public record ModelContents(
     materials = List.copyOf(materials);
   }
 
-  static ModelContents of(Model model, Framing framing) {
+  /**
+   * Returns the contents of a model.
+   *
+   * @param low the least coordinates of its vertices, left-handed
+   * @param high the largest coordinates, left-handed
+   */
+  public static ModelContents of(Model model, Vec3 low, Vec3 high) {
     Map<String, String> materials = new LinkedHashMap<>();
     model.parts().stream()
         .map(part -> part.material())
         .filter(material -> !material.location().isEmpty())
         .forEach(m -> materials.put(m.location(), m.name().isEmpty() ? m.location() : m.name()));
-    // The framing is left-handed.
-    Vec3 low = framing.min();
-    Vec3 high = framing.max();
     return new ModelContents(
         cameraNames(model),
         model.animations(),
@@ -52,7 +55,7 @@ public record ModelContents(
   }
 
   /** Returns the names of a model's cameras, in the order of the file. */
-  static List<String> cameraNames(Model model) {
+  public static List<String> cameraNames(Model model) {
     List<String> names = new ArrayList<>();
     for (ModelCamera each : model.cameras()) {
       names.add(each.name().isEmpty() ? Integer.toString(names.size()) : each.name());
