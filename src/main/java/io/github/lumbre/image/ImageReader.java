@@ -9,6 +9,7 @@ import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.png.PngTransparency;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.io.EOFException;
 import java.io.IOException;
@@ -83,13 +84,13 @@ public final class ImageReader {
     if (PngFile.startsIn(file)) {
       PngFile png = PngFile.read(file);
       PictureLimits.checkPixels(png.width(), png.height(), maxPixels);
-      PictureLimits.checkMemory(png.width(), png.height(), 1, Runtime.getRuntime().maxMemory());
+      PictureLimits.checkMemory(png.width(), png.height(), 1, Limits.NONE);
       return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0), png.transparency()));
     }
     if (JpegFile.startsIn(file)) {
       JpegFile jpeg = JpegFile.read(file);
       PictureLimits.checkPixels(jpeg.width(), jpeg.height(), maxPixels);
-      PictureLimits.checkMemory(jpeg.width(), jpeg.height(), 1, Runtime.getRuntime().maxMemory());
+      PictureLimits.checkMemory(jpeg.width(), jpeg.height(), 1, Limits.NONE);
       return decode(
           "JPEG",
           jpeg.content(),

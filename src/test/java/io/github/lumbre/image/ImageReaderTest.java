@@ -9,6 +9,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.png.PngFixture;
+import io.github.lumbre.limit.Limits;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
@@ -247,11 +248,13 @@ class ImageReaderTest {
 
   @Test
   void aPictureLargerThanTheHeapIsRefusedBeforeItIsDecoded() {
-    assertThatCode(() -> PictureLimits.checkMemory(1024, 512, 2, 1 << 20))
+    assertThatCode(() -> PictureLimits.checkMemory(1024, 512, 2, Limits.NONE.withMemory(1 << 20)))
         .doesNotThrowAnyException();
-    assertThatThrownBy(() -> PictureLimits.checkMemory(2048, 1024, 1, 1 << 20))
+    assertThatThrownBy(
+            () -> PictureLimits.checkMemory(2048, 1024, 1, Limits.NONE.withMemory(1 << 20)))
         .hasMessage(
-            "the picture has 2048x1024 pixels, which need 2 MiB, but the heap is limited to 1 MiB");
+            "the picture has 2048x1024 pixels: expected at most 1048576 bytes of memory, found"
+                + " 2097152");
   }
 
   @Test
@@ -438,9 +441,10 @@ class ImageReaderTest {
           .isInstanceOf(ImageFormatException.class)
           .hasMessageContaining(size[0] + "x" + size[1]);
     }
-    assertThatCode(() -> PictureLimits.checkMemory(1024, 1024, 1, 1 << 20))
+    assertThatCode(() -> PictureLimits.checkMemory(1024, 1024, 1, Limits.NONE.withMemory(1 << 20)))
         .doesNotThrowAnyException();
-    assertThatThrownBy(() -> PictureLimits.checkMemory(1024, 1024, 1, (1 << 20) - 1))
+    assertThatThrownBy(
+            () -> PictureLimits.checkMemory(1024, 1024, 1, Limits.NONE.withMemory((1 << 20) - 1)))
         .isInstanceOf(ImageFormatException.class);
   }
 }

@@ -257,7 +257,7 @@ class UploadLimitsTest {
   void memoryOfMeshesAndJson() throws IOException {
     Limits limits = Limits.NONE.withMemory(1 << 20);
     String vertices = "v 0 0 0\n".repeat(60_000);
-    assertRefused(file("a.obj", vertices + TRIANGLE), limits, "needs at most 1048576 bytes");
+    assertRefused(file("a.obj", vertices + TRIANGLE), limits, "at most 1048576 bytes of memory");
     String numbers = "0,".repeat(60_000) + "0";
     assertRefused(file("a.gltf", "{\"a\":[" + numbers + "]}"), limits, "JSON tokens");
     assertRefused(file("s.json", "{\"a\":[" + numbers + "]}"), limits, "JSON tokens");

@@ -9,6 +9,7 @@ import io.github.lumbre.image.exr.ExrHeader.Window;
 import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
@@ -94,7 +95,7 @@ public final class ExrReader {
   /** Reads a file, of which any part may be damaged. */
   @FunctionalInterface
   private interface Reading<T> {
-    public T read() throws ImageFormatException, DataFormatException;
+    T read() throws ImageFormatException, DataFormatException;
   }
 
   private static <T> T intact(Reading<T> reading) throws ImageFormatException {
@@ -159,8 +160,7 @@ public final class ExrReader {
           "OpenEXR: expected at most %d values in all channels, found %d channels of %d pixels"
               .formatted(LayeredImage.MAX_VALUES, channels.size(), pixels));
     }
-    PictureLimits.checkMemory(
-        width, height, channels.size() * Float.BYTES, Runtime.getRuntime().maxMemory());
+    PictureLimits.checkMemory(width, height, channels.size() * Float.BYTES, Limits.NONE);
     Map<String, List<ExrChannel>> byLayer = new TreeMap<>();
     for (ExrChannel channel : channels) {
       byLayer.computeIfAbsent(channel.layer(), name -> new ArrayList<>()).add(channel);

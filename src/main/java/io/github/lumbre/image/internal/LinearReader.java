@@ -12,6 +12,7 @@ import io.github.lumbre.image.hdr.HdrReader;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.pfm.PfmReader;
 import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.limit.Limits;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -122,8 +123,7 @@ public final class LinearReader {
    *     then
    */
   public static float[] raster(int width, int height, int channels) throws ImageFormatException {
-    long maxHeapBytes = Runtime.getRuntime().maxMemory();
-    PictureLimits.checkMemory(width, height, channels * Float.BYTES, maxHeapBytes);
+    PictureLimits.checkMemory(width, height, channels * Float.BYTES, Limits.NONE);
     try {
       return new float[Math.multiplyExact(channels, width * height)];
     } catch (OutOfMemoryError e) {

@@ -4,6 +4,8 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.limit.Limits;
+import java.util.Optional;
 
 /** The limits of the sizes of pictures, checked before memory is allocated. */
 public final class PictureLimits {
@@ -40,15 +42,15 @@ public final class PictureLimits {
     }
   }
 
-  /** Checks that a picture fits into a heap of the given size. */
-  public static void checkMemory(int width, int height, int bytesPerPixel, long maxHeapBytes)
+  /** Checks that a picture fits into the heap, and the memory that the limits allow. */
+  public static void checkMemory(int width, int height, int bytesPerPixel, Limits limits)
       throws ImageFormatException {
     long bytes = (long) bytesPerPixel * width * height;
-    if (bytes > maxHeapBytes) {
+    Optional<String> excess = Limits.excess("bytes of memory", limits.heap(), bytes);
+    if (excess.isPresent()) {
       throw new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE,
-          "the picture has %dx%d pixels, which need %d MiB, but the heap is limited to %d MiB"
-              .formatted(width, height, bytes >> 20, maxHeapBytes >> 20));
+          "the picture has %dx%d pixels: %s".formatted(width, height, excess.get()));
     }
   }
 }

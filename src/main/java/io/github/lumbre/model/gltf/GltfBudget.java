@@ -25,7 +25,6 @@ final class GltfBudget {
   /** Heap bytes of a node and its transforms. */
   private static final long BYTES_PER_NODE = 500;
 
-  private final long maxBytes;
   private final Limits limits;
   private long triangles;
   private long bytes;
@@ -33,22 +32,9 @@ final class GltfBudget {
   private long indices;
   private long parts;
 
-  /**
-   * @param maxBytes of arrays and objects that are made of the file
-   */
-  GltfBudget(long maxBytes) {
-    this(maxBytes, Limits.NONE);
-  }
-
-  private GltfBudget(long maxBytes, Limits limits) {
-    this.maxBytes = maxBytes;
-    this.limits = limits;
-  }
-
-  /** Returns the limits that suit the heap of this process, and the given ones. */
-  static GltfBudget within(Limits limits) {
-    long ofHeap = Runtime.getRuntime().maxMemory() / 4 * 3;
-    return new GltfBudget(Math.min(ofHeap, limits.memory()), limits);
+  /** Creates the budget of a file: at most three quarters of the heap, and within the limits. */
+  GltfBudget(Limits limits) {
+    this.limits = limits.withMemory(Math.min(limits.memory(), Limits.NONE.heap() / 4 * 3));
   }
 
   /** Adds the triangles of a part, whose arrays {@link #allocate} counts. */
@@ -59,7 +45,7 @@ final class GltfBudget {
 
   /** Returns the number of tokens of JSON that may be read. */
   long tokens() {
-    return JsonTree.maxTokens(maxBytes - bytes);
+    return JsonTree.maxTokens(limits.heap() - bytes);
   }
 
   /** Adds nodes, and the bytes that they need. */
@@ -94,6 +80,6 @@ final class GltfBudget {
    */
   void allocate(String location, long more) throws ModelFormatException {
     bytes += more;
-    ModelLimits.require(location, "bytes of memory for the model", maxBytes, bytes);
+    ModelLimits.requireMemory(location, bytes, limits);
   }
 }

@@ -90,7 +90,7 @@ public final class GltfReader {
    */
   public static Model read(byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
-    return read(content, folder, options, GltfBudget.within(options.limits()));
+    return read(content, folder, options, new GltfBudget(options.limits()));
   }
 
   public static Model read(

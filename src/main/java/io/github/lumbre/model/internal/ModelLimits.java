@@ -19,23 +19,14 @@ public final class ModelLimits {
   private ModelLimits() {}
 
   /**
-   * Checks that a mesh fits into the heap, and the memory that the limits allow.
+   * Checks that a model fits into the heap, and the memory that the limits allow.
    *
-   * @param bytes that the mesh needs at least
+   * @param bytes that the model needs at least
    * @throws ModelFormatException if it does not
    */
   public static void requireMemory(String location, long bytes, Limits limits)
       throws ModelFormatException {
-    long max = limits.heap();
-    if (bytes > max) {
-      throw new ModelFormatException(
-          Kind.TOO_LARGE,
-          location,
-          "expected a mesh that needs at most "
-              + max
-              + " bytes of memory, found one that needs "
-              + bytes);
-    }
+    require(location, "bytes of memory for the model", limits.heap(), bytes);
   }
 
   /**

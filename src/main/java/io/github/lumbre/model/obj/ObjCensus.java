@@ -11,8 +11,6 @@ import io.github.lumbre.model.internal.TextScanner;
  * @param hasSmoothing whether the text has smoothing groups
  */
 record ObjCensus(int positions, int uvs, int normals, long triangles, boolean hasSmoothing) {
-  private static final long MAX_COUNT = ModelLimits.MAX_COUNT;
-
   /** Three doubles per vector. A triangle has three indices of half that size. */
   private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
 
@@ -20,12 +18,6 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
    * @throws ModelFormatException if the mesh does not fit into memory, or exceeds the limits
    */
   static ObjCensus of(byte[] text, Limits limits) throws ModelFormatException {
-    ObjCensus census = of(text, limits.heap());
-    ModelLimits.requireTriangles("", census.triangles, limits);
-    return census;
-  }
-
-  static ObjCensus of(byte[] text, long maxHeapBytes) throws ModelFormatException {
     TextScanner scanner = new TextScanner(text);
     int positions = 0;
     int uvs = 0;
@@ -49,24 +41,16 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
       scanner.endLine();
     }
     ObjCensus census = new ObjCensus(positions, uvs, normals, triangles, hasSmoothing);
-    census.requireRoom(scanner, maxHeapBytes);
+    census.requireRoom(limits);
     return census;
   }
 
-  private void requireRoom(TextScanner scanner, long maxHeapBytes) throws ModelFormatException {
+  private void requireRoom(Limits limits) throws ModelFormatException {
     long most = Math.max(Math.max(positions, uvs), Math.max(normals, triangles));
-    if (most > MAX_COUNT) {
-      throw scanner.tooLarge(
-          "expected at most " + MAX_COUNT + " vertices and triangles, found " + most);
-    }
+    ModelLimits.require("", "vertices and triangles", ModelLimits.MAX_COUNT, most);
     long bytes = BYTES_PER_VECTOR * ((long) positions + uvs + normals) + 12 * triangles;
-    if (bytes > maxHeapBytes) {
-      throw scanner.tooLarge(
-          "expected a mesh that needs at most "
-              + maxHeapBytes
-              + " bytes of memory, found one that needs "
-              + bytes);
-    }
+    ModelLimits.requireMemory("", bytes, limits);
+    ModelLimits.requireTriangles("", triangles, limits);
   }
 
   private static int words(TextScanner scanner) {

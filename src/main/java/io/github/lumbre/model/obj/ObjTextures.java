@@ -8,6 +8,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelImage;
+import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelTexture;
 import io.github.lumbre.model.internal.Warnings;
 import io.github.lumbre.text.PrintableText;
@@ -42,10 +43,7 @@ public final class ObjTextures {
     }
     byte[] encoded = folder.read(map.file(), map.location());
     bytes += encoded.length;
-    if (bytes > limits.heap()) {
-      throw new ModelFormatException(
-          Kind.TOO_LARGE, map.location(), "expected pictures that fit into memory");
-    }
+    ModelLimits.requireMemory(map.location(), bytes, limits);
     try {
       ImageReader.requireIntact(encoded);
     } catch (ImageFormatException e) {

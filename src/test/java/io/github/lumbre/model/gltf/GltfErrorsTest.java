@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
@@ -444,7 +445,10 @@ class GltfErrorsTest {
             ModelFormatException.class,
             () ->
                 GltfReader.read(
-                    file.glb(), GltfFile.EMPTY, ModelOptions.DEFAULT, new GltfBudget(100_000_000)));
+                    file.glb(),
+                    GltfFile.EMPTY,
+                    ModelOptions.DEFAULT,
+                    new GltfBudget(Limits.NONE.withMemory(100_000_000))));
     assertThat(e).hasMessageStartingWith(message);
     assertThat(e.kind()).isEqualTo(Kind.TOO_LARGE);
   }
@@ -474,7 +478,10 @@ class GltfErrorsTest {
             ModelFormatException.class,
             () ->
                 GltfReader.read(
-                    file.glb(), GltfFile.EMPTY, ModelOptions.DEFAULT, new GltfBudget(100_000)));
+                    file.glb(),
+                    GltfFile.EMPTY,
+                    ModelOptions.DEFAULT,
+                    new GltfBudget(Limits.NONE.withMemory(100_000))));
     assertThat(e.kind()).isEqualTo(Kind.TOO_LARGE);
   }
 

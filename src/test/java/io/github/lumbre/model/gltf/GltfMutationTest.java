@@ -2,6 +2,7 @@ package io.github.lumbre.model.gltf;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
@@ -27,7 +28,11 @@ class GltfMutationTest {
   @Test
   void originalIsRead() throws ModelFormatException, IOException {
     Model model =
-        GltfReader.read(GltfSample.file(), GltfFile.EMPTY, OPTIONS, new GltfBudget(MAX_BYTES));
+        GltfReader.read(
+            GltfSample.file(),
+            GltfFile.EMPTY,
+            OPTIONS,
+            new GltfBudget(Limits.NONE.withMemory(MAX_BYTES)));
     assertThat(model.parts()).hasSize(3);
     assertThat(model.warnings()).isEmpty();
   }
@@ -69,7 +74,9 @@ class GltfMutationTest {
   private static Ending ending(byte[] file, long seed) throws IOException {
     try {
       ModelOptions options = OPTIONS.lenient(seed % 2 == 0);
-      Model model = GltfReader.read(file, GltfFile.EMPTY, options, new GltfBudget(MAX_BYTES));
+      Model model =
+          GltfReader.read(
+              file, GltfFile.EMPTY, options, new GltfBudget(Limits.NONE.withMemory(MAX_BYTES)));
       model.parts().forEach(GltfMutationTest::check);
       return Ending.READ;
     } catch (ModelFormatException e) {

@@ -4,6 +4,7 @@ import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
@@ -157,13 +158,12 @@ class ObjReaderTest {
   @Test
   void meshLargerThanTheHeapIsRefusedByItsCensus() throws ModelFormatException {
     byte[] text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(30_000).getBytes(US_ASCII);
-    assertThat(ObjCensus.of(text, 3 << 20).positions()).isEqualTo(90_000);
+    assertThat(ObjCensus.of(text, Limits.NONE.withMemory(3 << 20)).positions()).isEqualTo(90_000);
     ModelFormatException thrown =
-        catchThrowableOfType(ModelFormatException.class, () -> ObjCensus.of(text, 2 << 20));
+        catchThrowableOfType(
+            ModelFormatException.class, () -> ObjCensus.of(text, Limits.NONE.withMemory(2 << 20)));
     assertThat(thrown)
-        .hasMessage(
-            "line 120001: expected a mesh that needs at most 2097152 bytes of memory,"
-                + " found one that needs 2520000");
+        .hasMessage("expected at most 2097152 bytes of memory for the model, found 2520000");
     assertThat(thrown.kind()).isEqualTo(ModelFormatException.Kind.TOO_LARGE);
   }
 }
