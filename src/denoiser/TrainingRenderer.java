@@ -31,9 +31,9 @@ import java.util.concurrent.atomic.AtomicInteger;
  * <p>For training, each scene's file has 9 pictures of 14 planes and a target of 6, as 32-bit
  * floats, little-endian: pictures of the samples 0; 0 to 1, 3, 7, 15, 31, 63; 2 to 3, 4 to 7.
  * Planes: light, its noise, albedo, normal (three each), noise of albedo, noise of normal. The
- * target has 64 later samples, far from the others, since near samples of a low-discrepancy
- * sequence have errors of opposite signs: light and its noise. A reference has the light of the
- * samples from 1024 on alone.
+ * target has 64 later samples, or up to 256 where its noise is large, far from the others, since
+ * near samples of a low-discrepancy sequence have errors of opposite signs: light and its noise. A
+ * reference has the light of the samples from 1024 on alone.
  */
 final class TrainingRenderer {
   static final int PLANES = 14;
@@ -41,6 +41,8 @@ final class TrainingRenderer {
   private static final int[] PARTS = {2, 4};
   private static final int FIRST_OF_TARGET = 1024;
   private static final int TARGET = 64;
+  private static final int LARGEST_TARGET = 256;
+  private static final double NOISY = 0.008;
   private static final double BLACK = 1e-4;
   private static final int MOST_MESSAGES = 20;
 
@@ -104,7 +106,7 @@ final class TrainingRenderer {
   }
 
   private List<float[]> planes(Path scene) throws Exception {
-    int last = FIRST_OF_TARGET + Math.max(TARGET, reference);
+    int last = FIRST_OF_TARGET + Math.max(LARGEST_TARGET, reference);
     SceneFile file =
         new SceneParser()
             .overriding(settings -> settings.toBuilder().size(width, height).samples(last).build())
@@ -122,6 +124,9 @@ final class TrainingRenderer {
     Film target = part(renderer, FIRST_OF_TARGET, FIRST_OF_TARGET + TARGET);
     if (mean(light(target)) < BLACK) {
       throw new IOException("black");
+    }
+    for (int n = 2 * TARGET; n <= LARGEST_TARGET && relativeNoise(target) > NOISY; n *= 2) {
+      renderer.addSamples(target, n, Progress.NONE);
     }
     List<float[]> planes = new ArrayList<>();
     Film film = renderer.newFilm();
@@ -141,6 +146,18 @@ final class TrainingRenderer {
     Film film = renderer.newFilm(first);
     renderer.addSamples(film, end - first, Progress.NONE);
     return film;
+  }
+
+  /** Returns the mean of squared noise over squared light. */
+  private static double relativeNoise(Film film) {
+    float[] light = light(film);
+    float[] noise = film.developNoise();
+    double sum = 0;
+    for (int i = 0; i < light.length; i++) {
+      double deviation = known(noise[i]);
+      sum += deviation * deviation / (light[i] * (double) light[i] + 0.01);
+    }
+    return sum / light.length;
   }
 
   private static double mean(float[] values) {

@@ -125,6 +125,24 @@ def normals(rng, heights, strength):
     return Image.fromarray(np.clip(128 + 127 * n, 0, 255).astype(np.uint8))
 
 
+def shaded(rng, heights):
+    """Returns a picture of two colors that follows heights, as paint or dirt does."""
+    one, other = color(rng, 0.3, 0.2, 0.95), color(rng, 0.5, 0.05, 0.8)
+    return srgb(other + (one - other) * np.clip(heights / (heights.max() + 1e-9), 0, 1)[..., None])
+
+
+def treads(rng, n):
+    """Returns raised strips that lie crosswise in turn, as on floors of metal."""
+    y, x = np.mgrid[0:n, 0:n] / n
+    k = int(rng.choice([2, 3, 4, 6]))
+    u, v = k * (x + y), k * (x - y)
+    across = (np.floor(u) + np.floor(v)) % 2 == 0
+    fu, fv = np.abs(u % 1 - 0.5), np.abs(v % 1 - 0.5)
+    long, short = rng.uniform(0.3, 0.45), rng.uniform(0.08, 0.2)
+    bar = np.where(across, np.maximum(fu / long, fv / short), np.maximum(fu / short, fv / long))
+    return np.clip(3 * (1 - bar), 0, 1)
+
+
 def relief(rng, n=SIZE):
     """Returns heights of bumps, ripples, weaves, plates or bricks."""
     y, x = np.mgrid[0:n, 0:n] / n
@@ -133,11 +151,26 @@ def relief(rng, n=SIZE):
         lambda: noise(rng, n, 6, rng.uniform(0.4, 0.7), int(rng.choice([4, 8, 16]))),
         lambda: np.abs(np.sin(np.pi * k * x)) * np.abs(np.sin(np.pi * k * y)),
         lambda: np.where((np.floor(k * x) + np.floor(k * y)) % 2, np.sin(np.pi * k * x) ** 2, np.sin(np.pi * k * y) ** 2),
+        lambda: treads(rng, n),
+        lambda: treads(rng, n) + 0.05 * noise(rng, n, 6, 0.6),
         lambda: panels(rng, n),
         lambda: bricks(rng, n) + 0.1 * noise(rng, n, 6),
         lambda: 0.5 * panels(rng, n) + 0.5 * noise(rng, n, 6, 0.6),
     ]
     return kinds[int(rng.integers(len(kinds)))]()
+
+
+def mask_of_lens(rng, n=64):
+    """Returns the form of a lens: a polygon, a star, a flower or a ring, white on black."""
+    y, x = (np.mgrid[0:n, 0:n] + 0.5) / n * 2 - 1
+    radius, angle, k = np.hypot(x, y), np.arctan2(y, x) + rng.uniform(0, 6.28), int(rng.integers(3, 8))
+    wedge = np.cos(np.abs((angle % (2 * np.pi / k)) - np.pi / k))
+    forms = [
+        radius * wedge < 0.95 * np.cos(np.pi / k),
+        radius < 0.95 * (0.7 + 0.3 * np.cos(k * angle)),
+        (radius < 0.95) & (radius > rng.uniform(0.3, 0.7)),
+    ]
+    return Image.fromarray((255 * forms[int(rng.integers(len(forms)))]).astype(np.uint8))
 
 
 def pbr(rng, folder, name, n=SIZE):

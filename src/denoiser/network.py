@@ -90,8 +90,8 @@ class Network(nn.Module):
     def forward(self, x, scale):
         """Returns denoised light and filtered noise [B,3,H,W] in units of 1/scale; x is [B,14,H,W], sides are multiples of 16."""
         planes, light, divisor = features(x, scale)
-        with torch.autocast("cuda", dtype=torch.bfloat16, enabled=x.is_cuda and self.training):
-            heads = [h.float() for h in self.heads(planes)]
+        with torch.autocast("cuda", dtype=torch.bfloat16, enabled=x.is_cuda and self.training, cache_enabled=False):
+            heads = [h.float().contiguous() for h in self.heads(planes)]
         if not self.training:
             noise = x[:, 3:6] * scale
             light = torch.cat([light, noise, noise / divisor], 1)
@@ -107,9 +107,10 @@ def combine(heads, light):
     levels = []
     for level, h in enumerate(heads):
         b, c, height, width = light.shape
-        kernel = torch.softmax(h[:, :TAPS], 1).view(b, 1, TAPS, height * width)
-        near = F.unfold(F.pad(light, (KERNEL // 2,) * 4, mode="replicate"), KERNEL).view(b, c, TAPS, height * width)
-        levels.append((near * kernel).sum(2).view(b, c, height, width))
+        kernel = torch.softmax(h[:, :TAPS], 1).view(b, 1, KERNEL, KERNEL, height, width)
+        padded = F.pad(light, (KERNEL // 2,) * 4, mode="replicate")
+        near = padded.unfold(2, height, 1).unfold(3, width, 1)
+        levels.append((near * kernel).sum((2, 3)))
         if level < LEVELS - 1:
             weight = torch.exp(h[:, TAPS + 1 : TAPS + 2].clamp(-8, 8)) * weight
             pooled = F.avg_pool2d(weight, 2)

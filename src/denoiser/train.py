@@ -4,7 +4,7 @@
     train.py --data FOLDER --out FOLDER --seconds 36000 [--start WEIGHTS]
 
 Pictures may arrive while it runs. OUT gets weights.f16 (the mean of the last steps' weights, which is what counts),
-state.pt (all that is needed to go on) and log.csv. Same arguments again: it goes on where it was.
+state.pt (all that is needed to go on), log.csv, and held-out.csv with the errors of scenes that are held out. Same arguments again: it goes on where it was.
 """
 
 import argparse
@@ -24,9 +24,13 @@ from network import PLANES, Network, exposure, read_weights, tone, write_weights
 PICTURES = 9
 PREFIXES = [1, 2, 4, 8, 16, 32, 64]
 # How often each picture of a scene is drawn: the samples 0 to 0, 1, 3, 7, 15, 31, 63, then 2-3, 4-7.
-OFTEN = [0.4, 1.0, 2.0, 1.4, 2.2, 1.4, 1.8, 0.6, 1.0]
-HELD_OUT = int(os.environ.get("HELD_OUT", 32))
-SCALES = ((1, 1.0), (2, 0.5), (4, 0.35), (8, 0.25))
+OFTEN = [0.3, 1.0, 3.0, 1.4, 2.0, 1.2, 1.4, 0.6, 1.4]
+HELD_OUT = int(os.environ.get("HELD_OUT", 48))
+# Sizes at which errors are seen, with the weights of tones and of squared errors.
+SCALES = ((1, 1.0, 0.03), (2, 0.5, 0.015), (4, 0.35, 0.01), (8, 0.25, 0.01))
+SIMILARITY = 0.08
+FAR = 16
+LUMINANCE = (0.2126, 0.7152, 0.0722)
 DTYPE = torch.float32
 
 
@@ -37,7 +41,7 @@ class Pictures:
         self.folder, self.side, self.count = folder, side, 0
         self.inputs = torch.empty(most, PICTURES, PLANES, side, side, device=device, dtype=DTYPE)
         self.targets = torch.empty(most, 6, side, side, device=device, dtype=DTYPE)
-        self.seen = set()
+        self.seen, self.lock = set(), threading.Lock()
         threading.Thread(target=self.watch, daemon=True).start()
 
     def watch(self):
@@ -52,9 +56,10 @@ class Pictures:
         size = PICTURES * PLANES * self.side**2
         if not torch.isfinite(values).all():
             return
-        self.inputs[self.count] = values[:size].view(PICTURES, PLANES, self.side, self.side).clamp(-1e4, 1e4)
-        self.targets[self.count] = values[size:].view(6, self.side, self.side).clamp(-1e4, 1e4)
-        self.count += 1
+        with self.lock:
+            self.inputs[self.count] = values[:size].view(PICTURES, PLANES, self.side, self.side).clamp(-1e4, 1e4)
+            self.targets[self.count] = values[size:].view(6, self.side, self.side).clamp(-1e4, 1e4)
+            self.count += 1
 
 
 def some(count, share, device):
@@ -72,7 +77,7 @@ def adaptive(x, other):
 def without_some_planes(x):
     """Returns pictures of which some lack guides, the guides' noise or all noise."""
     n, device = len(x), x.device
-    guides, noise, guide_noise = some(n, 0.08, device), some(n, 0.08, device), some(n, 0.1, device)
+    guides, noise, guide_noise = some(n, 0.06, device), some(n, 0.06, device), some(n, 0.08, device)
     kept = 1 - torch.clamp(noise + guide_noise + guides, max=1)
     return torch.cat([x[:, :3], x[:, 3:6] * (1 - noise), x[:, 6:12] * (1 - guides), x[:, 12:] * kept], 1)
 
@@ -106,17 +111,44 @@ def batch(pictures, size, often):
     return x.contiguous(), target[:, :3][:, rgb].contiguous(), target[:, 3:][:, rgb].contiguous()
 
 
+def differences(d):
+    """Returns the mean size of values and half that of their gradients."""
+    across, down = d[..., :, 1:] - d[..., :, :-1], d[..., 1:, :] - d[..., :-1, :]
+    return d.abs().mean() + 0.5 * (across.abs().mean() + down.abs().mean())
+
+
+def relative_squares(output, target):
+    """Returns the mean logarithm of pictures' relative squared errors.
+
+    The mean of noisy targets, not their median, has the least; errors of several times the light count less.
+    """
+    near = torch.maximum(output.detach(), F.avg_pool2d(target, 5, 1, 2))
+    squared = (output - target) ** 2 / (near**2 + 0.01)
+    return torch.log((FAR * torch.log1p(squared / FAR)).mean((1, 2, 3)) + 0.002).mean()
+
+
+def encoded(light):
+    luminance = sum(weight * light[:, i : i + 1] for i, weight in enumerate(LUMINANCE))
+    return 1.055 * (luminance.clamp(0, 1) + 1e-3) ** (1 / 2.4) - 0.055
+
+
+def similarity(a, b):
+    """Returns the mean structural similarity of luminance, in windows of 5x5 pixels."""
+    a, b = encoded(a), encoded(b)
+    mean_a, mean_b, aa, bb, ab = F.avg_pool2d(torch.cat([a, b, a * a, b * b, a * b], 1), 5, 1).split(1, 1)
+    spread, common = aa - mean_a**2 + bb - mean_b**2, ab - mean_a * mean_b
+    alike = (2 * mean_a * mean_b + 1e-4) / (mean_a**2 + mean_b**2 + 1e-4)
+    return (alike * (2 * common + 9e-4) / (spread + 9e-4)).mean()
+
+
 def loss_of(output, target):
-    """Returns absolute errors of tones and of their gradients at several sizes, and relative squared errors."""
-    a, b = tone(output), tone(target)
-    total = 0
-    for size, weight in SCALES:
-        p, q = (F.avg_pool2d(t, size) if size > 1 else t for t in (a, b))
-        d = p - q
-        across, down = d[..., :, 1:] - d[..., :, :-1], d[..., 1:, :] - d[..., :-1, :]
-        total = total + weight * (d.abs().mean() + 0.5 * (across.abs().mean() + down.abs().mean()))
-    squared = (output - target) ** 2 / (output.detach() ** 2 + 0.01)
-    return total + 0.3 * torch.log1p(squared).mean()
+    """Returns errors of tones and relative squared errors at several sizes, and what lacks of similarity."""
+    tones = tone(output) - tone(target)
+    total = SIMILARITY * (1 - similarity(output, target))
+    for size, weight, squared in SCALES:
+        d, p, q = (F.avg_pool2d(t, size) if size > 1 else t for t in (tones, output, target))
+        total = total + weight * differences(d) + squared * relative_squares(p, q)
+    return total
 
 
 def relative_error(output, target, noise):
@@ -124,10 +156,13 @@ def relative_error(output, target, noise):
     return (((output - target) ** 2 - noise**2) / (target**2 + 0.01)).mean((1, 2, 3)).clamp_min(1e-7)
 
 
-def judge(network, pictures):
-    """Returns, for 4, 16 and 64 samples of the scenes that are held out: gain, and predicted over true error."""
+def judge(network, pictures, file):
+    """Returns, for 4, 16 and 64 samples of the scenes that are held out: gain, and predicted over true error.
+
+    The file gets a line for each scene: samples, error before and after, predicted error.
+    """
     network.eval()
-    result = []
+    result, lines = [], []
     for n in (4, 16, 64):
         x = pictures.inputs[:HELD_OUT, PREFIXES.index(n)].float()
         target, noise = pictures.targets[:HELD_OUT].float().split(3, 1)
@@ -136,8 +171,11 @@ def judge(network, pictures):
             output, left = (torch.cat(t) / scale for t in zip(*(network(a, s) for a, s in zip(x.split(8), scale.split(8)))))
         before, after = relative_error(x[:, :3], target, noise), relative_error(output, target, noise)
         predicted = (left**2 / (output**2 + 0.01)).mean((1, 2, 3)).clamp_min(1e-9)
+        lines += ["%d,%.6g,%.6g,%.6g\n" % (n, *values) for values in torch.stack([before, after, predicted], 1).tolist()]
         result += [torch.log(before / after).mean().exp().item(), torch.log(predicted / after).median().exp().item()]
     network.train()
+    with open(file, "w") as out:
+        out.writelines(lines)
     return result
 
 
@@ -152,6 +190,7 @@ def arguments():
     parser.add_argument("--out", required=True)
     parser.add_argument("--start", help="weights to begin with")
     parser.add_argument("--seconds", type=float, default=36000, help="of training, in all")
+    parser.add_argument("--end", help="file with the time, in seconds since 1970, at which it ends instead")
     parser.add_argument("--steps", type=int, default=1 << 60, help="at most")
     parser.add_argument("--batch", type=int, default=32)
     parser.add_argument("--rate", type=float, default=2e-3)
@@ -159,13 +198,82 @@ def arguments():
     parser.add_argument("--most", type=int, default=3000, help="scenes")
     parser.add_argument("--least", type=int, default=2 * HELD_OUT, help="scenes before it begins")
     parser.add_argument("--save", type=float, default=60, help="seconds between results")
-    parser.add_argument("--compile", action="store_true")
+    parser.add_argument("--eager", action="store_true", help="without recording a step on the accelerator")
     return parser.parse_args()
+
+
+class Step:
+    """One step of the training; on an accelerator it is recorded once and then repeated, which spares the calls."""
+
+    def __init__(self, network, args, device):
+        self.network, self.size = network, (args.batch, args.side, args.side)
+        self.optimizer = torch.optim.AdamW(
+            network.parameters(),
+            lr=torch.tensor(args.rate, device=device),
+            betas=(0.9, 0.99),
+            weight_decay=1e-4,
+            fused=device == "cuda",
+            capturable=device == "cuda",
+        )
+        n, h, w = self.size
+        self.x = torch.zeros(n, PLANES, h, w, device=device)
+        self.target, self.scale = torch.zeros(n, 3, h, w, device=device), torch.ones(n, 1, 1, 1, device=device)
+        self.graph, self.loss, self.done, self.eager = None, None, 0, args.eager or device == "cpu"
+
+    def compute(self):
+        loss = loss_of(self.network(self.x, self.scale)[0], self.target)
+        loss.backward()
+        torch.nn.utils.clip_grad_norm_(self.network.parameters(), 1.0)
+        self.optimizer.step()
+        return loss.detach()
+
+    def directly(self):
+        self.optimizer.zero_grad(set_to_none=True)
+        return self.compute()
+
+    def record(self):
+        self.optimizer.zero_grad(set_to_none=True)
+        torch.cuda.synchronize()
+        try:
+            graph = torch.cuda.CUDAGraph()
+            with torch.cuda.graph(graph, capture_error_mode="thread_local"):
+                self.loss = self.compute()
+            self.graph = graph
+        except Exception as e:  # slower, but no reason to end
+            print("the step is not recorded: %s" % e, flush=True)
+            self.eager = True
+
+    def run(self, x, target, scale, rate, lock):
+        """Takes a step; returns its loss."""
+        self.x.copy_(x)
+        self.target.copy_(target)
+        self.scale.copy_(scale)
+        for group in self.optimizer.param_groups:
+            group["lr"].fill_(rate)
+        self.done += 1
+        if self.eager:
+            return self.directly()
+        if self.graph is None and self.done > 5:
+            with lock:
+                self.record()
+        if self.graph is None:
+            return self.aside()
+        self.graph.replay()
+        return self.loss
+
+    def aside(self):
+        side = torch.cuda.Stream()
+        side.wait_stream(torch.cuda.current_stream())
+        with torch.cuda.stream(side):
+            loss = self.directly()
+        torch.cuda.current_stream().wait_stream(side)
+        return loss
 
 
 def main():
     args = arguments()
     device = "cuda" if torch.cuda.is_available() else "cpu"
+    torch.set_num_threads(min(2, torch.get_num_threads()))
     torch.backends.cuda.matmul.allow_tf32 = torch.backends.cudnn.allow_tf32 = True
     torch.backends.cudnn.benchmark = True
     os.makedirs(args.out, exist_ok=True)
@@ -175,7 +283,7 @@ def main():
     if args.start:
         read_weights(network, args.start)
     mean = copy.deepcopy(network)
-    optimizer = torch.optim.AdamW(network.parameters(), lr=args.rate, betas=(0.9, 0.99), weight_decay=1e-4, fused=device == "cuda")
+    training = Step(network, args, device)
     step, trained = 0, 0.0
     state = args.out + "/state.pt"
     if os.path.exists(state):
@@ -183,59 +291,61 @@ def main():
         step, trained = kept["step"], kept["trained"]
         network.load_state_dict(kept["network"])
         mean.load_state_dict(kept["mean"])
-        optimizer.load_state_dict(kept["optimizer"])
+        training.optimizer.load_state_dict(kept["optimizer"])
     pictures = Pictures(args.data, args.most, args.side, device)
     often = torch.tensor(OFTEN, device=device)
+
+    gains = []
 
     def result():
         if not all(torch.isfinite(p).all() for p in mean.parameters()):
             raise SystemExit("the weights are not finite any more")
-        line = "%d,%.0f,%d," % (step, trained, pictures.count) + ",".join("%.3f" % v for v in judge(mean, pictures))
+        judged = judge(mean, pictures, args.out + "/held-out.csv")
+        gains.append(judged[0])
+        line = "%d,%.0f,%d," % (step, trained, pictures.count) + ",".join("%.3f" % v for v in judged)
         print(line, "loss %.4f" % float(recent), flush=True)
+        if not judged[0] > gains[0] / 2:
+            raise SystemExit("the network has become worse")
         with open(args.out + "/log.csv", "a") as log:
             log.write(line + "\n")
-        write_weights(mean, args.out + "/weights.f16")
+        write_weights(mean, args.out + "/weights.f16.part")
+        os.replace(args.out + "/weights.f16.part", args.out + "/weights.f16")
         kept = dict(step=step, trained=trained, network=network.state_dict(), mean=mean.state_dict())
-        save(state, dict(kept, optimizer=optimizer.state_dict()))
+        save(state, dict(kept, optimizer=training.optimizer.state_dict()))
 
-    def loss_at(x, target, scale):
-        return loss_of(network(x, scale)[0], target)
+    def seconds():
+        """Returns the seconds of the whole training."""
+        return trained + float(open(args.end).read()) - time.time() if args.end else args.seconds
 
-    if args.compile:
-        loss_at = torch.compile(loss_at)
     while pictures.count < args.least:
-        time.sleep(1)
+        time.sleep(0.2)
     recent = torch.zeros((), device=device)
     last = saved = time.time()
     first, before = step, trained
     print("scenes %d, step %d, on %s" % (pictures.count, step, device), flush=True)
     result()
-    while trained < args.seconds and step < args.steps:
-        done = trained / args.seconds
+    total = seconds()
+    while trained < total and step < args.steps:
+        done = min(1, trained / total)
         rate = args.rate * min(1, (step + 1) / 300) * (0.5 + 0.5 * math.cos(math.pi * max(0, (done - 0.1) / 0.9))) + 1e-6
-        for group in optimizer.param_groups:
-            group["lr"] = rate
         x, target, _ = batch(pictures, args.batch, often)
         scale = exposure(x[:, :3])
         scale = scale * torch.exp(torch.empty_like(scale).uniform_(-0.6, 0.6))
-        optimizer.zero_grad(set_to_none=True)
-        loss = loss_at(x, (target * scale).clamp_max(200), scale)
-        loss.backward()
-        torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-        optimizer.step()
+        loss = training.run(x, (target * scale).clamp_max(200), scale, rate, pictures.lock)
         step += 1
-        recent = recent * 0.99 + loss.detach() * 0.01
+        recent = recent * 0.99 + loss * 0.01
         with torch.no_grad():
             torch._foreach_lerp_(list(mean.parameters()), list(network.parameters()), 1 - min(0.9995, step / (step + 100.0)))
-        if step % 20 == 0:
+        if step % 20 == 0 or device == "cpu":
+            if device == "cuda":
+                torch.cuda.synchronize()
             now = time.time()
-            trained += now - last
-            last = now
+            trained, last = trained + now - last, now
+            total = seconds()
             if now - saved > args.save:
                 saved = now
                 print("%.1f steps/s, rate %.5f" % ((step - first) / max(1e-9, trained - before), rate), flush=True)
                 result()
-                last = time.time()
     result()
 
 
