@@ -55,35 +55,43 @@ final class MeshSurface {
             texture(triangle, hit.b1, hit.b2),
             hit.backwards(),
             error(triangle, e1, e2, normal));
-    if (hasTangents) {
-      shadeByTangents(surface, hit, shadingNormal(hit, normal));
-    } else {
-      shade(surface, triangle, e1, e2, shadingNormal(hit, normal));
-    }
     if (isSmooth) {
-      lift(surface, hit, e1, e2, normal);
+      shadeSmoothly(surface, hit, e1, e2, normal);
+    } else {
+      shade(surface, hit, e1, e2, normal);
     }
     return hasAttributes ? surface.withAttributes(mesh, triangle, hit.b1, hit.b2) : surface;
   }
 
-  /**
-   * Adds the way to the smooth surface at a hit: the mean, by barycentric weights, of the ways up
-   * to the tangent planes of the three vertices (Hanika 2021, "Hacking the Shadow Terminator", Ray
-   * Tracing Gems II, ch. 4). A plane that lies below the hit counts as a way of 0.
-   */
-  private void lift(SurfaceHit surface, NearestHit hit, Vec3 e1, Vec3 e2, Vec3 normal) {
-    double side = surface.isFrontal() ? 1 : -1;
-    Vec3 from = e1.times(hit.b1).plus(hit.b2, e2);
+  /** Sets the shading frame around the interpolated normal, and where the smooth surface is. */
+  private void shadeSmoothly(SurfaceHit surface, NearestHit hit, Vec3 e1, Vec3 e2, Vec3 normal) {
     Vec3 n0 = normal(hit.element, 0, normal);
     Vec3 n1 = normal(hit.element, 1, normal);
     Vec3 n2 = normal(hit.element, 2, normal);
-    Vec3 lift =
-        n0.times((1 - hit.b1 - hit.b2) * height(from, n0, side))
-            .plus(hit.b1 * height(from.minus(e1), n1, side), n1)
-            .plus(hit.b2 * height(from.minus(e2), n2, side), n2);
-    if (side * lift.dot(normal) > LEAST_LIFT * surface.error()) {
+    Vec3 sum = n0.times(1 - hit.b1 - hit.b2).plus(hit.b1, n1).plus(hit.b2, n2);
+    shade(surface, hit, e1, e2, shadingNormal(sum, normal));
+    Vec3 lift = lift(surface, hit, e1, e2, n0, n1, n2);
+    if (side(surface) * lift.dot(normal) > LEAST_LIFT * surface.error()) {
       surface.liftBy(lift);
     }
+  }
+
+  /**
+   * Returns the way to the smooth surface at a hit: the mean, by barycentric weights, of the ways
+   * up to the tangent planes of the three vertices (Hanika 2021, "Hacking the Shadow Terminator",
+   * Ray Tracing Gems II, ch. 4). A plane that lies below the hit counts as a way of 0.
+   */
+  private static Vec3 lift(
+      SurfaceHit surface, NearestHit hit, Vec3 e1, Vec3 e2, Vec3 n0, Vec3 n1, Vec3 n2) {
+    double side = side(surface);
+    Vec3 from = e1.times(hit.b1).plus(hit.b2, e2);
+    return n0.times((1 - hit.b1 - hit.b2) * height(from, n0, side))
+        .plus(hit.b1 * height(from.minus(e1), n1, side), n1)
+        .plus(hit.b2 * height(from.minus(e2), n2, side), n2);
+  }
+
+  private static double side(SurfaceHit surface) {
+    return surface.isFrontal() ? 1 : -1;
   }
 
   /** Returns the height, in units of a vertex normal, of its tangent plane above a point. */
@@ -178,15 +186,7 @@ final class MeshSurface {
     return cross.normalized().times(isTurned ? -1 : 1);
   }
 
-  private Vec3 shadingNormal(NearestHit hit, Vec3 geometricNormal) {
-    if (!mesh.hasNormals()) {
-      return geometricNormal;
-    }
-    Vec3 sum =
-        normal(hit.element, 0, geometricNormal)
-            .times(1 - hit.b1 - hit.b2)
-            .plus(hit.b1, normal(hit.element, 1, geometricNormal))
-            .plus(hit.b2, normal(hit.element, 2, geometricNormal));
+  private Vec3 shadingNormal(Vec3 sum, Vec3 geometricNormal) {
     double x = geometricNormal.x();
     double y = geometricNormal.y();
     double z = geometricNormal.z();
@@ -199,11 +199,19 @@ final class MeshSurface {
     return new Vec3(x, y, z);
   }
 
+  private void shade(SurfaceHit surface, NearestHit hit, Vec3 e1, Vec3 e2, Vec3 normal) {
+    if (hasTangents) {
+      shadeByTangents(surface, hit, normal);
+    } else {
+      shadeByTexture(surface, hit.element, e1, e2, normal);
+    }
+  }
+
   /**
    * Sets the shading frame around a normal; its tangents solve E1 = ΔU1 T + ΔV1 B and E2 = ΔU2 T +
    * ΔV2 B. If these have no solution, the tangents are arbitrary.
    */
-  private void shade(SurfaceHit surface, int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
+  private void shadeByTexture(SurfaceHit surface, int triangle, Vec3 e1, Vec3 e2, Vec3 normal) {
     TexturePoint a = mesh.uv(triangle, 0);
     TexturePoint b = mesh.uv(triangle, 1);
     TexturePoint c = mesh.uv(triangle, 2);
