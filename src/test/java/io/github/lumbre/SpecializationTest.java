@@ -7,7 +7,8 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Specialization;
+import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scene.internal.Specialization;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -37,11 +38,11 @@ class SpecializationTest {
       PictureRenderer renderer = new PictureRenderer(file.settings());
       Scene general = file.scene();
       for (Specialization shortcut : Specialization.values()) {
-        if (general.takes(shortcut)) {
+        if (SceneInside.of(general).takes(shortcut)) {
           taken.add(shortcut);
         }
-        general = general.without(shortcut);
-        assertThat(general.takes(shortcut)).isFalse();
+        general = SceneInside.of(general).without(shortcut);
+        assertThat(SceneInside.of(general).takes(shortcut)).isFalse();
       }
       assertThat(renderer.render(general))
           .as("%s", scene)

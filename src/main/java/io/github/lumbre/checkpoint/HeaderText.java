@@ -4,7 +4,6 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scene.SurfaceNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -69,8 +68,8 @@ final class HeaderText {
     }
     line(text, LAYERS, Setting.LAYERS.type().format(layers.kinds()));
     layers.lightGroups().forEach(name -> line(text, LIGHT_GROUP, name));
-    layers.surfaces().objects().forEach(name -> line(text, OBJECT, name));
-    layers.surfaces().materials().forEach(name -> line(text, MATERIAL, name));
+    layers.objects().forEach(name -> line(text, OBJECT, name));
+    layers.materials().forEach(name -> line(text, MATERIAL, name));
   }
 
   private static void faults(StringBuilder text, RenderStatistics faults) {
@@ -148,7 +147,8 @@ final class HeaderText {
           new RecordedLayers(
               Setting.LAYERS.type().parse(kinds.orElse("")),
               names.get(LIGHT_GROUP),
-              new SurfaceNames(names.get(OBJECT), names.get(MATERIAL)));
+              names.get(OBJECT),
+              names.get(MATERIAL));
       if (layers.kinds().isEmpty() != kinds.isEmpty()) {
         throw new IllegalArgumentException("expected some, found none");
       }

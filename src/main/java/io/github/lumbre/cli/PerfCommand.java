@@ -22,7 +22,7 @@ import io.github.lumbre.lab.perf.PerfTables;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
-import io.github.lumbre.scene.Specialization;
+import io.github.lumbre.scene.internal.Specialization;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

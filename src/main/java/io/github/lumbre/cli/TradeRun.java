@@ -18,6 +18,7 @@ import io.github.lumbre.lab.trade.TradeSweep;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
@@ -114,7 +115,7 @@ final class TradeRun {
       throws SceneFormatException, TaskException {
     LongAdder nodes = new LongAdder();
     LongAdder lookUps = new LongAdder();
-    SceneFile again = options.load(parser.countingTextures(lookUps), quiet);
+    SceneFile again = options.load(CountingParser.of(parser, lookUps), quiet);
     return new TradeScene(read.scene(), again.scene().counting(nodes), nodes, lookUps);
   }
 

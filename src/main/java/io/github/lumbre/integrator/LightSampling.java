@@ -8,7 +8,8 @@ import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Specialization;
+import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scene.internal.Specialization;
 import java.util.Objects;
 
 /** What the {@linkplain LightTechnique techniques} of a path tracer share. Immutable. */
@@ -40,7 +41,7 @@ final class LightSampling {
     this.directions = directions;
     heuristic = options.heuristic();
     emitters = scene.emitters().stream().map(LightSampling::besideBsdf).toArray(Light[]::new);
-    selects = !scene.takes(Specialization.ONE_EMITTER);
+    selects = !SceneInside.of(scene).takes(Specialization.ONE_EMITTER);
   }
 
   private static Light besideBsdf(Light light) {

@@ -11,8 +11,9 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex.End;
 import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.scene.Layer;
-import io.github.lumbre.scene.LightGroups;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.internal.LightGroups;
+import io.github.lumbre.scene.internal.SceneInside;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
@@ -69,7 +70,7 @@ public final class SampleLayers implements PathListener {
    * @param layers the layers to collect, of those that a film stores
    */
   public SampleLayers(Set<Layer> layers, Scene scene) {
-    groups = scene.lightGroups();
+    groups = SceneInside.of(scene).lightGroups();
     for (Layer layer : layers) {
       int count = layer == Layer.LIGHTS ? 3 * groups.names().size() : layer.channels().size();
       arrays[layer.ordinal()] = new double[count];

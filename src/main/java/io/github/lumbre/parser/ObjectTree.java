@@ -4,7 +4,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.scene.LightGroups;
+import io.github.lumbre.scene.internal.LightGroups;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;

@@ -6,6 +6,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.parser.internal.FileHashes;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.Sha256;
@@ -41,6 +42,10 @@ public final class SceneParser {
       Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
 
   private static final Limits DEFAULT_LIMITS = Limits.NONE.withPixels(MAX_PIXELS);
+
+  static {
+    CountingParser.madeBy(SceneParser::counting);
+  }
 
   private final boolean lenient;
   private final Optional<RenderSettings.Mode> mode;
@@ -129,8 +134,7 @@ public final class SceneParser {
     return new SceneParser(lenient, mode, change, limits, changed, kernel);
   }
 
-  /** Returns a parser whose textures increment a counter at each lookup. */
-  public SceneParser countingTextures(LongAdder lookUps) {
+  private SceneParser counting(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
     return new SceneParser(lenient, mode, change, limits, changed, kernel);
   }

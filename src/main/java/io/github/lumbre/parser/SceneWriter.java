@@ -11,10 +11,11 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.SceneDescription;
-import io.github.lumbre.scene.SceneNode;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.internal.SceneDescription;
+import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scene.internal.SceneNode;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -131,12 +132,13 @@ public final class SceneWriter {
   }
 
   private static Parts parts(Scene scene, RenderSettings settings) {
+    SceneInside inside = SceneInside.of(scene);
     SceneDescription description =
-        scene
+        inside
             .description()
             .orElseThrow(() -> new Unwritable("a scene that was built in code", "one from a file"));
     WrittenAssets assets = new WrittenAssets();
-    WrittenObjects objects = new WrittenObjects(assets, scene.names());
+    WrittenObjects objects = new WrittenObjects(assets, inside.names());
     JsonArray all = objects.all(description.nodes());
     all.add(
         objects.camera(

@@ -11,7 +11,7 @@ import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.light.internal.Directions;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.scene.SceneNode;
+import io.github.lumbre.scene.internal.SceneNode;
 
 /** Writes lights without surfaces. */
 final class WrittenLights {

@@ -18,7 +18,7 @@ import io.github.lumbre.material.Unlit;
 import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.ScalarChannel;
-import io.github.lumbre.scene.SceneNode;
+import io.github.lumbre.scene.internal.SceneNode;
 import java.util.Optional;
 
 /** Writes materials. */

@@ -4,6 +4,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Layer.Grid;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.internal.SceneInside;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
@@ -33,7 +34,8 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
   /** Returns the layers that a render with the given settings records. */
   public static FilmLayers of(RenderSettings settings, Scene scene) {
     boolean hasLights = settings.layers().contains(Layer.LIGHTS);
-    return new FilmLayers(settings.layers(), hasLights ? scene.lightGroups().names().size() : 0);
+    return new FilmLayers(
+        settings.layers(), hasLights ? SceneInside.of(scene).lightGroups().names().size() : 0);
   }
 
   /** Returns whether there are no layers. */

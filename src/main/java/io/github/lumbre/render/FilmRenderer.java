@@ -1,7 +1,9 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.render.internal.Passes;
+import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
@@ -40,6 +42,10 @@ public final class FilmRenderer implements PassRenderer {
    */
   public static final int ADAPTIVE_PILOT = AdaptiveSchedule.PILOT;
 
+  static {
+    RendererInside.openedBy(renderer -> renderer.new Inside());
+  }
+
   private final RenderSettings settings;
   private final Scene scene;
   private final IntegratorSource integrators;
@@ -66,23 +72,11 @@ public final class FilmRenderer implements PassRenderer {
   }
 
   FilmRenderer(RenderSettings settings, Scene scene, Integrator integrator) {
-    this(settings, scene, integrator, SobolSampler::new);
-  }
-
-  /**
-   * Creates a renderer with another integrator or other random numbers. Its films cannot be merged
-   * with films of other renderers.
-   *
-   * @param samplers creates the sampler of a seed; called once for each thread
-   */
-  @SuppressWarnings("exports") // internal
-  public FilmRenderer(
-      RenderSettings settings, Scene scene, Integrator integrator, LongFunction<Sampler> samplers) {
     this(
         settings,
         scene,
         IntegratorSource.of(settings, scene, integrator),
-        samplers,
+        SobolSampler::new,
         UnaryOperator.identity(),
         new OwnThreads());
   }
@@ -136,34 +130,8 @@ public final class FilmRenderer implements PassRenderer {
     return new FilmRenderer(changed, scene, integrators, samplers, order, crew);
   }
 
-  /**
-   * Renders the pilot of {@link RenderSettings#guiding} if there is none yet. The first pass does
-   * so as well.
-   *
-   * @param progress can cancel it
-   * @return the report; empty if the pilot was cancelled, and with other settings
-   * @throws InterruptedException if the calling thread is interrupted
-   * @throws RenderException if a path failed
-   */
-  public Optional<GuideReport> plan(Progress progress) throws InterruptedException {
-    try {
-      integrators.get(pilot(progress));
-    } catch (CancellationException e) {
-      return Optional.empty();
-    }
-    return guiding();
-  }
-
   private PilotRows pilot(Progress progress) {
     return new PilotRows(crew.pilotThreads(threads()), progress::isCancelled);
-  }
-
-  /**
-   * Returns the report on the pilot render of {@link RenderSettings#guiding}, which the first pass
-   * begins with; empty before that and without guiding.
-   */
-  public Optional<GuideReport> guiding() {
-    return integrators.guiding();
   }
 
   /** Returns an empty film with the settings' window. */
@@ -299,5 +267,29 @@ public final class FilmRenderer implements PassRenderer {
     return workers.stream()
         .map(BucketRenderer::statistics)
         .reduce(RenderStatistics.ZERO, RenderStatistics::plus);
+  }
+
+  /** Does what the program does with a renderer and other programs do not need. */
+  private final class Inside extends RendererInside {
+    @Override
+    public FilmRenderer with(Integrator integrator, LongFunction<Sampler> others) {
+      IntegratorSource source = IntegratorSource.of(settings, scene, integrator);
+      return new FilmRenderer(settings, scene, source, others, order, crew);
+    }
+
+    @Override
+    public Optional<GuideReport> plan(Progress progress) throws InterruptedException {
+      try {
+        integrators.get(pilot(progress));
+      } catch (CancellationException e) {
+        return Optional.empty();
+      }
+      return guiding();
+    }
+
+    @Override
+    public Optional<GuideReport> guiding() {
+      return integrators.guiding();
+    }
   }
 }

@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Guiding;
 import io.github.lumbre.scene.Scene;

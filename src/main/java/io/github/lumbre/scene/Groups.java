@@ -1,6 +1,7 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.scene.internal.SceneNode;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;

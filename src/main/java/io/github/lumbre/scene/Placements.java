@@ -2,6 +2,7 @@ package io.github.lumbre.scene;
 
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.scene.internal.SceneNode;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.Map;

@@ -14,6 +14,10 @@ import io.github.lumbre.light.Light;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.internal.SceneDescription;
+import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scene.internal.Specialization;
+import io.github.lumbre.scene.internal.SurfaceNames;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -31,6 +35,17 @@ import java.util.stream.IntStream;
  * holds all lights of path mode: the declared lights, other emissive surfaces, and the background.
  */
 public final class Scene {
+  static {
+    SceneInside.openedBy(
+        scene ->
+            new SceneInside(
+                scene.description(),
+                scene.names,
+                scene.lights.groups(),
+                scene.shortcuts,
+                scene::without));
+  }
+
   /**
    * What code built a scene from.
    *
@@ -143,7 +158,7 @@ public final class Scene {
   }
 
   /** Returns the same scene without a specialization. Its renders are bit-identical. */
-  public Scene without(Specialization shortcut) {
+  Scene without(Specialization shortcut) {
     Set<Specialization> others = EnumSet.noneOf(Specialization.class);
     others.addAll(shortcuts);
     others.remove(shortcut);
@@ -204,7 +219,7 @@ public final class Scene {
   }
 
   /** Returns whether the scene uses a specialization. */
-  public boolean takes(Specialization shortcut) {
+  boolean takes(Specialization shortcut) {
     return shortcuts.contains(shortcut);
   }
 
@@ -273,7 +288,7 @@ public final class Scene {
   }
 
   /** Returns the description that the scene was built from; empty if it was read from a file. */
-  public Optional<SceneDescription> description() {
+  Optional<SceneDescription> description() {
     return built.map(
         from ->
             new SceneDescription(
@@ -333,13 +348,8 @@ public final class Scene {
     return ambient;
   }
 
-  /** Returns the light groups of the emitters and primitives. */
-  public LightGroups lightGroups() {
-    return lights.groups();
-  }
-
   /** Returns the names of the objects and materials of the primitives. */
-  public SurfaceNames names() {
+  SurfaceNames names() {
     return names;
   }
 

@@ -10,6 +10,8 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Unlit;
+import io.github.lumbre.scene.internal.LightGroups;
+import io.github.lumbre.scene.internal.SceneDescription;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.internal.LightGroups;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;

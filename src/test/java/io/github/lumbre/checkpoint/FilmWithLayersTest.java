@@ -23,7 +23,6 @@ import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scene.SurfaceNames;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -111,7 +110,7 @@ class FilmWithLayersTest {
     FilmFile read = FilmFile.read(path);
     assertThat(read.header()).isEqualTo(film.header());
     assertThat(read.header().layers().lightGroups()).containsExactly("sky");
-    assertThat(read.header().layers().surfaces().object(3)).isEqualTo("ball\n3");
+    assertThat(read.header().layers().objects().get(3)).isEqualTo("ball\n3");
     assertThat(pixels(read.film())).isEqualTo(pixels(film.film()));
   }
 
@@ -130,7 +129,7 @@ class FilmWithLayersTest {
             new Crop(0, 0, 2, 1),
             false,
             0,
-            new RecordedLayers(Set.of(Layer.OBJECT), List.of(), SurfaceNames.NONE).ofFilm());
+            new RecordedLayers(Set.of(Layer.OBJECT), List.of(), List.of(), List.of()).ofFilm());
     int primitives = 30_000;
     ByteBuffer pixel = ByteBuffer.allocate(1 << 20);
     number(pixel, primitives);
@@ -151,7 +150,7 @@ class FilmWithLayersTest {
         FilmFile.of(
             Map.of(),
             film,
-            new RecordedLayers(Set.of(Layer.OBJECT), List.of(), SurfaceNames.NONE),
+            new RecordedLayers(Set.of(Layer.OBJECT), List.of(), List.of(), List.of()),
             Map.of(),
             RenderStatistics.ZERO);
     Film read = FilmFile.read(written(file)).film();

@@ -26,6 +26,7 @@ import io.github.lumbre.material.Phong;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.ScalarTexture;
@@ -78,7 +79,7 @@ class MaterialReaderTest {
   @Test
   void texturesAreCountedAndFilteredAsTheCallerWants() {
     LongAdder lookUps = new LongAdder();
-    SceneParser parser = new SceneParser().interpolatingTextures(true).countingTextures(lookUps);
+    SceneParser parser = CountingParser.of(new SceneParser().interpolatingTextures(true), lookUps);
     String text = withMaterial("'materialType': 'Color', 'colorTextureId': 3");
     Emission emission = only(fixture.parse(parser, text)).emission().orElseThrow();
     long before = lookUps.sum();

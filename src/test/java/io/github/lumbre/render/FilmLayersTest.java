@@ -27,6 +27,7 @@ import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.nio.ByteBuffer;
@@ -229,7 +230,7 @@ class FilmLayersTest {
     Scene scene =
         lit(scene()).lightGroup("sky").add(EnvironmentLight.uniform(new Rgb(.1, .2, .4))).build();
     Film film = film(settings(Set.of(Layer.LIGHTS)).mode(mode).samples(64).build(), scene);
-    assertThat(scene.lightGroups().names()).containsExactly("left", "right", "sky");
+    assertThat(SceneInside.of(scene).lightGroups().names()).containsExactly("left", "right", "sky");
     for (float rest : film.developUngroupedLight()) {
       assertThat(rest).isLessThan(1e-14f);
     }
@@ -389,7 +390,8 @@ class FilmLayersTest {
       several += counts.size(pixel) > 1 ? 1 : 0;
     }
     assertThat(several).isPositive();
-    assertThat(mixed().names().objects()).containsExactly("wall", "ball", "bead", "object 3");
+    assertThat(SceneInside.of(mixed()).names().objects())
+        .containsExactly("wall", "ball", "bead", "object 3");
   }
 
   @Test

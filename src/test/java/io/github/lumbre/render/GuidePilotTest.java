@@ -16,7 +16,9 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.GuideReport.Outcome;
+import io.github.lumbre.render.internal.GuideReport;
+import io.github.lumbre.render.internal.GuideReport.Outcome;
+import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Guiding;
@@ -93,13 +95,13 @@ class GuidePilotTest {
     assertThat(new PixelReplay(file.scene(), guided).pixel(31, 40, 0).mean())
         .isEqualTo(picture.pixel(31, 40));
     FilmRenderer renderer = new FilmRenderer(guided, file.scene());
-    assertThat(renderer.guiding()).isEmpty();
+    assertThat(RendererInside.of(renderer).guiding()).isEmpty();
     Film film = renderer.newFilm();
     renderer.addSamples(film, 1, Progress.NONE);
     // Another renderer, such as that of another process, learns the same guide.
     new FilmRenderer(guided, file.scene()).addSamples(film, 2, Progress.NONE);
     assertThat(film.develop().pixel(31, 40)).isEqualTo(picture.pixel(31, 40));
-    assertThat(renderer.guiding()).contains(learn(file, 0).report());
+    assertThat(RendererInside.of(renderer).guiding()).contains(learn(file, 0).report());
   }
 
   /**

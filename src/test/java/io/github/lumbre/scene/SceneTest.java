@@ -25,6 +25,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.internal.Specialization;
 import io.github.lumbre.texture.Texture;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;

@@ -8,6 +8,7 @@ import io.github.lumbre.image.internal.Cryptomatte;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PrimitiveCounts;
 import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.internal.SurfaceNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -56,12 +57,11 @@ public record FilmPicture(Image image, List<ImageLayer> layers, Map<String, Stri
   public static FilmPicture of(Film film, RecordedLayers recorded, Set<Layer> wanted) {
     List<ImageLayer> layers = new ArrayList<>();
     Map<String, String> metadata = new LinkedHashMap<>();
+    SurfaceNames names = new SurfaceNames(recorded.objects(), recorded.materials());
     for (Layer layer : Layer.setOf(wanted.toArray(Layer[]::new))) {
       switch (layer) {
-        case OBJECT ->
-            add(matte("CryptoObject", film, recorded.surfaces()::object), layers, metadata);
-        case MATERIAL ->
-            add(matte("CryptoMaterial", film, recorded.surfaces()::material), layers, metadata);
+        case OBJECT -> add(matte("CryptoObject", film, names::object), layers, metadata);
+        case MATERIAL -> add(matte("CryptoMaterial", film, names::material), layers, metadata);
         case LIGHTS -> layers.addAll(lights(film, recorded.lightGroups()));
         default -> layers.add(layer(film, layer.text(), layer, film.develop(layer)));
       }

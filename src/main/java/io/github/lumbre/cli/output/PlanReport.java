@@ -17,7 +17,8 @@ import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Specialization;
+import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scene.internal.Specialization;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -102,7 +103,7 @@ public final class PlanReport {
     if (count == 0) {
       return "skipped, there are no lights";
     }
-    if (scene.takes(Specialization.ONE_EMITTER)) {
+    if (SceneInside.of(scene).takes(Specialization.ONE_EMITTER)) {
       return "skipped, there is a single light";
     }
     return switch (LightSampler.over(scene.emitters()).method()) {

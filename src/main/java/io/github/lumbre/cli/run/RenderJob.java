@@ -24,12 +24,13 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.GuideReport;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.internal.GuideReport;
+import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
@@ -120,7 +121,7 @@ public record RenderJob(
     long invalidCoordinates = statistics.invalidCoordinates();
     warnOfInvalidCoordinates(invalidCoordinates);
     NoiseReport noise = budget.report(film);
-    renderer.guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
+    RendererInside.of(renderer).guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
     RenderResult result = new RenderResult(film.develop(), passes.complete(), statistics);
     finish(film, result, noise, light, seconds);
     if (how.strict() && statistics.rejected() != 0) {
@@ -139,7 +140,7 @@ public record RenderJob(
    */
   private void plan(FilmRenderer renderer, Optional<FilmHeader> header)
       throws TaskException, InterruptedException {
-    Optional<GuideReport> guiding = renderer.plan(monitor);
+    Optional<GuideReport> guiding = RendererInside.of(renderer).plan(monitor);
     if (guiding.isEmpty()) {
       return;
     }

@@ -6,6 +6,7 @@ import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.Cryptomatte;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.internal.SceneInside;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -32,7 +33,8 @@ final class LayerNames {
         .flatMap(
             layer ->
                 layer == Layer.LIGHTS
-                    ? FilmPicture.lightNames(file.scene().lightGroups().names()).stream()
+                    ? FilmPicture.lightNames(SceneInside.of(file.scene()).lightGroups().names())
+                        .stream()
                     : Stream.of(layer.text()))
         .toList();
   }

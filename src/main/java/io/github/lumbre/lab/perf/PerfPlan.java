@@ -4,7 +4,8 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Specialization;
+import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scene.internal.Specialization;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -62,7 +63,7 @@ public record PerfPlan(
   SceneFile over(SceneFile file) {
     Scene scene = file.scene();
     for (Specialization shortcut : without) {
-      scene = scene.without(shortcut);
+      scene = SceneInside.of(scene).without(shortcut);
     }
     return file.with(scene);
   }

@@ -6,6 +6,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -75,6 +76,7 @@ public record TradeSetting(
 
   /** Returns a renderer of the setting for another scene and other frame settings. */
   FilmRenderer renderer(Scene other, RenderSettings frame) {
-    return new FilmRenderer(frame, other, method.apply(other), samplers);
+    FilmRenderer renderer = new FilmRenderer(frame, other);
+    return RendererInside.of(renderer).with(method.apply(other), samplers);
   }
 }

@@ -1,5 +1,6 @@
-package io.github.lumbre.scene;
+package io.github.lumbre.scene.internal;
 
+import io.github.lumbre.scene.Primitive;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -19,7 +20,7 @@ public final class LightGroups {
    * @param ofEmitter name of each emitter's group; empty for none
    * @param ofPrimitive name of the group of each primitive's emission; empty for none
    */
-  LightGroups(List<String> ofEmitter, List<String> ofPrimitive, List<Primitive> primitives) {
+  public LightGroups(List<String> ofEmitter, List<String> ofPrimitive, List<Primitive> primitives) {
     List<String> emissive =
         IntStream.range(0, primitives.size())
             .filter(i -> primitives.get(i).emission().isPresent())
@@ -40,7 +41,12 @@ public final class LightGroups {
     return NAME.matcher(name).matches();
   }
 
-  static void require(String name) {
+  /**
+   * Checks the name of a group.
+   *
+   * @throws IllegalArgumentException if it cannot be one
+   */
+  public static void require(String name) {
     if (!isName(name)) {
       throw new IllegalArgumentException(
           "light group: expected letters, digits and underscores, found '" + name + "'");

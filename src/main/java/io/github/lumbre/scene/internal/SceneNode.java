@@ -1,4 +1,4 @@
-package io.github.lumbre.scene;
+package io.github.lumbre.scene.internal;
 
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
@@ -6,6 +6,7 @@ import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.scene.SceneContent;
 import java.util.List;
 import java.util.Optional;
 

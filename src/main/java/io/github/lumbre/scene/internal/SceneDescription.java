@@ -1,4 +1,4 @@
-package io.github.lumbre.scene;
+package io.github.lumbre.scene.internal;
 
 import io.github.lumbre.camera.Viewpoint;
 import io.github.lumbre.image.Rgb;

@@ -1,4 +1,4 @@
-package io.github.lumbre.scene;
+package io.github.lumbre.scene.internal;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -39,7 +39,7 @@ public record SurfaceNames(List<String> objects, List<String> materials) {
   }
 
   /** Returns the names, in which numbers replace empty ones. */
-  static SurfaceNames of(List<String> objects, List<String> materials) {
+  public static SurfaceNames of(List<String> objects, List<String> materials) {
     return new SurfaceNames(completed("object", objects), completed("material", materials));
   }
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.render;
+package io.github.lumbre.render.internal;
 
 import io.github.lumbre.guiding.Guide;
 import java.util.LinkedHashMap;
@@ -24,12 +24,13 @@ public record GuideReport(Outcome outcome, long rays, long bytes, int hash) {
     NOTHING_LEARNED
   }
 
-  static GuideReport used(Guide guide, long rays) {
+  /** Returns the report on a guide. */
+  public static GuideReport used(Guide guide, long rays) {
     return new GuideReport(Outcome.GUIDED, rays, guide.bytes(), guide.hash());
   }
 
   /** Returns a report without a guide. */
-  static GuideReport unused(Outcome outcome, long rays) {
+  public static GuideReport unused(Outcome outcome, long rays) {
     return new GuideReport(outcome, rays, 0, 0);
   }
 

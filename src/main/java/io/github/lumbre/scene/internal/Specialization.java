@@ -1,4 +1,4 @@
-package io.github.lumbre.scene;
+package io.github.lumbre.scene.internal;
 
 /**
  * A specialization: work that a render can skip for a given scene, decided when the scene is built.

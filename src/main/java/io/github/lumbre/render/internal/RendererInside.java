@@ -1,0 +1,54 @@
+package io.github.lumbre.render.internal;
+
+import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.RenderException;
+import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.scene.RenderSettings;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.LongFunction;
+
+/**
+ * What the parts of this program do with a {@link FilmRenderer} and other programs do not need.
+ * Only {@link FilmRenderer} extends it.
+ */
+public abstract class RendererInside {
+  private static Function<FilmRenderer, RendererInside> opener;
+
+  /** Sets how a renderer is opened. The class of renderers calls it once, before there are any. */
+  public static void openedBy(Function<FilmRenderer, RendererInside> newOpener) {
+    opener = newOpener;
+  }
+
+  /** Returns the inside of a renderer. */
+  public static RendererInside of(FilmRenderer renderer) {
+    return opener.apply(renderer);
+  }
+
+  /**
+   * Returns the same renderer with another integrator and other random numbers. Its films cannot be
+   * merged with films of other renderers.
+   *
+   * @param samplers creates the sampler of a seed; called once for each thread
+   */
+  public abstract FilmRenderer with(Integrator integrator, LongFunction<Sampler> samplers);
+
+  /**
+   * Renders the pilot of {@link RenderSettings#guiding} if there is none yet. The first pass does
+   * so as well.
+   *
+   * @param progress can cancel it
+   * @return the report; empty if the pilot was cancelled, and with other settings
+   * @throws InterruptedException if the calling thread is interrupted
+   * @throws RenderException if a path failed
+   */
+  public abstract Optional<GuideReport> plan(Progress progress) throws InterruptedException;
+
+  /**
+   * Returns the report on the pilot render of {@link RenderSettings#guiding}, which the first pass
+   * begins with; empty before that and without guiding.
+   */
+  public abstract Optional<GuideReport> guiding();
+}
