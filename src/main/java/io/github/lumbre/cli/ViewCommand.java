@@ -28,6 +28,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
@@ -221,7 +222,7 @@ final class ViewCommand implements Callable<Integer> {
 
   private static boolean isLinear(Path path) throws IOException {
     try (InputStream in = Files.newInputStream(path)) {
-      return LinearReader.isLinear(in.readNBytes(MAGIC_BYTES));
+      return ImageFormat.startsLinear(in.readNBytes(MAGIC_BYTES));
     }
   }
 

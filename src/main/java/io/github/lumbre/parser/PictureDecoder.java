@@ -4,8 +4,8 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearPicture;
-import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
@@ -24,7 +24,7 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
   /** Returns the picture in the bytes of a file; empty, with an error added, if there is none. */
   Optional<Picture> read(AssetData.Content content, Filter filter) {
     try {
-      return LinearReader.isLinear(content.bytes())
+      return ImageFormat.startsLinear(content.bytes())
           ? linear(content)
           : Optional.of(new Picture.Decoded(decoded(content), filter));
     } catch (ImageFormatException e) {
@@ -35,7 +35,7 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
   }
 
   private Optional<Picture> linear(AssetData.Content content) throws ImageFormatException {
-    LinearPicture read = LinearReader.open(content.bytes(), allowance.texelsLeft());
+    LinearPicture read = ImageFormat.read(content.bytes(), allowance.texelsLeft());
     Image light = read.light();
     allowance.addTexels((long) light.width() * light.height());
     return isUsable(content, light)

@@ -34,10 +34,7 @@ class ImageWriterTest {
     int size = ImageFixture.written(image, file, ImageWriter.Options.DEFAULT).length;
     for (int room = 0; room < size; room += Math.max(1, size / 50)) {
       FullChannel channel = new FullChannel(room);
-      assertThatThrownBy(
-              () ->
-                  PictureEncoder.encode(
-                      image, List.of(), format, ImageWriter.Options.DEFAULT, channel))
+      assertThatThrownBy(() -> format.write(image, List.of(), ImageWriter.Options.DEFAULT, channel))
           .isInstanceOf(IOException.class)
           .hasMessage("No space left on device");
     }

@@ -2,8 +2,8 @@ package io.github.lumbre.image.hdr;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.limit.internal.Interrupts;
@@ -45,7 +45,7 @@ public final class HdrReader {
   }
 
   /** Reads a file that {@link #startsIn} recognizes. */
-  public static Image read(byte[] file, long maxPixels) throws ImageFormatException {
+  public static LinearPicture read(byte[] file, long maxPixels) throws ImageFormatException {
     try {
       return new HdrReader(file).read(maxPixels);
     } catch (ArrayIndexOutOfBoundsException e) {
@@ -53,7 +53,7 @@ public final class HdrReader {
     }
   }
 
-  private Image read(long maxPixels) throws ImageFormatException {
+  private LinearPicture read(long maxPixels) throws ImageFormatException {
     nextLine();
     for (String text = nextLine(); !text.isEmpty(); text = nextLine()) {
       readVariable(text);
@@ -86,7 +86,7 @@ public final class HdrReader {
         put(scan, 4 * k, rgb, hasColumns ? minor * width + major : major * width + minor);
       }
     }
-    return new Image(width, height, rgb, new float[0]);
+    return new LinearPicture(width, height, rgb, new float[0]);
   }
 
   private String nextLine() throws ImageFormatException {

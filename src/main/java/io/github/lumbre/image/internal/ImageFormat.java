@@ -1,16 +1,37 @@
 package io.github.lumbre.image.internal;
 
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import io.github.lumbre.file.FileContent;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.exr.ExrReader;
+import io.github.lumbre.image.exr.ExrWriter;
+import io.github.lumbre.image.hdr.HdrReader;
 import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.jpeg.JpegWriter;
 import io.github.lumbre.image.pfm.PfmReader;
+import io.github.lumbre.image.pfm.PfmWriter;
 import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.image.png.PngWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The formats of picture files that can be written. */
+/**
+ * The formats of picture files: the constants are those that can be written, and {@link #read}
+ * reads some more. Only this class names the packages of all formats.
+ */
 public enum ImageFormat {
   /** PNG, for display: 8 or 16 bits per channel; exposure and tone curve are applied. */
   PNG,
@@ -47,17 +68,70 @@ public enum ImageFormat {
   }
 
   /**
-   * Returns whether a file is a picture in any format that this package reads or writes, or a
-   * Radiance HDR picture.
+   * Returns whether a file is a picture in any format that can be read.
    *
    * @param start the first bytes of the file, at least eight if the file has that many
    */
   public static boolean startsPicture(byte[] start) {
-    return PngFile.startsIn(start)
-        || JpegFile.startsIn(start)
-        || ExrReader.startsIn(start)
-        || PfmReader.startsIn(start)
-        || (start.length >= 2 && start[0] == '#' && start[1] == '?');
+    return PngFile.startsIn(start) || JpegFile.startsIn(start) || startsLinear(start);
+  }
+
+  /**
+   * Returns whether a file is of a format of linear light: OpenEXR, Radiance HDR or PFM.
+   *
+   * @param start the first bytes of the file, at least eight if the file has that many
+   */
+  public static boolean startsLinear(byte[] start) {
+    return ExrReader.startsIn(start) || HdrReader.startsIn(start) || PfmReader.startsIn(start);
+  }
+
+  /**
+   * Returns the picture in a file's bytes as linear light, as it is stored.
+   *
+   * @param maxPixels a limit of at most {@link ImageReader#MAX_PIXELS}, checked before the picture
+   *     is decoded
+   * @throws ImageFormatException if the file is in none of the formats, damaged or too large
+   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted; the
+   *     interrupt status stays set
+   */
+  public static LinearPicture read(byte[] file, long maxPixels) throws ImageFormatException {
+    if (ExrReader.startsIn(file)) {
+      return ExrReader.read(file, maxPixels);
+    }
+    if (HdrReader.startsIn(file)) {
+      return HdrReader.read(file, maxPixels);
+    }
+    if (PfmReader.startsIn(file)) {
+      return PfmReader.read(file, maxPixels);
+    }
+    if (startsPicture(file)) {
+      return LinearReader.decoded(ImageReader.decode(file, maxPixels));
+    }
+    throw malformed(
+        "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found "
+            + FileContent.describe(file).orElse("none of them"));
+  }
+
+  /** Writes a picture to a channel at position 0 and leaves the channel open. */
+  public void write(
+      Image image,
+      List<ImageLayer> layers,
+      ImageWriter.Options options,
+      SeekableByteChannel channel)
+      throws IOException {
+    if (!layers.isEmpty() && this != EXR) {
+      throw new IllegalArgumentException("layers: expected an .exr file, found " + ending());
+    }
+    Objects.requireNonNull(image, "image");
+    Objects.requireNonNull(options, "options");
+    OutputStream out = PictureEncoder.buffered(channel);
+    switch (this) {
+      case PNG -> PngWriter.write(image, options, out);
+      case JPG -> JpegWriter.write(image, options, out);
+      case PFM -> PfmWriter.write(image, out);
+      case EXR -> ExrWriter.write(image, layers, options.metadata(), channel);
+    }
+    out.flush();
   }
 
   /** Returns whether the format is for display, so that exposure and tone curve are applied. */

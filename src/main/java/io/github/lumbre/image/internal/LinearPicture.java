@@ -29,10 +29,6 @@ public final class LinearPicture {
     this.alpha = Objects.requireNonNull(alpha, "alpha");
   }
 
-  static LinearPicture opaque(Image image) {
-    return new LinearPicture(image.width(), image.height(), image.rgb(), OPAQUE);
-  }
-
   /**
    * Returns the picture as light, such as a sky: RGB as stored, without alpha. It shares its raster
    * with this picture.

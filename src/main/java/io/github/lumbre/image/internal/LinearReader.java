@@ -1,23 +1,15 @@
 package io.github.lumbre.image.internal;
 
-import static io.github.lumbre.image.ImageFormatException.malformed;
 
-import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.image.exr.ExrReader;
-import io.github.lumbre.image.hdr.HdrReader;
-import io.github.lumbre.image.jpeg.JpegFile;
-import io.github.lumbre.image.pfm.PfmReader;
-import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.limit.Limits;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Objects;
 
 /**
  * Reads picture files as linear light: OpenEXR, Radiance HDR, portable float maps, and PNG and
@@ -29,11 +21,6 @@ public final class LinearReader {
   private static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
   private LinearReader() {}
-
-  /** Returns whether a file's content is of a format of linear light: OpenEXR, HDR or PFM. */
-  public static boolean isLinear(byte[] file) {
-    return ExrReader.startsIn(file) || HdrReader.startsIn(file) || PfmReader.startsIn(file);
-  }
 
   /**
    * Returns the picture in a file, whose format is recognized by its content, not by its name. Its
@@ -59,7 +46,7 @@ public final class LinearReader {
           ImageFormatException.Kind.TOO_LARGE,
           "the file has " + bytes + " bytes, expected at most " + MAX_BYTES);
     }
-    return open(Files.readAllBytes(file), ImageReader.MAX_PIXELS);
+    return ImageFormat.read(Files.readAllBytes(file), ImageReader.MAX_PIXELS);
   }
 
   /**
@@ -71,35 +58,11 @@ public final class LinearReader {
    *     interrupt status stays set
    */
   public static Image decode(byte[] file) throws ImageFormatException {
-    return open(file, ImageReader.MAX_PIXELS).intoStraight();
+    return ImageFormat.read(file, ImageReader.MAX_PIXELS).intoStraight();
   }
 
-  /**
-   * Returns the picture in a file's bytes as it is stored; see {@link #decode(byte[])}.
-   *
-   * @param maxPixels a limit below {@link ImageReader#MAX_PIXELS}, checked before the picture is
-   *     decoded
-   */
-  public static LinearPicture open(byte[] file, long maxPixels) throws ImageFormatException {
-    Objects.requireNonNull(file, "file");
-    if (ExrReader.startsIn(file)) {
-      return ExrReader.read(file, maxPixels);
-    }
-    if (HdrReader.startsIn(file)) {
-      return LinearPicture.opaque(HdrReader.read(file, maxPixels));
-    }
-    if (PfmReader.startsIn(file)) {
-      return LinearPicture.opaque(PfmReader.read(file, maxPixels));
-    }
-    if (PngFile.startsIn(file) || JpegFile.startsIn(file)) {
-      return LinearPicture.opaque(decoded(ImageReader.decode(file, maxPixels)));
-    }
-    throw malformed(
-        "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found "
-            + FileContent.describe(file).orElse("none of them"));
-  }
-
-  private static Image decoded(Pixels pixels) throws ImageFormatException {
+  /** Returns an 8-bit or 16-bit picture as linear light. */
+  static LinearPicture decoded(Pixels pixels) throws ImageFormatException {
     int width = pixels.width();
     float[] rgb = raster(width, pixels.height(), 3);
     // A picture has few different values, and a power takes far longer than reading a pixel.
@@ -113,7 +76,7 @@ public final class LinearReader {
       }
       rgb[i] = decoded[raw];
     }
-    return new Image(width, pixels.height(), rgb, new float[0]);
+    return new LinearPicture(width, pixels.height(), rgb, new float[0]);
   }
 
   /**

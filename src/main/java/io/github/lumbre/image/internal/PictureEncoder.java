@@ -4,9 +4,6 @@ import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.exr.ExrWriter;
-import io.github.lumbre.image.jpeg.JpegWriter;
-import io.github.lumbre.image.pfm.PfmWriter;
 import io.github.lumbre.image.png.PngWriter;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -15,7 +12,6 @@ import java.nio.channels.Channels;
 import java.nio.channels.SeekableByteChannel;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 
 /** Encodes pictures to files that are reserved; see {@link ImageWriter}. */
 public final class PictureEncoder {
@@ -49,7 +45,7 @@ public final class PictureEncoder {
       Image image, List<ImageLayer> layers, OutputFile output, ImageWriter.Options options)
       throws IOException {
     ImageFormat format = ImageFormat.require(output.target());
-    encode(image, layers, format, options, output.restart());
+    format.write(image, layers, options, output.restart());
     output.commit();
   }
 
@@ -76,34 +72,14 @@ public final class PictureEncoder {
           "expected at most 3 channels, low < high, and 8 or 16 bits, found %d, %s, %s, %d"
               .formatted(layer.channels().size(), low, high, bits));
     }
-    OutputStream out =
-        new BufferedOutputStream(Channels.newOutputStream(output.restart()), BUFFER_BYTES);
+    OutputStream out = buffered(output.restart());
     PngWriter.writeLinear(layer, low, high, bits, texts, out);
     out.flush();
     output.commit();
   }
 
-  /** Writes a picture to a channel at position 0 and leaves the channel open. */
-  public static void encode(
-      Image image,
-      List<ImageLayer> layers,
-      ImageFormat format,
-      ImageWriter.Options options,
-      SeekableByteChannel channel)
-      throws IOException {
-    if (!layers.isEmpty() && format != ImageFormat.EXR) {
-      throw new IllegalArgumentException("layers: expected an .exr file, found " + format.ending());
-    }
-    Objects.requireNonNull(image, "image");
-    Objects.requireNonNull(options, "options");
-    OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
-    switch (format) {
-      case PNG -> PngWriter.write(image, options, out);
-      case JPG -> JpegWriter.write(image, options, out);
-      case PFM -> PfmWriter.write(image, out);
-      case EXR -> ExrWriter.write(image, layers, options.metadata(), channel);
-    }
-    out.flush();
+  static OutputStream buffered(SeekableByteChannel channel) {
+    return new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER_BYTES);
   }
 
   /** Returns a finite value: infinities become ±{@link Float#MAX_VALUE}, and NaN becomes 0. */

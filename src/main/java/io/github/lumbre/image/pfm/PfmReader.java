@@ -2,8 +2,8 @@ package io.github.lumbre.image.pfm;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
 import java.nio.ByteBuffer;
@@ -33,11 +33,11 @@ public final class PfmReader {
   }
 
   /** Reads a file that {@link #startsIn} recognizes. */
-  public static Image read(byte[] file, long maxPixels) throws ImageFormatException {
+  public static LinearPicture read(byte[] file, long maxPixels) throws ImageFormatException {
     return new PfmReader(file).read(maxPixels);
   }
 
-  private Image read(long maxPixels) throws ImageFormatException {
+  private LinearPicture read(long maxPixels) throws ImageFormatException {
     int channels = file[1] == 'F' ? 3 : 1;
     try {
       int width = Integer.parseInt(token());
@@ -66,7 +66,7 @@ public final class PfmReader {
     }
   }
 
-  private static Image pixels(int width, int height, int channels, ByteBuffer in)
+  private static LinearPicture pixels(int width, int height, int channels, ByteBuffer in)
       throws ImageFormatException {
     float[] rgb = LinearReader.raster(width, height, 3);
     for (int y = height - 1; y >= 0; y--) {
@@ -74,7 +74,7 @@ public final class PfmReader {
         rgb[i] = channels == 1 && i % 3 != 0 ? rgb[i - 1] : in.getFloat();
       }
     }
-    return new Image(width, height, rgb, new float[0]);
+    return new LinearPicture(width, height, rgb, new float[0]);
   }
 
   private String token() {

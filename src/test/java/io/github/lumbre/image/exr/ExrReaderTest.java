@@ -10,6 +10,7 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.ImageFixture;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -195,7 +196,7 @@ class ExrReaderTest {
     assertThatThrownBy(() -> LayeredImage.of(parts.file()))
         .hasMessageContaining("the picture has 65535x65535 pixels");
     header.putInt(shown + 12, 0);
-    assertThatThrownBy(() -> LinearReader.open(parts.file(), 65534))
+    assertThatThrownBy(() -> ImageFormat.read(parts.file(), 65534))
         .hasMessage("the picture has 65535x1 pixels, expected at most 65534 in total");
     header.putInt(shown, 1).putInt(shown + 8, 0);
     assertRefused(parts.file(), "the display window ends before it begins");

@@ -6,6 +6,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -43,7 +44,7 @@ class ExrWindowTest {
                 .channel("far.Z", 2, ExrWindowTest::value)
                 .windows(left, top, x0, y0, x1, y1);
         byte[] bytes = (tiles > 0 ? file.tiles(tiles, tiles, 0) : file).file();
-        Image light = LinearReader.open(bytes, ImageReader.MAX_PIXELS).light();
+        Image light = ImageFormat.read(bytes, ImageReader.MAX_PIXELS).light();
         LayeredImage layers = LayeredImage.of(bytes);
         assertThat(light.width()).isEqualTo(x1 - x0 + 1).isEqualTo(layers.width());
         assertThat(light.height()).isEqualTo(y1 - y0 + 1).isEqualTo(layers.height());
@@ -70,7 +71,7 @@ class ExrWindowTest {
             .rgb("", ExrWindowTest::value)
             .windows(-2, -1, 0, 0, 3, 2)
             .fileBefore(new ExrBuilder(2, 2, 0).rgb("", (x, y) -> 0));
-    Image light = LinearReader.open(file, ImageReader.MAX_PIXELS).light();
+    Image light = ImageFormat.read(file, ImageReader.MAX_PIXELS).light();
     assertThat(light.width()).isEqualTo(4);
     assertThat(light.pixel(0, 0).r()).isEqualTo(value(2, 1));
   }

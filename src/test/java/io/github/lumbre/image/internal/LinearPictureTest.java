@@ -27,7 +27,7 @@ class LinearPictureTest {
             .rgb("", (x, y) -> STORED[x])
             .channel("A", 2, (x, y) -> ALPHA[x])
             .file();
-    return LinearReader.open(file, ImageReader.MAX_PIXELS);
+    return ImageFormat.read(file, ImageReader.MAX_PIXELS);
   }
 
   @Test
@@ -54,7 +54,7 @@ class LinearPictureTest {
   @Test
   void picturesWithoutAlphaAreBoth() throws ImageFormatException {
     byte[] file = new ExrBuilder(3, 2, 1).rgb("", (x, y) -> x + y).file();
-    LinearPicture picture = LinearReader.open(file, ImageReader.MAX_PIXELS);
+    LinearPicture picture = ImageFormat.read(file, ImageReader.MAX_PIXELS);
     assertThat(picture.straight().hasAlpha()).isFalse();
     assertThat(picture.straight().rgb()).isSameAs(picture.light().rgb());
     assertThat(picture.clampedAlphas()).isZero();
