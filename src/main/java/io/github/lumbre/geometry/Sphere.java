@@ -8,7 +8,6 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.internal.Warp;
 import io.github.lumbre.texture.TexturePoint;
-import java.util.Optional;
 
 /**
  * A sphere around the local origin, or an ellipsoid if its transform scales non-uniformly. Rays hit
@@ -20,9 +19,6 @@ import java.util.Optional;
 public final class Sphere implements Shape {
   /** 1 − cos of the half angle of the cone that contains all directions. */
   private static final double ALL_DIRECTIONS = 2;
-
-  /** The largest relative difference of the half axes of a sphere. */
-  private static final double ROUND = 1e-12;
 
   private final Transform toWorld;
   private final double radius;
@@ -58,17 +54,6 @@ public final class Sphere implements Shape {
   /** Returns the radius in local space. */
   public double radius() {
     return radius;
-  }
-
-  /** Returns this sphere as a mirror; empty if its transform makes it an ellipsoid. */
-  public Optional<SphereMirror> asMirror() {
-    double x = toWorld.vector(Vec3.X).length();
-    double y = toWorld.vector(Vec3.Y).length();
-    double z = toWorld.vector(Vec3.Z).length();
-    boolean isRound = !isSkewed && Math.abs(x - y) <= ROUND * x && Math.abs(x - z) <= ROUND * x;
-    return isRound
-        ? Optional.of(new SphereMirror(toWorld.point(Vec3.ZERO), radius * x))
-        : Optional.empty();
   }
 
   @Override

@@ -4,7 +4,7 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.NormalGradient;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.Dielectric;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -69,8 +69,7 @@ final class GlassPath {
      * @param ratio index of refraction of that side, relative to the other
      * @param cosine of the refracted direction and the normal, in [-1,0)
      */
-    private void refract(
-        Vec3 along, Vec3 normal, Vec3 normalChange, double ratio, double cosine) {
+    private void refract(Vec3 along, Vec3 normal, Vec3 normalChange, double ratio, double cosine) {
       double slope = along.dot(normal);
       double change = direction.dot(normal) + along.dot(normalChange);
       double mu = ratio * slope - cosine;
@@ -90,8 +89,7 @@ final class GlassPath {
    * @param axis unit normal of the plane, on the other side of it
    * @return whether the ray meets glass and then the plane
    */
-  boolean trace(
-      Scene scene, Dielectric[] glass, Vec3 from, Vec3 towards, Vec3 end, Vec3 axis) {
+  boolean trace(Scene scene, Dielectric[] glass, Vec3 from, Vec3 towards, Vec3 end, Vec3 axis) {
     surfaces = 0;
     passProbability = 1;
     passed = Rgb.WHITE;

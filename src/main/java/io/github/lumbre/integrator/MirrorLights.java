@@ -1,9 +1,9 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.Sphere;
-import io.github.lumbre.geometry.SphereMirror;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
+import io.github.lumbre.geometry.internal.SphereMirror;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
 import io.github.lumbre.light.LightSample;
@@ -72,7 +72,7 @@ final class MirrorLights implements LightTechnique {
           .material()
           .mirrorReflectance()
           .filter(reflectance -> !reflectance.isBlack())
-          .flatMap(r -> sphere.asMirror().map(mirror -> new Mirror(number, mirror, r)));
+          .flatMap(r -> SphereMirror.of(sphere).map(mirror -> new Mirror(number, mirror, r)));
     }
   }
 

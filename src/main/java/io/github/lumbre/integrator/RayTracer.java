@@ -9,7 +9,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.material.Dielectric;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;

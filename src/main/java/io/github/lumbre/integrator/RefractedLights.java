@@ -4,7 +4,7 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.material.Dielectric;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex.Source;
@@ -66,7 +66,7 @@ final class RefractedLights implements LightTechnique {
     Bounds3 bounds = Bounds3.EMPTY;
     for (int i = 0; i < glass.length; i++) {
       Primitive primitive = primitives.get(i);
-      Optional<Dielectric> clear = primitive.material().clearGlass();
+      Optional<Dielectric> clear = Dielectric.of(primitive.material());
       if (clear.isPresent() && primitive.emission().isEmpty()) {
         glass[i] = clear.get();
         bounds = bounds.union(primitive.shape().bounds());

@@ -3,7 +3,7 @@ package io.github.lumbre.integrator;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.material.BsdfSample;
-import io.github.lumbre.material.Dielectric;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Vec3;
 
 /**

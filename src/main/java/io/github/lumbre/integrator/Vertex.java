@@ -7,8 +7,8 @@ import io.github.lumbre.light.internal.LightChoice;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.material.Dielectric;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Vec3;
 
 /**

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.SpecularBsdf;
 
 /** A BSDF that scatters no light: the surface of a light. */
 enum Absorber implements SpecularBsdf {

@@ -2,6 +2,8 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Fresnel;
+import io.github.lumbre.material.internal.SpecularBsdf;
+import io.github.lumbre.material.internal.SpecularReflection;
 import io.github.lumbre.math.Vec3;
 
 /**

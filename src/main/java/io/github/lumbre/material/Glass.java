@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.texture.ScalarTexture;

@@ -2,6 +2,7 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.SpecularReflection;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Optional;
 
@@ -61,13 +62,6 @@ public interface Material {
   default Optional<Rgb> mirrorReflectance() {
     return isUniform() && at(0, 0) instanceof SpecularReflection mirror
         ? Optional.of(mirror.reflectance())
-        : Optional.empty();
-  }
-
-  /** Returns the BSDF if it is known to be the same clear glass everywhere; empty otherwise. */
-  default Optional<Dielectric> clearGlass() {
-    return isUniform() && at(0, 0) instanceof Dielectric glass
-        ? Optional.of(glass)
         : Optional.empty();
   }
 

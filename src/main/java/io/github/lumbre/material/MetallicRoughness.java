@@ -3,6 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.RoughDielectric;

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.SpecularReflection;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
 

@@ -30,12 +30,6 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
     return Optional.empty();
   }
 
-  /** Returns nothing, for the same reason. */
-  @Override
-  public Optional<Dielectric> clearGlass() {
-    return Optional.empty();
-  }
-
   @Override
   public boolean isUniform() {
     return material.isUniform();

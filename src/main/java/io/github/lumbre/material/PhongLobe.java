@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.SpecularReflection;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;

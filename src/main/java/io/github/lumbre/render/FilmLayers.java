@@ -1,7 +1,6 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.scene.Layer;
-import io.github.lumbre.scene.Layer.Grid;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.internal.SceneInside;
@@ -49,7 +48,7 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
     for (Layer layer : kinds) {
       if (layer == Layer.INDIRECT) {
         stored.add(Layer.DIRECT);
-      } else if (layer.grid() != Grid.NONE && layer.grid() != Grid.COUNTS) {
+      } else if (LayerGrid.of(layer) != LayerGrid.NONE && LayerGrid.of(layer) != LayerGrid.COUNTS) {
         stored.add(layer);
       }
     }
@@ -84,8 +83,8 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
     int bytes = countsHits() ? Integer.BYTES : 0;
     bytes += countsPrimitives() ? PrimitiveCounts.BYTES_PER_PIXEL : 0;
     for (Layer layer : stored()) {
-      bytes += layer.grid().bytes() * channels(layer);
-      bytes += layer.grid() == Grid.GUIDE ? Long.BYTES : 0;
+      bytes += LayerGrid.of(layer).bytes() * channels(layer);
+      bytes += LayerGrid.of(layer) == LayerGrid.GUIDE ? Long.BYTES : 0;
     }
     return bytes;
   }

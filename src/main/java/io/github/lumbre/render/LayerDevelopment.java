@@ -49,7 +49,7 @@ final class LayerDevelopment {
   /** Returns the values of a layer with one value for each channel. */
   float[] of(Layer layer) {
     require(layer);
-    if (layer.grid() == Layer.Grid.COUNTS || layer == Layer.LIGHTS) {
+    if (LayerGrid.of(layer) == LayerGrid.COUNTS || layer == Layer.LIGHTS) {
       throw new IllegalArgumentException(layer + ": expected a layer with channels of its own");
     }
     int channels = layer.channels().size();
@@ -120,7 +120,7 @@ final class LayerDevelopment {
   /** Returns the noise of a layer for denoisers, three values for each pixel. */
   float[] noise(Layer layer) {
     require(layer);
-    if (layer.grid() != Layer.Grid.GUIDE) {
+    if (LayerGrid.of(layer) != LayerGrid.GUIDE) {
       throw new IllegalArgumentException(layer + ": expected a layer for denoisers");
     }
     float[] values = new float[Math.multiplyExact(3, pixels)];

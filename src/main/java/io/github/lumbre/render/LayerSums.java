@@ -3,15 +3,14 @@ package io.github.lumbre.render;
 import io.github.lumbre.integrator.SampleLayers;
 import io.github.lumbre.render.FirstMeans.FirstMean;
 import io.github.lumbre.scene.Layer;
-import io.github.lumbre.scene.Layer.Grid;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
 /**
- * The exact sums of the layers of a film's pixels; see {@link Grid}. Mutable; different threads may
- * write different pixels.
+ * The exact sums of the layers of a film's pixels; see {@link LayerGrid}. Mutable; different
+ * threads may write different pixels.
  */
 final class LayerSums {
   private static final double UNIT = 0x1p-32;
@@ -47,9 +46,9 @@ final class LayerSums {
 
   LayerSums(FilmLayers layers, int pixels) {
     this.layers = layers;
-    narrow = with(Grid.UNIT, Grid.GUIDE).toArray(Layer[]::new);
-    wide = with(Grid.WIDE).toArray(Layer[]::new);
-    guides = with(Grid.GUIDE);
+    narrow = with(LayerGrid.UNIT, LayerGrid.GUIDE).toArray(Layer[]::new);
+    wide = with(LayerGrid.WIDE).toArray(Layer[]::new);
+    guides = with(LayerGrid.GUIDE);
     narrowCount = Arrays.stream(narrow).mapToInt(layers::channels).sum();
     wideCount = Arrays.stream(wide).mapToInt(layers::channels).sum();
     narrowSums = new long[Math.multiplyExact(pixels, narrowCount)];
@@ -59,10 +58,10 @@ final class LayerSums {
     counts = new PrimitiveCounts(layers.countsPrimitives() ? pixels : 0);
   }
 
-  private List<Layer> with(Grid... grids) {
+  private List<Layer> with(LayerGrid... grids) {
     List<Layer> with = new ArrayList<>();
     for (Layer layer : layers.stored()) {
-      if (Arrays.asList(grids).contains(layer.grid())) {
+      if (Arrays.asList(grids).contains(LayerGrid.of(layer))) {
         with.add(layer);
       }
     }
@@ -180,7 +179,7 @@ final class LayerSums {
    * @param layer with sums of 64 or 128 bits
    */
   double sum(Layer layer, int channel, int pixel) {
-    if (layer.grid() == Grid.WIDE) {
+    if (LayerGrid.of(layer) == LayerGrid.WIDE) {
       return wideSums.get(pixel * wideCount + offset(layer, wide) + channel);
     }
     return narrowSums[pixel * narrowCount + offset(layer, narrow) + channel] * UNIT;

@@ -11,7 +11,9 @@ import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -84,19 +86,11 @@ public final class PixelReplay {
   }
 
   /**
-   * A primitive that is seen in a pixel.
-   *
-   * @param primitive number of the primitive in the scene
-   * @param samples the number of samples whose camera ray hits it first, at least 1
-   */
-  public record Seen(int primitive, int samples) {}
-
-  /**
    * All samples of a pixel.
    *
    * @param samples the number of samples
-   * @param seen the primitives that the camera rays of the samples hit, the primitive of most
-   *     samples first; rays that hit nothing are not among them
+   * @param seen for each primitive that the camera rays of samples hit first, by its number in the
+   *     scene: the number of these samples; the primitive of most samples first
    * @param mean the mean of all samples, summed as in a film; this includes samples that do not
    *     cover a pixel with alpha
    * @param variance the unbiased variance of one sample; 0 if there is only one
@@ -106,14 +100,14 @@ public final class PixelReplay {
    */
   public record Pixel(
       int samples,
-      List<Seen> seen,
+      Map<Integer, Integer> seen,
       Rgb mean,
       Rgb variance,
       int rejected,
       List<Sample> firstRejected,
       List<Sample> brightest) {
     public Pixel {
-      seen = List.copyOf(seen);
+      seen = Collections.unmodifiableMap(new LinkedHashMap<>(seen));
       firstRejected = List.copyOf(firstRejected);
       brightest = List.copyOf(brightest);
     }
@@ -174,11 +168,10 @@ public final class PixelReplay {
         brightest.subList(Math.min(shown, brightest.size()), brightest.size()).clear();
       }
     }
-    List<Seen> seen =
-        hits.entrySet().stream()
-            .map(hit -> new Seen(hit.getKey(), hit.getValue()))
-            .sorted(Comparator.comparingInt(hit -> -hit.samples()))
-            .toList();
+    Map<Integer, Integer> seen = new LinkedHashMap<>();
+    hits.entrySet().stream()
+        .sorted(Comparator.comparingInt(hit -> -hit.getValue()))
+        .forEach(hit -> seen.put(hit.getKey(), hit.getValue()));
     return new Pixel(
         settings.samples(),
         seen,

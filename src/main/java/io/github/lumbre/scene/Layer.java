@@ -18,61 +18,61 @@ import java.util.Set;
  */
 public enum Layer {
   /** Color of the first surface at normal incidence, in [0,1]; of lights, at most 1. */
-  ALBEDO("albedo", "R G B", Grid.UNIT),
+  ALBEDO("albedo", "R G B"),
 
   /**
    * Shading normal of the first surface, on the side of the camera: world space, of length 1 before
    * the mean.
    */
-  NORMAL("normal", "X Y Z", Grid.UNIT),
+  NORMAL("normal", "X Y Z"),
 
   /** Normal of the true first surface, without smoothing and normal maps; see {@link #NORMAL}. */
-  GEOMETRIC_NORMAL("geometricNormal", "X Y Z", Grid.UNIT),
+  GEOMETRIC_NORMAL("geometricNormal", "X Y Z"),
 
   /** Position on the first surface, in world space; each coordinate is limited to ±2^31. */
-  POSITION("position", "X Y Z", Grid.WIDE),
+  POSITION("position", "X Y Z"),
 
   /** Distance from the camera to the first surface along the ray, in world units, up to 2^31. */
-  DEPTH("depth", "Z", Grid.WIDE),
+  DEPTH("depth", "Z"),
 
   /** Texture coordinates of the first surface, limited to ±2^31. */
-  UV("uv", "U V", Grid.WIDE),
+  UV("uv", "U V"),
 
   /** The objects of the first surface, each with its share of the samples. */
-  OBJECT("object", "", Grid.COUNTS),
+  OBJECT("object", ""),
 
   /** The materials of the first surface, each with its share of the samples. */
-  MATERIAL("material", "", Grid.COUNTS),
+  MATERIAL("material", ""),
 
   /** The number of samples. */
-  SAMPLES("samples", "N", Grid.NONE),
+  SAMPLES("samples", "N"),
 
   /**
    * An estimate of the variance of the pixel's light, from the halves of its samples; negative
    * where it is not known.
    */
-  VARIANCE("variance", "R G B", Grid.NONE),
+  VARIANCE("variance", "R G B"),
 
   /** Light that was scattered at most once: visible lights and direct light. */
-  DIRECT("direct", "R G B", Grid.WIDE),
+  DIRECT("direct", "R G B"),
 
   /** Light that was scattered more than once: the picture minus {@link #DIRECT}. */
-  INDIRECT("indirect", "R G B", Grid.NONE),
+  INDIRECT("indirect", "R G B"),
 
   /**
    * The light of each light group of the scene, and of all lights without a group. Together they
    * are the picture.
    */
-  LIGHTS("lights", "R G B", Grid.WIDE),
+  LIGHTS("lights", "R G B"),
 
   /**
    * The {@link #ALBEDO} for denoisers: seen through mirrors and clear glass, tinted by them. In the
    * background, its color, at most 1; black if it is transparent.
    */
-  DENOISING_ALBEDO("denoisingAlbedo", "R G B", Grid.GUIDE),
+  DENOISING_ALBEDO("denoisingAlbedo", "R G B"),
 
   /** The {@link #NORMAL} for denoisers: seen through mirrors and clear glass. */
-  DENOISING_NORMAL("denoisingNormal", "X Y Z", Grid.GUIDE);
+  DENOISING_NORMAL("denoisingNormal", "X Y Z");
 
   /** The text for all layers. */
   public static final String ALL = "all";
@@ -86,37 +86,10 @@ public enum Layer {
 
   private final String text;
   private final List<String> channels;
-  private final Grid grid;
 
-  /** How a film stores a layer. All sums are exact, so that their order does not matter. */
-  public enum Grid {
-    /** Nothing is stored: the layer follows from other sums. */
-    NONE(0),
-    /** Signed sums of multiples of 2^-32 in [-1,1], in 64 bits. */
-    UNIT(Long.BYTES),
-    /** As {@link #UNIT}, and the mean of the first half of the samples. */
-    GUIDE(Long.BYTES),
-    /** Signed sums of multiples of 2^-64 in ±2^31, in 128 bits. */
-    WIDE(2 * Long.BYTES),
-    /** The number of samples of each primitive. */
-    COUNTS(0);
-
-    private final int bytes;
-
-    Grid(int bytes) {
-      this.bytes = bytes;
-    }
-
-    /** Returns the number of bytes of one sum. */
-    public int bytes() {
-      return bytes;
-    }
-  }
-
-  Layer(String text, String channels, Grid grid) {
+  Layer(String text, String channels) {
     this.text = text;
     this.channels = channels.isEmpty() ? List.of() : List.of(channels.split(" "));
-    this.grid = grid;
   }
 
   /** Returns the name, such as {@code geometricNormal}: in files and on the command line. */
@@ -127,11 +100,6 @@ public enum Layer {
   /** Returns the names of the channels in OpenEXR files; empty for ids. */
   public List<String> channels() {
     return channels;
-  }
-
-  /** Returns how a film stores the layer. */
-  public Grid grid() {
-    return grid;
   }
 
   /** Returns the layer with a name; empty if there is none. */

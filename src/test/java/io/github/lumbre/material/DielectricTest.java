@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.Fresnel;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;

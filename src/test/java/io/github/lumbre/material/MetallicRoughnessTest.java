@@ -25,6 +25,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;

@@ -3,6 +3,7 @@ package io.github.lumbre.material;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.SpecularReflection;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import org.junit.jupiter.api.Test;

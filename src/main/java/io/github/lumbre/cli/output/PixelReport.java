@@ -137,11 +137,13 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
   /** Returns the objects that are seen in a pixel, with their materials, most samples first. */
   List<Seen> seen(PixelReplay.Pixel all) {
     Map<List<Origin>, Integer> samples = new LinkedHashMap<>();
-    for (PixelReplay.Seen seen : all.seen()) {
-      Origin object = origins().primitives().get(seen.primitive());
-      Origin material = origins().materials().get(seen.primitive());
-      samples.merge(List.of(object, material), seen.samples(), Integer::sum);
-    }
+    all.seen()
+        .forEach(
+            (primitive, count) -> {
+              Origin object = origins().primitives().get(primitive);
+              Origin material = origins().materials().get(primitive);
+              samples.merge(List.of(object, material), count, Integer::sum);
+            });
     return samples.entrySet().stream()
         .map(e -> new Seen(e.getKey().get(0), e.getKey().get(1), e.getValue()))
         .sorted(Comparator.comparingInt(seen -> -seen.samples()))

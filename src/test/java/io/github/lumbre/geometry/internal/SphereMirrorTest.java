@@ -1,8 +1,9 @@
-package io.github.lumbre.geometry;
+package io.github.lumbre.geometry.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.SplittableRandom;
@@ -16,8 +17,7 @@ class SphereMirrorTest {
   private Vec3 direction() {
     while (true) {
       Vec3 v =
-          new Vec3(
-              random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+          new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
       if (v.length() > .1 && v.length() < 1) {
         return v.normalized();
       }
@@ -98,8 +98,7 @@ class SphereMirrorTest {
     Vec3 from = new Vec3(3, 1, 0);
     Vec3 to = new Vec3(0, 2, 5);
     Vec3 expected = new SphereMirror(Vec3.ZERO, 1).normalBetween(from, to);
-    Vec3 found =
-        new SphereMirror(Vec3.ZERO, size).normalBetween(from.times(size), to.times(size));
+    Vec3 found = new SphereMirror(Vec3.ZERO, size).normalBetween(from.times(size), to.times(size));
     assertThat(found.minus(expected).length()).isLessThan(1e-14);
   }
 
@@ -158,12 +157,12 @@ class SphereMirrorTest {
     Transform turned = Transform.rotationDegrees(new Vec3(20, 30, 40));
     Transform moved = Transform.translation(new Vec3(1, 2, 3)).times(turned);
     Sphere round = new Sphere(moved.times(Transform.scale(new Vec3(2, -2, 2))), 3);
-    SphereMirror mirror = round.asMirror().orElseThrow();
+    SphereMirror mirror = SphereMirror.of(round).orElseThrow();
     assertThat(mirror.radius()).isCloseTo(6, within(1e-14));
     assertThat(mirror.center().minus(new Vec3(1, 2, 3)).length()).isLessThan(1e-14);
-    assertThat(new Sphere(Transform.scale(new Vec3(2, 2, 2.001)), 3).asMirror()).isEmpty();
-    assertThat(new Sphere(Transform.scale(new Vec3(2, 2.001, 2)), 3).asMirror()).isEmpty();
+    assertThat(SphereMirror.of(new Sphere(Transform.scale(new Vec3(2, 2, 2.001)), 3))).isEmpty();
+    assertThat(SphereMirror.of(new Sphere(Transform.scale(new Vec3(2, 2.001, 2)), 3))).isEmpty();
     Transform sheared = Transform.scale(new Vec3(1, 2, 1)).times(turned);
-    assertThat(new Sphere(sheared, 3).asMirror()).isEmpty();
+    assertThat(SphereMirror.of(new Sphere(sheared, 3))).isEmpty();
   }
 }

@@ -1,8 +1,11 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.material.internal.Fresnel;
+import io.github.lumbre.material.BsdfSample;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Vec3;
+import java.util.Optional;
 
 /**
  * The BSDF of smooth glass: reflects by the exact Fresnel equations and refracts by Snell's law
@@ -13,6 +16,16 @@ import io.github.lumbre.math.Vec3;
  * @param ior index of refraction of the inside relative to the outside, in [1e-150, 1e150]
  */
 public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements SpecularBsdf {
+  /** Returns the BSDF of a material if it is known to be the same clear glass everywhere. */
+  public static Optional<Dielectric> of(Material material) {
+    // Perturbed normals refract to other places than the surface's own.
+    return material.isUniform()
+            && !(material instanceof NormalMapped)
+            && material.at(0, 0) instanceof Dielectric glass
+        ? Optional.of(glass)
+        : Optional.empty();
+  }
+
   @Override
   public boolean choosesLobe() {
     return true;

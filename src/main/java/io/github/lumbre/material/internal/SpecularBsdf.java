@@ -1,12 +1,14 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
+import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Vec3;
 
 /**
  * A BSDF with only delta lobes: it can be sampled, but its value and density for given directions
  * are 0.
  */
-interface SpecularBsdf extends Bsdf {
+public interface SpecularBsdf extends Bsdf {
   @Override
   default void evaluate(
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {

@@ -1,6 +1,9 @@
-package io.github.lumbre.geometry;
+package io.github.lumbre.geometry.internal;
 
+import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import java.util.Optional;
 
 /**
  * The outside of a mirror that is a sphere, in world space. Between two points outside there is at
@@ -11,10 +14,26 @@ import io.github.lumbre.math.Vec3;
  * @param radius in world units, &gt; 0
  */
 public record SphereMirror(Vec3 center, double radius) {
+  /** The largest relative difference of the half axes of a sphere. */
+  private static final double ROUND = 1e-12;
+
   private static final int MOST_STEPS = 64;
 
   /** A change of the solution, at most 1, that ends the search. */
   private static final double CONVERGED = 0x1p-51;
+
+  /** Returns a sphere as a mirror; empty if its transform makes it an ellipsoid. */
+  public static Optional<SphereMirror> of(Sphere sphere) {
+    Transform toWorld = sphere.toWorld();
+    double x = toWorld.vector(Vec3.X).length();
+    double y = toWorld.vector(Vec3.Y).length();
+    double z = toWorld.vector(Vec3.Z).length();
+    boolean isRound =
+        !toWorld.isSkewed() && Math.abs(x - y) <= ROUND * x && Math.abs(x - z) <= ROUND * x;
+    return isRound
+        ? Optional.of(new SphereMirror(toWorld.point(Vec3.ZERO), sphere.radius() * x))
+        : Optional.empty();
+  }
 
   /**
    * Returns the outward unit normal of the sphere where it reflects light from one point to the
@@ -50,9 +69,9 @@ public record SphereMirror(Vec3 center, double radius) {
    * unit sphere sees both points.
    *
    * <p>The angle at which the first point is seen grows with φ, from 0 to 90° at cos φ = 1/p; that
-   * of the second point falls. The equality of their tangents, p sin φ / (p cos φ − 1) and q sin(γ −
-   * φ) / (q cos(γ − φ) − 1), multiplied by both denominators, is the zero that Newton's method finds
-   * here, within bounds.
+   * of the second point falls. The equality of their tangents, p sin φ / (p cos φ − 1) and q sin(γ
+   * − φ) / (q cos(γ − φ) − 1), multiplied by both denominators, is the zero that Newton's method
+   * finds here, within bounds.
    *
    * @param p distance of the first point from the center of the unit sphere
    * @param q distance of the second point
@@ -96,8 +115,7 @@ public record SphereMirror(Vec3 center, double radius) {
   }
 
   /** Returns the solution for small angles if it lies within the bounds, else their middle. */
-  private static double start(
-      double low, double high, double p, double q, double cos, double sin) {
+  private static double start(double low, double high, double p, double q, double cos, double sin) {
     double share = q * (p - 1) / (q * (p - 1) + p * (q - 1));
     double t = share * sin / (1 + cos);
     return t > low && t < high ? t : .5 * (low + high);
@@ -108,8 +126,8 @@ public record SphereMirror(Vec3 center, double radius) {
    * center of the sphere, if it is reflected to a point of a surface.
    *
    * <p>A beam of the solid angle ω that a sphere reflects after a distance a has, after a further
-   * distance b, the cross section ω (a + b + 2ab cos θ / r) (a + b + 2ab / (r cos θ)), by Coddington's
-   * equations (Born and Wolf 1999, "Principles of Optics", sec. 4.6).
+   * distance b, the cross section ω (a + b + 2ab cos θ / r) (a + b + 2ab / (r cos θ)), by
+   * Coddington's equations (Born and Wolf 1999, "Principles of Optics", sec. 4.6).
    *
    * @param from the first point
    * @param reflection the point of the sphere

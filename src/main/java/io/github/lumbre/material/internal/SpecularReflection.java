@@ -1,6 +1,7 @@
-package io.github.lumbre.material;
+package io.github.lumbre.material.internal;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -8,7 +9,7 @@ import io.github.lumbre.math.Vec3;
  *
  * @param reflectance fraction of the light that is reflected, each component in [0,1]
  */
-record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
+public record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   @Override
   public void sample(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
@@ -16,7 +17,7 @@ record SpecularReflection(Rgb reflectance) implements SpecularBsdf {
   }
 
   /** Returns the direction mirrored at the normal, in the local frame. */
-  static Vec3 reflect(Vec3 wo) {
+  public static Vec3 reflect(Vec3 wo) {
     return new Vec3(-wo.x(), -wo.y(), wo.z());
   }
 
