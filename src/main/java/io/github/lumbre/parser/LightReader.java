@@ -15,6 +15,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.SceneAssembly;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.Texture;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -152,7 +153,9 @@ final class LightReader {
     }
     double angle = Math.min(90, Math.abs(written));
     if (angle != written) {
-      light.warn("spotAngle", Range.text(written) + " is treated as " + Range.text(angle));
+      light.warn(
+          "spotAngle",
+          PrintableText.number(written) + " is treated as " + PrintableText.number(angle));
     }
     return angle;
   }

@@ -1,5 +1,7 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.text.PrintableText;
+
 /**
  * The valid numbers of a key, and their description for error messages.
  *
@@ -24,7 +26,10 @@ record Range(
 
   /** Returns the closed range [low, high]. */
   static Range closed(double low, double high) {
-    return closed(low, high, "a number from " + text(low) + " to " + text(high));
+    return closed(
+        low,
+        high,
+        "a number from " + PrintableText.number(low) + " to " + PrintableText.number(high));
   }
 
   private static Range closed(double low, double high, String expected) {
@@ -33,13 +38,15 @@ record Range(
 
   /** Returns the open range (low, high). */
   static Range open(double low, double high) {
-    String expected = "a number in (" + text(low) + ", " + text(high) + ")";
+    String expected =
+        "a number in (" + PrintableText.number(low) + ", " + PrintableText.number(high) + ")";
     return new Range(low, true, high, true, expected, expected);
   }
 
   /** Returns the half-open range (low, high]. */
   static Range above(double low, double high) {
-    String expected = "a number in (" + text(low) + ", " + text(high) + "]";
+    String expected =
+        "a number in (" + PrintableText.number(low) + ", " + PrintableText.number(high) + "]";
     return new Range(low, true, high, false, expected, expected);
   }
 
@@ -50,12 +57,5 @@ record Range(
   /** Returns the expected numbers as text, for a number outside the range. */
   String expectedFor(double x) {
     return x > high || openHigh && x == high ? ifHigh : ifLow;
-  }
-
-  /** Returns a number in its shortest readable form: 3, 0.25, 1e20. */
-  static String text(double x) {
-    return x == Math.rint(x) && Math.abs(x) < 1e15
-        ? Long.toString((long) x)
-        : Double.toString(x).replace(".0E", "e");
   }
 }

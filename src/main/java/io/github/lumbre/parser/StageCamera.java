@@ -1,6 +1,5 @@
 package io.github.lumbre.parser;
 
-import static java.util.stream.Collectors.joining;
 
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
@@ -10,13 +9,12 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelCamera;
+import io.github.lumbre.model.internal.ModelNames;
 import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.Rotations;
-import io.github.lumbre.text.PrintableText;
-import io.github.lumbre.text.Spelling;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -54,20 +52,7 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
       return stage.view().isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
     }
     List<String> names = ModelContents.cameraNames(model);
-    int index = names.indexOf(stage.camera().get());
-    if (index < 0) {
-      String wanted = PrintableText.quoted(stage.camera().get());
-      throw new ModelFormatException(
-          Kind.MALFORMED,
-          "cameras",
-          names.isEmpty()
-              ? "expected a camera " + wanted + ", found none in the model"
-              : "expected "
-                  + names.stream().limit(20).map(PrintableText::quoted).collect(joining(" or "))
-                  + ", found "
-                  + wanted
-                  + Spelling.suggestion(stage.camera().get(), names));
-    }
+    int index = ModelNames.index("cameras", "a camera", names, stage.camera().get());
     return Optional.of(model.cameras().get(index));
   }
 

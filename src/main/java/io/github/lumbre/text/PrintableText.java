@@ -33,6 +33,13 @@ public final class PrintableText {
     return shown.substring(0, end) + "…" + shown.substring(shown.length() - end);
   }
 
+  /** Returns a number in its shortest readable form: 3, 0.25, 1e20. */
+  public static String number(double x) {
+    return x == Math.rint(x) && Math.abs(x) < 1e15
+        ? Long.toString((long) x)
+        : Double.toString(x).replace(".0E", "e");
+  }
+
   /** Returns a text with invisible characters written as JSON escapes. */
   public static String escaped(String text) {
     StringBuilder out = new StringBuilder(text.length());

@@ -1,10 +1,9 @@
 package io.github.lumbre.model.gltf;
 
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.internal.GltfText;
 import io.github.lumbre.model.internal.ModelAnimation;
+import io.github.lumbre.model.internal.ModelNames;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -95,24 +94,12 @@ final class GltfAnimations {
 
   private int find(String wanted) throws ModelFormatException {
     List<String> names = names();
-    if (names.isEmpty()) {
-      throw new ModelFormatException(
-          Kind.MALFORMED,
-          "animations",
-          "expected an animation " + PrintableText.quoted(wanted) + ", found none in the model");
-    }
-    if (names.contains(wanted)) {
-      return names.indexOf(wanted);
-    }
-    for (int i = 0; i < names.size(); i++) {
+    for (int i = 0; i < names.size() && !names.contains(wanted); i++) {
       if (wanted.equals(Integer.toString(i))) {
         return i;
       }
     }
-    throw new ModelFormatException(
-        Kind.MALFORMED,
-        "animations",
-        "expected " + GltfText.choice(names) + ", found " + PrintableText.quoted(wanted));
+    return ModelNames.index("animations", "an animation", names, wanted);
   }
 
   private void set(

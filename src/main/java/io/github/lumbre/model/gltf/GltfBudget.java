@@ -73,6 +73,12 @@ final class GltfBudget {
     allocate(location, BYTES_PER_PART);
   }
 
+  /** Returns a copy of an array, whose memory is added. */
+  double[] copy(String location, double... numbers) throws ModelFormatException {
+    allocate(location, (long) Double.BYTES * numbers.length);
+    return numbers.clone();
+  }
+
   /**
    * Adds memory that is about to be allocated.
    *

@@ -5,7 +5,7 @@ import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.json.JsonValue;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.model.internal.GltfText;
+import io.github.lumbre.model.internal.ModelNames;
 import io.github.lumbre.text.PrintableText;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -233,7 +233,7 @@ record GltfJson(JsonValue value) {
   String choice(String member, String fallback, List<String> choices) throws ModelFormatException {
     String text = text(member, fallback);
     if (!choices.contains(text)) {
-      throw expected(member, GltfText.choice(choices));
+      throw expected(member, ModelNames.choice(choices));
     }
     return text;
   }

@@ -3,8 +3,8 @@ package io.github.lumbre.model.gltf;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.internal.GltfText;
 import io.github.lumbre.model.internal.ModelLight;
+import io.github.lumbre.text.PrintableText;
 import java.util.List;
 import java.util.Optional;
 
@@ -42,9 +42,9 @@ final class GltfLights {
           .malformed(
               "outerConeAngle",
               "expected 0 <= innerConeAngle < outerConeAngle <= pi/2, found "
-                  + GltfText.number(inner)
+                  + PrintableText.number(inner)
                   + " and "
-                  + GltfText.number(outer));
+                  + PrintableText.number(outer));
     }
     return new ModelLight(
         node.name().isEmpty() ? json.text("name", "") : node.name(),
@@ -68,7 +68,7 @@ final class GltfLights {
   private static void requireAtLeastZero(GltfJson json, String member, double value)
       throws ModelFormatException {
     if (!(value >= 0)) {
-      throw json.malformed(member, "expected at least 0, found " + GltfText.number(value));
+      throw json.malformed(member, "expected at least 0, found " + PrintableText.number(value));
     }
   }
 }

@@ -3,11 +3,11 @@ package io.github.lumbre.model.gltf;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.internal.GltfText;
 import io.github.lumbre.model.internal.MaterialInput;
 import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.internal.ModelTexture;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.List;
@@ -172,9 +172,9 @@ final class GltfMaterials {
               "expected "
                   + (max == 1 ? "0 to 1" : "at least 0")
                   + ", found "
-                  + GltfText.number(value)
+                  + PrintableText.number(value)
                   + "; "
-                  + GltfText.number(clamped)
+                  + PrintableText.number(clamped)
                   + " is used");
     }
     return clamped;

@@ -25,10 +25,10 @@ final class GltfMorph {
    */
   ModelGeometry applied(GltfJson primitive, ModelGeometry rest, double... weights)
       throws ModelFormatException, IOException {
-    double[] positions = copy(primitive, rest.positions());
-    double[] normals = copy(primitive, rest.normals());
-    double[] tangents = copy(primitive, rest.tangents());
-    double[] delta = copy(primitive, rest.positions());
+    double[] positions = document.budget().copy(primitive.location(), rest.positions());
+    double[] normals = document.budget().copy(primitive.location(), rest.normals());
+    double[] tangents = document.budget().copy(primitive.location(), rest.tangents());
+    double[] delta = document.budget().copy(primitive.location(), rest.positions());
     List<GltfJson> targets = primitive.objects("targets");
     for (int i = 0; i < Math.min(targets.size(), weights.length); i++) {
       if (weights[i] != 0) {
@@ -43,11 +43,6 @@ final class GltfMorph {
         primitive,
         new ModelGeometry(
             positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
-  }
-
-  private double[] copy(GltfJson primitive, double... numbers) throws ModelFormatException {
-    document.budget().allocate(primitive.location(), (long) Double.BYTES * numbers.length);
-    return numbers.clone();
   }
 
   private void add(

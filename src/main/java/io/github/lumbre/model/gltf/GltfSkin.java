@@ -65,9 +65,9 @@ final class GltfSkin {
     GltfJson json = primitive.requireObject("attributes");
     int vertices = rest.vertexCount();
     List<GltfInfluences.Set> sets = influences.of(primitive, vertices);
-    double[] positions = copy(primitive, rest.positions());
-    double[] normals = copy(primitive, rest.normals());
-    double[] tangents = copy(primitive, rest.tangents());
+    double[] positions = document.budget().copy(primitive.location(), rest.positions());
+    double[] normals = document.budget().copy(primitive.location(), rest.normals());
+    double[] tangents = document.budget().copy(primitive.location(), rest.tangents());
     double[] sum = new double[12];
     for (int i = 0; i < vertices; i++) {
       if (i % VERTICES_PER_CHECK == 0) {
@@ -91,11 +91,6 @@ final class GltfSkin {
         primitive,
         new ModelGeometry(
             positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
-  }
-
-  private double[] copy(GltfJson primitive, double... numbers) throws ModelFormatException {
-    document.budget().allocate(primitive.location(), (long) Double.BYTES * numbers.length);
-    return numbers.clone();
   }
 
   /** Computes the weighted mean of the joints' matrices for a vertex. */

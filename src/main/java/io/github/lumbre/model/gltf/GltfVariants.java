@@ -1,9 +1,7 @@
 package io.github.lumbre.model.gltf;
 
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.model.internal.GltfText;
-import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.model.internal.ModelNames;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -29,20 +27,10 @@ final class GltfVariants {
         names.add(variant.text("name", Integer.toString(names.size())));
       }
     }
-    chosen = wanted.isPresent() ? names.indexOf(wanted.get()) : -1;
-    if (wanted.isPresent() && chosen < 0) {
-      throw new ModelFormatException(
-          Kind.MALFORMED,
-          "extensions." + NAME + ".variants",
-          names.isEmpty()
-              ? "expected a variant "
-                  + PrintableText.quoted(wanted.get())
-                  + ", found none in the model"
-              : "expected "
-                  + GltfText.choice(names)
-                  + ", found "
-                  + PrintableText.quoted(wanted.get()));
-    }
+    chosen =
+        wanted.isPresent()
+            ? ModelNames.index("extensions." + NAME + ".variants", "a variant", names, wanted.get())
+            : -1;
   }
 
   /** Returns the names of all variants; the index of one that has no name. */

@@ -52,7 +52,7 @@ public final class ModelFiles {
       throw new ModelFormatException(
           Kind.ASSET,
           missing.location(),
-          missing.detail() + "; there are several of that name: " + GltfText.choice(similar));
+          missing.detail() + "; there are several of that name: " + ModelNames.choice(similar));
     }
     return similar.get(0);
   }

@@ -6,12 +6,12 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -68,8 +68,8 @@ public final class ModelReader {
       throws ModelFormatException, IOException {
     ModelFormat format = format(name, content);
     if (format != ModelFormat.GLTF) {
-      requireNone("animations", "an animation ", options.pose().map(Pose::animation));
-      requireNone("variants", "a variant ", options.variant());
+      requireNone("animations", "an animation", options.pose().map(Pose::animation));
+      requireNone("variants", "a variant", options.variant());
     }
     try {
       return checked(format.read(content, folder, options), options);
@@ -115,10 +115,7 @@ public final class ModelReader {
   private static void requireNone(String location, String what, Optional<String> name)
       throws ModelFormatException {
     if (name.isPresent()) {
-      throw new ModelFormatException(
-          Kind.MALFORMED,
-          location,
-          "expected " + what + PrintableText.quoted(name.get()) + ", found none in the model");
+      ModelNames.index(location, what, List.of(), name.get());
     }
   }
 }

@@ -292,16 +292,6 @@ public final class TextScanner {
     return value;
   }
 
-  /** Returns the next word of the line as a finite number; 0 if the line ends. */
-  double nextNumberOrZero() throws ModelFormatException {
-    int before = at;
-    if (!nextWord()) {
-      return 0;
-    }
-    at = before;
-    return nextNumber();
-  }
-
   private ModelFormatException notANumber() {
     return error("expected a finite number, found " + PrintableText.quoted(word()));
   }

@@ -2,10 +2,10 @@ package io.github.lumbre.model.obj;
 
 import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.model.internal.GltfText;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.internal.Warnings;
+import io.github.lumbre.text.PrintableText;
 import java.util.Arrays;
 
 /**
@@ -73,13 +73,13 @@ final class ObjColors {
       warnings.add(
           location,
           "ignored the colors of vertices: expected 0 to 1 or 0 to 255, found "
-              + GltfText.number(largest));
+              + PrintableText.number(largest));
       rgb = new double[0];
     } else if (isBytes) {
       warnings.add(
           location,
           "took the colors of vertices for 0 to 255: expected 0 to 1, found "
-              + GltfText.number(largest));
+              + PrintableText.number(largest));
     }
     for (int i = 0; i < rgb.length; i++) {
       if (rgb[i] != NONE) {
