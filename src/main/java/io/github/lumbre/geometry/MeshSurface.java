@@ -36,7 +36,7 @@ final class MeshSurface {
     hasAttributes = mesh.attributes() != MeshAttributes.NONE;
     hasTangents = mesh.attributes().tangents().length > 0;
     isSmooth = mesh.hasNormals();
-    isWound = mesh.front() == TriangleMesh.Front.WINDING;
+    isWound = mesh.fronts().rule() == TriangleMesh.Front.WINDING;
   }
 
   /**
@@ -156,7 +156,7 @@ final class MeshSurface {
       y = world.y();
       z = world.z();
     }
-    if (mesh.hasNormalsBehind(triangle)) {
+    if (mesh.fronts().hasNormalsBehind(triangle)) {
       Vec3 raised = raised(triangle, new Vec3(x, y, z), geometricNormal);
       x = raised.x();
       y = raised.y();
@@ -167,7 +167,7 @@ final class MeshSurface {
 
   /** Returns a vertex normal moved to the front, as {@link TriangleMesh.Front#WINDING} says. */
   private Vec3 raised(int triangle, Vec3 normal, Vec3 geometricNormal) {
-    Vec3 n = mesh.hasReversedNormals(triangle) ? normal.negated() : normal;
+    Vec3 n = mesh.fronts().hasReversedNormals(triangle) ? normal.negated() : normal;
     return n.plus(-2 * Math.min(0, n.dot(geometricNormal)), geometricNormal);
   }
 
@@ -182,7 +182,7 @@ final class MeshSurface {
       // A transform can flatten a sliver to a line; any direction perpendicular to it is valid.
       return e1.maxAbs() > 0 ? Frame.around(e1.normalized()).tangent() : Vec3.Y;
     }
-    boolean isTurned = mesh.isTurned(triangle) ^ toWorld.isMirroring();
+    boolean isTurned = mesh.fronts().isTurned(triangle) ^ toWorld.isMirroring();
     return cross.normalized().times(isTurned ? -1 : 1);
   }
 

@@ -28,32 +28,13 @@ public final class TriangleMesh {
     WINDING
   }
 
-  /** All vertex normals of a triangle are on its front. */
-  private static final byte REGULAR = 0;
-
-  /** {@link Front#NORMALS}: the front is opposite to the cross product. */
-  private static final byte TURNED = 1;
-
-  /** {@link Front#WINDING}: a vertex normal is on the back. */
-  private static final byte BEHIND = 2;
-
-  /** {@link Front#WINDING}: the vertex normals are reversed. */
-  private static final byte REVERSED = 3;
-
   private final double[] positions;
   private final double[] normals;
   private final double[] uvs;
   private final int[] indices;
   private final MeshAttributes attributes;
   private final int droppedTriangles;
-
-  private final Front front;
-
-  /** Where the vertex normals of each triangle point; empty if all are {@link #REGULAR}. */
-  private final byte[] sides;
-
-  /** Whether the mesh was baked with a mirroring transform, which flips every cross product. */
-  private final boolean mirrored;
+  private final MeshFronts fronts;
 
   /** Whether the mesh encloses a volume; null before it is asked for. */
   private volatile Boolean closed;
@@ -72,9 +53,7 @@ public final class TriangleMesh {
     this.indices = indices;
     this.attributes = attributes;
     this.droppedTriangles = droppedTriangles;
-    this.front = front;
-    sides = findSides();
-    mirrored = false;
+    fronts = MeshFronts.of(this, front);
   }
 
   private TriangleMesh(TriangleMesh source, Transform toWorld) {
@@ -84,9 +63,7 @@ public final class TriangleMesh {
     indices = source.indices;
     attributes = source.attributes.mapped(toWorld);
     droppedTriangles = source.droppedTriangles;
-    front = source.front;
-    sides = source.sides;
-    mirrored = source.mirrored ^ toWorld.isMirroring();
+    fronts = source.fronts.baked(toWorld.isMirroring());
     for (int i = 0; i < source.vertexCount(); i++) {
       store(toWorld.point(source.position(i)), positions, i);
       if (source.hasNormals()) {
@@ -197,33 +174,6 @@ public final class TriangleMesh {
     return Arrays.copyOf(kept, size);
   }
 
-  private byte[] findSides() {
-    byte[] found = new byte[hasNormals() ? triangleCount() : 0];
-    boolean isRegular = true;
-    for (int i = 0; i < found.length; i++) {
-      found[i] = side(i);
-      isRegular &= found[i] == REGULAR;
-    }
-    return isRegular ? new byte[0] : found;
-  }
-
-  private byte side(int triangle) {
-    Vec3 a = position(vertex(triangle, 0));
-    Vec3 e1 = position(vertex(triangle, 1)).minus(a);
-    Vec3 cross = cross(e1, position(vertex(triangle, 2)).minus(a));
-    Vec3 n0 = normal(vertex(triangle, 0));
-    Vec3 n1 = normal(vertex(triangle, 1));
-    Vec3 n2 = normal(vertex(triangle, 2));
-    Vec3 sum = n0.plus(n1).plus(n2);
-    if (front == Front.NORMALS) {
-      return cross.dot(sum) < 0 ? TURNED : REGULAR;
-    }
-    if (cross.dot(sum) < -Math.sqrt(.5) * cross.length() * sum.length()) {
-      return REVERSED;
-    }
-    return cross.dot(n0) < 0 || cross.dot(n1) < 0 || cross.dot(n2) < 0 ? BEHIND : REGULAR;
-  }
-
   /** Returns the cross product of two edges, up to a positive factor; zero for parallel edges. */
   static Vec3 cross(Vec3 e1, Vec3 e2) {
     Vec3 cross = e1.cross(e2);
@@ -252,7 +202,7 @@ public final class TriangleMesh {
         selected(uvs, vertices, 2),
         corners,
         attributes.part(vertices),
-        front,
+        fronts.rule(),
         0);
   }
 
@@ -358,7 +308,7 @@ public final class TriangleMesh {
    * front of each triangle is decided as in {@link Front#NORMALS}.
    */
   public boolean isPlain() {
-    return (front == Front.NORMALS || sides.length == 0)
+    return fronts.isPlain()
         && attributes.tangents().length == 0
         && attributes.uv1().length == 0
         && attributes.colors().length == 0;
@@ -401,24 +351,9 @@ public final class TriangleMesh {
     return known;
   }
 
-  /** Returns the rule for which side of a triangle is its front. */
-  Front front() {
-    return front;
-  }
-
-  /** Returns whether the normal of a triangle's front is opposite to the edges' cross product. */
-  boolean isTurned(int triangle) {
-    return (sides.length > 0 && sides[triangle] == TURNED) ^ mirrored;
-  }
-
-  /** Returns whether shading turns the vertex normals of a triangle around; see {@link Front}. */
-  boolean hasNormalsBehind(int triangle) {
-    return sides.length > 0 && sides[triangle] >= BEHIND;
-  }
-
-  /** Returns whether all three vertex normals of a triangle are negated for shading. */
-  boolean hasReversedNormals(int triangle) {
-    return sides.length > 0 && sides[triangle] == REVERSED;
+  /** Returns which side of each triangle is its front. */
+  MeshFronts fronts() {
+    return fronts;
   }
 
   /** Copies the nine coordinates of a triangle. */

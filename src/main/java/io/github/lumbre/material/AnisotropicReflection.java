@@ -32,6 +32,25 @@ record AnisotropicReflection(
   }
 
   /**
+   * Returns the reflection that is rougher along a direction.
+   *
+   * @param direction relative to the tangent and bitangent; z is ignored, and 0 is the tangent
+   * @param degrees rotation of the direction, from the tangent towards the bitangent
+   * @param alpha roughness perpendicular to it, &gt; 0
+   * @param strength of the anisotropy, in [0,1]
+   */
+  static AnisotropicReflection along(
+      Vec3 direction, double degrees, Rgb f0, double f90, double alpha, double strength) {
+    double length = Math.sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+    double x = length > 0 ? direction.x() / length : 1;
+    double y = length > 0 ? direction.y() / length : 0;
+    double cos = Elementary.cosDegrees(degrees);
+    double sin = Elementary.sinDegrees(degrees);
+    double along = alphaAlong(alpha, strength);
+    return new AnisotropicReflection(f0, f90, along, alpha, cos * x - sin * y, sin * x + cos * y);
+  }
+
+  /**
    * Returns the diffuse reflection below this layer. It uses the tables of isotropic layers, whose
    * albedo is up to 0.1 too small for anisotropic ones. A smoother layer and a smaller albedo make
    * up for that; both are fitted. In a scan over strength, roughness, F0 and directions, the sum

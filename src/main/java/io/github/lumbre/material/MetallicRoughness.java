@@ -16,6 +16,7 @@ import io.github.lumbre.texture.TexturePoint;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
 
 /**
  * The metallic-roughness material of glTF 2.0, Appendix B, with the layers of the {@code
@@ -102,14 +103,9 @@ public final class MetallicRoughness implements Material {
    * @return per unit of the distance
    */
   private static Rgb absorption(Rgb color, double distance) {
+    DoubleUnaryOperator of = c -> c >= 1 ? 0 : -Elementary.log(Math.max(c, 1e-9)) / distance;
     return new Rgb(
-        absorption(color.r(), distance),
-        absorption(color.g(), distance),
-        absorption(color.b(), distance));
-  }
-
-  private static double absorption(double color, double distance) {
-    return color >= 1 ? 0 : -Elementary.log(Math.max(color, 1e-9)) / distance;
+        of.applyAsDouble(color.r()), of.applyAsDouble(color.g()), of.applyAsDouble(color.b()));
   }
 
   /** Returns the value of a parameter; empty if it has its default. */
@@ -154,22 +150,19 @@ public final class MetallicRoughness implements Material {
   }
 
   private double opacity(SurfaceHit hit) {
-    return isTransparent ? Math.max(0, Math.min(1, opacity.at(hit))) : 1;
+    return isTransparent ? unit(opacity.at(hit)) : 1;
   }
 
   /** Returns what smooth thin transmission passes; black for other surfaces. */
   private Rgb smoothlyTransmitted(SurfaceHit hit) {
-    if (!isThinlyTransmissive || alpha(hit) >= CookTorrance.SMOOTH) {
+    if (!isThinlyTransmissive || alpha(roughness, hit) >= CookTorrance.SMOOTH) {
       return Rgb.BLACK;
     }
     double share = glassShare(hit);
     double cosine = Math.abs(hit.wo().dot(hit.shadingNormal()));
     Rgb reflected = SchlickReflection.fresnel(dielectricF0(hit), f90(hit), cosine);
     Rgb tint = baseColor(hit).times(share * passedByLayers(hit, cosine));
-    return new Rgb(
-        tint.r() * (1 - reflected.r()),
-        tint.g() * (1 - reflected.g()),
-        tint.b() * (1 - reflected.b()));
+    return ThinGlass.passed(tint, reflected);
   }
 
   /** Returns the fraction of light that sheen and clear coat leave to straight transmission. */
@@ -183,8 +176,7 @@ public final class MetallicRoughness implements Material {
   }
 
   private double coatAlpha(SurfaceHit hit) {
-    double roughness = unit(clearcoatRoughness.at(hit));
-    return Math.max(MIN_ALPHA, roughness * roughness);
+    return Math.max(MIN_ALPHA, alpha(clearcoatRoughness, hit));
   }
 
   private static double coatAlbedo(double coat, double cosine, double alpha) {
@@ -205,7 +197,7 @@ public final class MetallicRoughness implements Material {
     return x > 0 ? Math.min(1, x) : 0;
   }
 
-  private double alpha(SurfaceHit hit) {
+  private static double alpha(ScalarChannel roughness, SurfaceHit hit) {
     double perceptual = unit(roughness.at(hit));
     return perceptual * perceptual;
   }
@@ -226,8 +218,8 @@ public final class MetallicRoughness implements Material {
 
   @Override
   public Bsdf at(double u, double v) {
-    Frame frame = Frame.WORLD;
-    return at(new SurfaceHit().set(Vec3.ZERO, Vec3.Z, frame, new TexturePoint(u, v), Vec3.Z, 0));
+    TexturePoint point = new TexturePoint(u, v);
+    return at(new SurfaceHit().set(Vec3.ZERO, Vec3.Z, Frame.WORLD, point, Vec3.Z, 0));
   }
 
   @Override
@@ -251,18 +243,17 @@ public final class MetallicRoughness implements Material {
   }
 
   private Bsdf belowCoat(SurfaceHit hit) {
-    Bsdf bsdf = base(hit);
+    Bsdf base = base(hit);
     Rgb sheenColor = sheenColor(hit);
-    if (!sheenColor.isBlack()) {
-      double roughness = unit(sheenRoughness.at(hit));
-      double most = sheenColor.max();
-      bsdf =
-          new Layered(
-              new Sheen(sheenColor, roughness),
-              bsdf,
-              (x, y, z) -> most * Sheen.albedo(Math.abs(z), roughness));
+    if (sheenColor.isBlack()) {
+      return base;
     }
-    return bsdf;
+    double roughness = unit(sheenRoughness.at(hit));
+    double most = sheenColor.max();
+    return new Layered(
+        new Sheen(sheenColor, roughness),
+        base,
+        (x, y, z) -> most * Sheen.albedo(Math.abs(z), roughness));
   }
 
   /** Returns a BSDF below the clear coat, times the opacity. */
@@ -286,7 +277,7 @@ public final class MetallicRoughness implements Material {
     double metal = unit(metallic.at(hit));
     double glass = glassShare(hit);
     Rgb color = baseColor(hit);
-    double alpha = alpha(hit);
+    double alpha = alpha(roughness, hit);
     if (glass == 1) {
       return glass(hit, color, alpha);
     }
@@ -320,18 +311,12 @@ public final class MetallicRoughness implements Material {
   }
 
   private Lobe anisotropic(SurfaceHit hit, Rgb f0, double f90, double alpha, double strength) {
-    double degrees = anisotropyRotation.at(hit);
-    double cos = Elementary.cosDegrees(degrees);
-    double sin = Elementary.sinDegrees(degrees);
     Vec3 direction =
         anisotropyDirection
             .map(texture -> texture.map().normal(hit.u(texture.uvSet()), hit.v(texture.uvSet())))
             .orElse(Vec3.X);
-    double length = Math.sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-    double x = length > 0 ? direction.x() / length : 1;
-    double y = length > 0 ? direction.y() / length : 0;
-    double along = AnisotropicReflection.alphaAlong(alpha, strength);
-    return new AnisotropicReflection(f0, f90, along, alpha, cos * x - sin * y, sin * x + cos * y);
+    double degrees = anisotropyRotation.at(hit);
+    return AnisotropicReflection.along(direction, degrees, f0, f90, alpha, strength);
   }
 
   private Bsdf glass(SurfaceHit hit, Rgb tint, double alpha) {

@@ -48,6 +48,11 @@ record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets) implements Bsdf {
   }
 
   private Rgb passed(Rgb fresnel) {
+    return passed(tint, fresnel);
+  }
+
+  /** Returns the part of light that a pane transmits of what its facets do not reflect. */
+  static Rgb passed(Rgb tint, Rgb fresnel) {
     return new Rgb(
         tint.r() * (1 - fresnel.r()), tint.g() * (1 - fresnel.g()), tint.b() * (1 - fresnel.b()));
   }

@@ -9,7 +9,6 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.text.Spelling;
-import java.math.BigDecimal;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,9 +30,6 @@ import java.util.stream.Collectors;
 record JsonNode(JsonValue value, Problems problems) {
   /** The largest nesting depth of arrays and objects. */
   static final int MAX_LEVELS = 4096;
-
-  /** All integers of this many characters fit into 64 bits. */
-  private static final int SAFE_DIGITS = 18;
 
   private static final Set<String> VECTOR_KEYS = Set.of("x", "y", "z");
   private static final Set<String> COLOR_KEYS = Set.of("r", "g", "b", "a");
@@ -212,7 +208,7 @@ record JsonNode(JsonValue value, Problems problems) {
     if (value.isInfinite()) {
       return instead;
     }
-    Optional<Long> found = exactLong().filter(n -> n >= low && n <= high);
+    Optional<Long> found = value.exactLong().filter(n -> n >= low && n <= high);
     if (found.isPresent()) {
       return found.get();
     }
@@ -233,32 +229,6 @@ record JsonNode(JsonValue value, Problems problems) {
     return "an integer from " + low + " to " + high;
   }
 
-  /** Returns the value as a 64-bit integer; empty if it is not one. */
-  private Optional<Long> exactLong() {
-    if (!isNumber() || value.isInfinite()) {
-      return Optional.empty();
-    }
-    try {
-      String text = value.text();
-      // The first decimal makes Java compute tables, which takes 20 ms.
-      return Optional.of(
-          isShortInteger(text) ? Long.parseLong(text) : new BigDecimal(text).longValueExact());
-    } catch (ArithmeticException e) {
-      return Optional.empty();
-    }
-  }
-
-  /** Returns whether a number has only digits, and few enough for 64 bits. */
-  private static boolean isShortInteger(String number) {
-    for (int i = 0; i < number.length(); i++) {
-      char c = number.charAt(i);
-      if ((c < '0' || c > '9') && (c != '-' || i != 0)) {
-        return false;
-      }
-    }
-    return number.length() <= SAFE_DIGITS;
-  }
-
   /** Returns an id, or empty if the key is missing or wrong. */
   Optional<Integer> id(String childKey) {
     long none = Long.MAX_VALUE;
@@ -269,7 +239,7 @@ record JsonNode(JsonValue value, Problems problems) {
   /** Returns the same as {@link #id}, without adding an error. */
   Optional<Integer> idSilently(String childKey) {
     return find(childKey)
-        .flatMap(JsonNode::exactLong)
+        .flatMap(node -> node.value.exactLong())
         .filter(n -> n == n.intValue())
         .map(Long::intValue);
   }
