@@ -127,16 +127,6 @@ record AnisotropicReflection(
   }
 
   @Override
-  public void sample(
-      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
-    if (draw(woX, woY, woZ, uLobe, u, v, result)) {
-      result.weighBy(this, new Vec3(woX, woY, woZ));
-    } else {
-      result.absorb();
-    }
-  }
-
-  @Override
   public double importance(double cosine) {
     return GgxAlbedo.of(f0.max(), f90, Math.abs(cosine), alphaAcross);
   }

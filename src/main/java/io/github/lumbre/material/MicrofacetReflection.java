@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Fresnel;
 import io.github.lumbre.material.internal.Microfacets;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -19,14 +18,13 @@ record MicrofacetReflection(Rgb specular, double ior, Microfacets facets) implem
   @Override
   public void evaluate(
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
-    Vec3 wo = new Vec3(woX, woY, woZ);
-    Vec3 wi = new Vec3(wiX, wiY, wiZ);
-    if (!(wo.z() * wi.z() > 0)) {
+    if (!(woZ * wiZ > 0)) {
       result.clear();
       return;
     }
-    Vec3 o = up(wo);
-    Vec3 i = up(wi);
+    double side = Math.signum(woZ);
+    Vec3 o = new Vec3(woX, woY, woZ).times(side);
+    Vec3 i = new Vec3(wiX, wiY, wiZ).times(side);
     Vec3 sum = o.plus(i);
     // Half the sum's length is the cosine at the facet. A dot product would lose digits.
     double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), ior);
@@ -39,37 +37,12 @@ record MicrofacetReflection(Rgb specular, double ior, Microfacets facets) implem
   @Override
   public boolean draw(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
-    Vec3 wo = new Vec3(woX, woY, woZ);
-    Vec3 o = up(wo);
-    Vec3 m = facets.sampleVisible(o, new Point2(u, v));
-    Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
-    result.setDirection(i.times(side(wo)));
-    return wo.z() != 0 && i.z() > 0;
-  }
-
-  @Override
-  public void sample(
-      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
-    if (draw(woX, woY, woZ, uLobe, u, v, result)) {
-      result.weighBy(this, new Vec3(woX, woY, woZ));
-    } else {
-      result.absorb();
-    }
+    return facets.draw(woX, woY, woZ, u, v, result);
   }
 
   @Override
   public double importance(double cosine) {
     return specular.max() * Fresnel.dielectric(Math.abs(cosine), ior);
-  }
-
-  /** Returns 1 for directions above the surface, else -1. */
-  private static double side(Vec3 w) {
-    return w.z() > 0 ? 1 : -1;
-  }
-
-  /** Returns the direction for a surface flipped so that the direction lies above it. */
-  private static Vec3 up(Vec3 w) {
-    return w.times(side(w));
   }
 
   @Override

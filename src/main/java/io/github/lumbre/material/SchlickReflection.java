@@ -2,7 +2,6 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -49,22 +48,7 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
   @Override
   public boolean draw(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
-    double side = woZ > 0 ? 1 : -1;
-    Vec3 o = new Vec3(woX, woY, woZ).times(side);
-    Vec3 m = facets.sampleVisible(o, new Point2(u, v));
-    Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
-    result.setDirection(i.times(side));
-    return woZ != 0 && i.z() > 0;
-  }
-
-  @Override
-  public void sample(
-      double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
-    if (draw(woX, woY, woZ, uLobe, u, v, result)) {
-      result.weighBy(this, new Vec3(woX, woY, woZ));
-    } else {
-      result.absorb();
-    }
+    return facets.draw(woX, woY, woZ, u, v, result);
   }
 
   @Override

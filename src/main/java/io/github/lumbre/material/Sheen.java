@@ -130,15 +130,11 @@ record Sheen(Rgb color, double roughness) implements Lobe {
   }
 
   @Override
-  public void sample(
+  public boolean draw(
       double woX, double woY, double woZ, double uLobe, double u, double v, BsdfSample result) {
     Vec3 up = Warp.uniformHemisphere(new Point2(u, v));
-    if (up.z() == 0 || woZ == 0) {
-      result.absorb();
-      return;
-    }
     result.setDirection(up.x(), up.y(), Math.copySign(up.z(), woZ));
-    result.weighBy(this, new Vec3(woX, woY, woZ));
+    return up.z() != 0 && woZ != 0;
   }
 
   @Override

@@ -18,14 +18,12 @@ import io.github.lumbre.scene.internal.SceneDescription;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
 import io.github.lumbre.scene.internal.SurfaceNames;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.BooleanSupplier;
-import java.util.function.Function;
-import java.util.stream.IntStream;
+import java.util.stream.Collectors;
 
 /**
  * A complete scene in world space. All threads share it; nothing that it finds ever changes. {@link
@@ -69,7 +67,6 @@ public final class Scene {
   /** The first of {@link #hierarchies}. */
   private final Bvh bvh;
 
-  private final KernelChange kernelChange;
   private final SceneLights lights;
   private final Rgb ambient;
   private final Optional<Rgb> backplate;
@@ -95,24 +92,16 @@ public final class Scene {
             .filter(Bounds3::isFinite)
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
-    Optional<Scene> same = from.flatMap(Built::origin).filter(this::hasShapesOf);
-    bvh = same.map(scene -> scene.bvh).orElseGet(() -> Bvh.over(shapes(), built.kernel));
     hierarchies =
-        same.map(scene -> scene.hierarchiesFor(lights))
-            .orElseGet(() -> Hierarchies.of(bvh, shapes(), lights.all(), bvh::part));
-    kernelChange =
-        same.map(s -> s.kernelChange).orElseGet(() -> hierarchies.kernelChange(shapes()));
+        from.flatMap(Built::origin)
+            .filter(other -> other.shapes().equals(shapes()))
+            .map(other -> other.hierarchies.of(lights.all().equals(other.lights.all())))
+            .orElseGet(() -> Hierarchies.over(shapes(), built.kernel, lights.all()));
+    bvh = hierarchies.all();
     names = SurfaceNames.of(built.objectNames, built.materialNames);
-    shortcuts = shortcuts();
+    shortcuts = Specialization.of(primitives, emitters().size());
     hasTransparency = primitives.stream().anyMatch(primitive -> !primitive.material().isOpaque());
     primitiveOfShape = primitivesOfShapes();
-  }
-
-  /** Returns whether another scene has the same shapes, so that its hierarchy fits. */
-  private boolean hasShapesOf(Scene other) {
-    return primitives.size() == other.primitives.size()
-        && IntStream.range(0, primitives.size())
-            .allMatch(i -> primitives.get(i).shape() == other.primitives.get(i).shape());
   }
 
   /** Creates a copy that shares surfaces and lights. */
@@ -130,7 +119,6 @@ public final class Scene {
     primitives = other.primitives;
     this.hierarchies = hierarchies;
     bvh = hierarchies.all();
-    kernelChange = bvh == other.bvh ? other.kernelChange : hierarchies.kernelChange(shapes());
     lights = other.lights;
     ambient = other.ambient;
     backplate = other.backplate;
@@ -138,17 +126,6 @@ public final class Scene {
     hasTransparency = other.hasTransparency;
     this.shortcuts = Set.copyOf(shortcuts);
     primitiveOfShape = primitivesOfShapes();
-  }
-
-  private Set<Specialization> shortcuts() {
-    Set<Specialization> all = EnumSet.noneOf(Specialization.class);
-    if (primitives.stream().anyMatch(primitive -> primitive.material().isUniform())) {
-      all.add(Specialization.UNIFORM_MATERIALS);
-    }
-    if (emitters().size() == 1) {
-      all.add(Specialization.ONE_EMITTER);
-    }
-    return Set.copyOf(all);
   }
 
   private Primitive[] primitivesOfShapes() {
@@ -159,9 +136,8 @@ public final class Scene {
 
   /** Returns the same scene without a specialization. Its renders are bit-identical. */
   Scene without(Specialization shortcut) {
-    Set<Specialization> others = EnumSet.noneOf(Specialization.class);
-    others.addAll(shortcuts);
-    others.remove(shortcut);
+    Set<Specialization> others =
+        shortcuts.stream().filter(other -> other != shortcut).collect(Collectors.toSet());
     return new Scene(this, hierarchies, others, camera, viewpoint, names);
   }
 
@@ -171,8 +147,8 @@ public final class Scene {
    * @throws IllegalStateException if the kernel is not available
    */
   public Scene searchedBy(Kernel kernel) {
-    Bvh all = Bvh.over(shapes(), kernel);
-    return over(all, all::part);
+    Hierarchies others = Hierarchies.over(shapes(), kernel, lights.all());
+    return new Scene(this, others, shortcuts, camera, viewpoint, names);
   }
 
   /**
@@ -180,12 +156,13 @@ public final class Scene {
    * Bvh#counting}.
    */
   public Scene counting(LongAdder visits) {
-    return over(Bvh.counting(shapes(), visits), some -> Bvh.counting(some, visits));
+    Hierarchies others = Hierarchies.counting(shapes(), visits, lights.all());
+    return new Scene(this, others, shortcuts, camera, viewpoint, names);
   }
 
   /** Returns whether {@link #changeKernel} has something to do, if vectors are available. */
   public boolean mayChangeKernel() {
-    return kernelChange.isPossible();
+    return hierarchies.change().isPossible();
   }
 
   /**
@@ -197,21 +174,7 @@ public final class Scene {
    * @throws InterruptedException if the thread is interrupted; nothing has changed then
    */
   public void changeKernel(BooleanSupplier isWanted) throws InterruptedException {
-    kernelChange.run(isWanted);
-  }
-
-  /** Returns the same scene with other hierarchies. */
-  private Scene over(Bvh all, Function<List<Shape>, Bvh> build) {
-    Hierarchies others = Hierarchies.of(all, shapes(), lights.all(), build);
-    return new Scene(this, others, shortcuts, camera, viewpoint, names);
-  }
-
-  /**
-   * Returns the hierarchies for another scene with the same shapes. Both change kernels together,
-   * so that with other lights there is no second hierarchy.
-   */
-  private Hierarchies hierarchiesFor(SceneLights others) {
-    return lights.all().equals(others.all()) ? hierarchies : new Hierarchies(bvh, bvh);
+    hierarchies.change().run(isWanted);
   }
 
   private List<Shape> shapes() {
@@ -275,13 +238,9 @@ public final class Scene {
    */
   public Scene named(SceneAssembly same) {
     if (same.primitiveCount() != primitives.size() || same.emitterCount() != emitters().size()) {
-      throw new IllegalArgumentException(
-          "same: expected %d primitives and %d emitters, found %d and %d"
-              .formatted(
-                  primitives.size(),
-                  emitters().size(),
-                  same.primitiveCount(),
-                  same.emitterCount()));
+      String expected = primitives.size() + " primitives and " + emitters().size() + " emitters";
+      String found = same.primitiveCount() + " and " + same.emitterCount();
+      throw new IllegalArgumentException("same: expected " + expected + ", found " + found);
     }
     SurfaceNames others = SurfaceNames.of(same.objectNames, same.materialNames);
     return new Scene(this, hierarchies, shortcuts, camera, viewpoint, others);
@@ -289,13 +248,7 @@ public final class Scene {
 
   /** Returns the description that the scene was built from; empty if it was read from a file. */
   Optional<SceneDescription> description() {
-    return built.map(
-        from ->
-            new SceneDescription(
-                viewpoint,
-                from.description().nodes(),
-                from.description().materialNames(),
-                from.description().backplate()));
+    return built.map(from -> from.description().seenFrom(viewpoint));
   }
 
   /** Returns the parts at their places; none if the scene was read from a file. */

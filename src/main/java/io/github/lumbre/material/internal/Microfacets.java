@@ -1,5 +1,6 @@
 package io.github.lumbre.material.internal;
 
+import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -35,6 +36,21 @@ public sealed interface Microfacets permits Beckmann, Ggx {
    * @param u uniform in [0,1)²
    */
   Vec3 sampleVisible(Vec3 wo, Point2 u);
+
+  /**
+   * Samples the direction that a visible facet reflects, on both sides of the surface, and sets it.
+   * Returns whether it is on the viewer's side.
+   *
+   * @param u uniform in [0,1), as is v
+   */
+  default boolean draw(double woX, double woY, double woZ, double u, double v, BsdfSample result) {
+    double side = woZ > 0 ? 1 : -1;
+    Vec3 o = new Vec3(woX, woY, woZ).times(side);
+    Vec3 m = sampleVisible(o, new Point2(u, v));
+    Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
+    result.setDirection(i.times(side));
+    return woZ != 0 && i.z() > 0;
+  }
 
   /**
    * Returns the density of {@link #sampleVisible} per solid angle: G1 · max(0, wo·m) · D / cos θo,

@@ -27,4 +27,9 @@ public record SceneDescription(
     nodes = List.copyOf(nodes);
     materialNames = Collections.unmodifiableMap(new IdentityHashMap<>(materialNames));
   }
+
+  /** Returns the same description with another viewpoint. */
+  public SceneDescription seenFrom(Optional<Viewpoint> other) {
+    return new SceneDescription(other, nodes, materialNames, backplate);
+  }
 }
