@@ -5,7 +5,6 @@ import io.github.lumbre.cli.option.DenoiserFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -14,6 +13,7 @@ import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.LayerInput;
+import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
@@ -110,13 +110,12 @@ final class DenoiseCommand implements Callable<Integer> {
               .formatted(file, input.noisy.replaced()));
     }
     try (PictureOutput picture = PictureOutput.reserve(output)) {
-      denoising.write(
-          input.noisy,
-          picture,
-          input.options,
-          file.toString(),
-          errors,
-          new JsonSummary("denoise", file));
+      Denoised denoised = denoising.denoise(input.noisy);
+      picture.write(denoised.image(), Denoising.noting(denoised, input.options));
+      errors.line(output + ": " + Denoising.line(denoised));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new TaskException(Kind.STOPPED, "stopped; no picture is written", e);
     }
     return ExitCodes.OK;
   }

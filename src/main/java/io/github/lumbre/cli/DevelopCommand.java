@@ -6,6 +6,7 @@ import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.TaskException;
@@ -66,7 +67,7 @@ final class DevelopCommand implements Callable<Integer> {
           spec.commandLine(),
           output + ": expected a name that ends in one of " + ImageFormat.endings());
     }
-    flags.guarding(overwrite.guard().readsFilm(film), output).check();
+    overwrite.guard().readsFilm(film).writes("-o", output, OutputContent.PICTURE).check();
     Messages messages = new Messages(spec.commandLine().getErr());
     flags.develop(film, () -> FilmInput.read(film, messages), output);
     return ExitCodes.OK;

@@ -94,7 +94,7 @@ final class MergeCommand implements Callable<Integer> {
     OutputGuard guard = overwrite.guard();
     films.forEach(film -> guard.readsFilm(film));
     if (isPicture) {
-      flags.guarding(guard, output);
+      guard.writes("-o", output, OutputContent.PICTURE);
     } else {
       flags.requireNoDenoising(output);
       guard

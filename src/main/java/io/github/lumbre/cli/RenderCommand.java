@@ -19,6 +19,7 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.StandardOutput;
@@ -248,6 +249,10 @@ final class RenderCommand implements Callable<Integer> {
     if (!frames.areReserved()) {
       validate();
       requireStreams();
+    }
+    Optional<Denoising> denoising = denoising(frames.targets().get(0));
+    flags.recordForDenoising(denoising.isPresent());
+    if (!frames.areReserved()) {
       reserve(course.scenes, frames);
     }
     Instant begin = frames.isSingle() ? course.start : Instant.now();
@@ -270,7 +275,7 @@ final class RenderCommand implements Callable<Integer> {
               file.settings(),
               quality.targetError(),
               Budget.CONFIDENCE);
-      RenderJob job = job(file, frames, keeper, monitor, budget, report);
+      RenderJob job = job(file, frames, keeper, monitor, budget, denoising, report);
       course.interruption.requireRender();
       return job.run(flags.samples().first());
     }
@@ -304,26 +309,34 @@ final class RenderCommand implements Callable<Integer> {
   private void reserve(List<Path> scenes, Frames frames) throws TaskException {
     Path target = frames.targets().get(0);
     require(
-        !flags.hasLayers() || checkpoint.isPresent() || holdsLayers(target),
+        flags.layers().isEmpty()
+            || checkpoint.isPresent()
+            || format(target).equals(Optional.of(ImageFormat.EXR)),
         "--layers: expected an .exr picture (-o) or --checkpoint, which hold layers, found "
             + target);
-    requireDenoising(target);
     checkOutputs(scenes, frames.targets());
-    Optional<Denoising> denoising = stored.denoising();
     if (to.isStandardOutput()) {
       frames.reserve(PictureOutput.toStandardOutput(to.format(), checkpoints.fallback()));
     } else {
-      frames.reserve(denoising, checkpoints.fallback());
+      frames.reserve(checkpoints.fallback());
     }
   }
 
-  private void requireDenoising(Path target) {
-    if (stored.isDenoising()) {
-      require(
-          !to.isStandardOutput(),
-          "--denoise: expected a file (-o), found " + target + "; the noisy picture is kept too");
-      flags.recordForDenoising();
-    }
+  /**
+   * Returns the denoiser of the scene's picture; empty if the picture keeps its noise. With a
+   * checkpoint file it has the noise of the picture that {@code resume} writes.
+   *
+   * @throws TaskException if the denoiser's program is not found
+   */
+  private Optional<Denoising> denoising(Path target) throws TaskException {
+    return stored
+        .denoising()
+        .denoising(
+            options.isModel()
+                && format(target).filter(ImageFormat::isForScreen).isPresent()
+                && !flags.isRayMode()
+                && checkpoint.isEmpty()
+                && engine == Engine.LOCAL);
   }
 
   private SceneParser parser() {
@@ -338,6 +351,7 @@ final class RenderCommand implements Callable<Integer> {
       FilmKeeper keeper,
       RenderMonitor monitor,
       RunBudget budget,
+      Optional<Denoising> denoising,
       JsonSummary report) {
     Path scene = options.scene();
     PictureOutput picture = frames.picture();
@@ -348,7 +362,7 @@ final class RenderCommand implements Callable<Integer> {
         RenderStatistics.ZERO,
         file.settings());
     RenderJob.How how =
-        run.how(bits(), stored.jpegQuality(), options.isStrict(), frames.denoised());
+        run.how(bits(), stored.jpegQuality(), options.isStrict(), denoising, flags.layers());
     return new RenderJob(
         scene, file, picture, keeper, monitor, run.errors(), report, budget, how, engine);
   }
@@ -369,11 +383,8 @@ final class RenderCommand implements Callable<Integer> {
     return ExitCodes.OK;
   }
 
-  /** Returns whether the format of the picture holds layers. */
-  private boolean holdsLayers(Path target) {
-    Optional<ImageFormat> chosen =
-        to.isStandardOutput() ? Optional.of(to.format()) : ImageFormat.of(target);
-    return chosen.equals(Optional.of(ImageFormat.EXR));
+  private Optional<ImageFormat> format(Path target) {
+    return to.isStandardOutput() ? Optional.of(to.format()) : ImageFormat.of(target);
   }
 
   /** Rejects flags that cannot be combined with standard input or output. */
@@ -396,7 +407,7 @@ final class RenderCommand implements Callable<Integer> {
       options.guardedBy(guard);
     }
     if (!to.isStandardOutput()) {
-      targets.forEach(target -> stored.guarding(guard, target));
+      targets.forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
     }
     // An existing checkpoint file is rejected later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));

@@ -16,7 +16,6 @@ import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
-import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmKeeper;
@@ -197,7 +196,8 @@ final class ResumeCommand implements Callable<Integer> {
                     notes.bits(),
                     ImageWriter.Options.DEFAULT_JPEG_QUALITY,
                     false,
-                    DenoisedPicture.NONE),
+                    Optional.empty(),
+                    file.settings().layers()),
                 engine);
         return job.run(loaded.file());
       }

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.cli.option.DenoisingFlags;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
@@ -11,6 +12,8 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.Deadline;
+import io.github.lumbre.cli.run.DenoisedPicture;
+import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderMonitor;
@@ -31,12 +34,15 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
-import io.github.lumbre.render.PictureRenderer;
-import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassLoop;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -112,15 +118,20 @@ final class ViewsCommand implements Callable<Integer> {
 
   @Mixin private final ModelFlags flags = new ModelFlags();
 
+  @Mixin private final DenoisingFlags stored = new DenoisingFlags();
+
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Spec private CommandSpec spec;
+
+  private Optional<Denoising> denoising = Optional.empty();
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     Stage stage = checkedStage();
     OutputGuard guard = guard();
     guard.check();
+    denoising = stored.denoising(true);
     Messages messages = new Messages(spec.commandLine().getErr());
     try (Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
@@ -131,10 +142,10 @@ final class ViewsCommand implements Callable<Integer> {
       messages.warnings(first.warnings());
       RenderSettings settings = first.settings();
       MemoryCheck.require(settings, FilmLayers.of(settings, first.scene()));
-      frames.reserve(Optional.empty(), Fallback.TEMPORARY);
+      frames.reserve(Fallback.TEMPORARY);
       interruption.requireRender();
       long start = System.nanoTime();
-      render(views, frames, monitor);
+      render(views, frames, monitor, messages);
       messages.line(summary(settings, (System.nanoTime() - start) * 1e-9));
       return ExitCodes.OK;
     }
@@ -143,13 +154,14 @@ final class ViewsCommand implements Callable<Integer> {
   private String summary(RenderSettings settings, double seconds) {
     return String.format(
         Locale.ROOT,
-        "%s: %d views and a contact sheet, %s; %dx%d pixels, %s per pixel, %.2f s",
+        "%s: %d views and a contact sheet, %s; %dx%d pixels, %s per pixel%s, %.2f s",
         folder,
         View.standard().size(),
         SHEET,
         settings.width(),
         settings.height(),
         Numbers.count(settings.samples(), "sample"),
+        denoising.isPresent() ? ", denoised" : "",
         seconds);
   }
 
@@ -195,6 +207,9 @@ final class ViewsCommand implements Callable<Integer> {
     samples.ifPresent(builder::samples);
     size.ifPresent(s -> builder.size(s.width(), s.height()));
     threads.ifPresent(builder::threads);
+    if (denoising.isPresent()) {
+      builder.set(Setting.LAYERS, Layer.FOR_DENOISING);
+    }
     return builder.build();
   }
 
@@ -203,7 +218,7 @@ final class ViewsCommand implements Callable<Integer> {
    *
    * @throws TaskException if a picture cannot be written, or a signal ends the command
    */
-  private void render(ModelViews views, Frames frames, RenderMonitor monitor)
+  private void render(ModelViews views, Frames frames, RenderMonitor monitor, Messages messages)
       throws SceneFormatException, TaskException {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
@@ -212,8 +227,11 @@ final class ViewsCommand implements Callable<Integer> {
       frames.render(
           new JsonSummary("views", model),
           () -> {
-            pictures.add(rendered(settings, view, monitor));
-            frames.picture().write(pictures.get(pictures.size() - 1), options);
+            Film film = rendered(settings, view, monitor);
+            DenoisedPicture denoised = denoised(film, frames, monitor, messages);
+            pictures.add(denoised.image(film.develop()));
+            frames.picture().write(pictures.get(pictures.size() - 1), denoised.noting(options));
+            denoised.requireDone();
             return ExitCodes.OK;
           });
     }
@@ -221,17 +239,37 @@ final class ViewsCommand implements Callable<Integer> {
     frames.picture().write(ContactSheet.of(pictures, SHEET_COLUMNS, gap), options);
   }
 
-  private static Image rendered(RenderSettings settings, Scene view, RenderMonitor monitor)
+  private static Film rendered(RenderSettings settings, Scene view, RenderMonitor monitor)
       throws TaskException {
+    FilmRenderer renderer = new FilmRenderer(settings, view);
+    Film film = renderer.newFilm();
+    monitor.started(settings.window().pixels() * settings.samples());
     try {
-      RenderResult result = new PictureRenderer(settings).render(view, monitor);
-      if (result.complete()) {
-        return result.image();
+      if (new PassLoop(renderer, film).run(monitor).complete()) {
+        return film;
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    throw new TaskException(Kind.STOPPED, "stopped before the views were complete");
+    throw stopped();
+  }
+
+  private DenoisedPicture denoised(
+      Film film, Frames frames, RenderMonitor monitor, Messages messages) throws TaskException {
+    if (denoising.isEmpty()) {
+      return DenoisedPicture.NOISY;
+    }
+    Denoising used = denoising.get().withThreads(threads.orElse(0));
+    DenoisedPicture denoised =
+        DenoisedPicture.of(film, used, frames.picture().target(), messages, monitor);
+    if (monitor.isCancelled()) {
+      throw stopped();
+    }
+    return denoised;
+  }
+
+  private static TaskException stopped() {
+    return new TaskException(Kind.STOPPED, "stopped before the views were complete");
   }
 
   private void require(boolean condition, String message) {

@@ -84,14 +84,14 @@ public final class BuiltInDenoiser {
       }
     }
     if (!noisy.light().isNoiseKnown()) {
-      return Denoised.of(noisy, result, "built-in", OptionalDouble.empty());
+      return Denoised.of(noisy, result, Network.get().name(), OptionalDouble.empty());
     }
     double sum = 0;
     for (double error : errors) {
       sum += error;
     }
     double relative = Math.sqrt(UNSEEN * sum / result.length);
-    return Denoised.of(noisy, corrected(), "built-in", OptionalDouble.of(relative));
+    return Denoised.of(noisy, corrected(), Network.get().name(), OptionalDouble.of(relative));
   }
 
   /** Returns the result with its light given back, and not farther than the noise allows. */

@@ -8,7 +8,8 @@ import java.util.function.IntToDoubleFunction;
  * A picture after denoising.
  *
  * @param image the picture
- * @param engine name of the denoiser, such as "built-in"
+ * @param engine the denoiser: {@code builtin} and the start of the SHA-256 hash of its weights, or
+ *     an outside program with its version
  * @param change how much the denoiser changed the picture: root of the mean of (denoised -
  *     noisy)²/(denoised² + 0.01) over pixels and channels
  * @param relativeNoise the noise before, as the halves of the samples show it: root of the mean of

@@ -1,5 +1,6 @@
 package io.github.lumbre.denoise;
 
+import io.github.lumbre.math.internal.Sha256;
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
@@ -30,6 +31,7 @@ final class Network {
   static final int MIX = TAPS + 2;
 
   static final String RESOURCE = "weights.f16";
+  private static final int HASH_DIGITS = 8;
   private static final int[] DOWN = {16, 32, 48, 64, 64};
   private static final int[] UP = {24, 32, 48, 64};
 
@@ -48,8 +50,11 @@ final class Network {
   private final Layer[][] down = new Layer[LEVELS][];
   private final Layer[][] up = new Layer[LEVELS - 1][];
   private final Layer[] heads = new Layer[LEVELS];
+  private final String name;
 
-  private Network(DataInputStream in) throws IOException {
+  private Network(byte[] weights) throws IOException {
+    name = "builtin " + Sha256.of(weights).substring(0, HASH_DIGITS);
+    DataInputStream in = new DataInputStream(new ByteArrayInputStream(weights));
     for (int level = 0; level < LEVELS; level++) {
       int inputs = level == 0 ? FEATURES : DOWN[level - 1];
       down[level] = new Layer[] {layer(in, inputs, DOWN[level], 9), null};
@@ -73,7 +78,7 @@ final class Network {
 
   private static Network read() {
     try (InputStream in = Network.class.getResourceAsStream(RESOURCE)) {
-      return new Network(new DataInputStream(new ByteArrayInputStream(in.readAllBytes())));
+      return new Network(in.readAllBytes());
     } catch (IOException e) {
       throw new UncheckedIOException("the denoiser's weights cannot be read", e);
     }
@@ -99,6 +104,11 @@ final class Network {
     float magnitude =
         exponent == 0 ? fraction * 0x1p-24f : Math.scalb((float) (1024 + fraction), exponent - 25);
     return bits >> 15 == 0 ? magnitude : -magnitude;
+  }
+
+  /** Returns {@code builtin} and the start of the SHA-256 hash of the weights. */
+  String name() {
+    return name;
   }
 
   /** Returns the two convolutions of a level on the way down. */

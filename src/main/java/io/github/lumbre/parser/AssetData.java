@@ -1,13 +1,14 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.parser.internal.Sha256;
+import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;

@@ -1,7 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.limit.internal.Interrupts;
-import io.github.lumbre.parser.internal.Sha256;
+import io.github.lumbre.math.internal.Sha256;
 import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.HexFormat;

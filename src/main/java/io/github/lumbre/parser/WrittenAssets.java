@@ -1,7 +1,7 @@
 package io.github.lumbre.parser;
 
 import com.google.gson.JsonObject;
-import io.github.lumbre.parser.internal.Sha256;
+import io.github.lumbre.math.internal.Sha256;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;

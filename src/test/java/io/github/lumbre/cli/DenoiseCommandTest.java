@@ -2,6 +2,8 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
@@ -41,32 +43,83 @@ class DenoiseCommandTest {
   }
 
   @Test
-  void theNoisyPictureIsKeptAsItIs() throws IOException {
-    run("render", scene, "-s", "8", "-o", path("plain.pfm"));
-    Outcome outcome = run("render", scene, "-s", "8", "-o", path("x.pfm"), "--denoise");
-    assertThat(bytes("x.pfm")).isEqualTo(bytes("plain.pfm"));
-    assertThat(bytes("x.denoised.pfm")).isNotEqualTo(bytes("plain.pfm"));
-    assertThat(outcome.err()).contains("x.denoised.pfm: denoised (built-in)");
+  void scenesAreDenoisedOnDemand() throws IOException {
+    for (String ending : new String[] {"png", "jpg", "pfm", "exr"}) {
+      String plain = "plain." + ending;
+      Outcome noisy = run("render", scene, "-s", "8", "-o", path(plain));
+      assertThat(noisy.err()).doesNotContain("denoised");
+      run("render", scene, "-s", "8", "-o", path("no." + ending), "--no-denoise");
+      Outcome outcome = run("render", scene, "-s", "8", "-o", path("x." + ending), "--denoise");
+      assertThat(outcome.err()).containsPattern("denoised \\(builtin [0-9a-f]{8}\\): ");
+      assertThat(light("no." + ending)).isEqualTo(light(plain));
+      assertThat(light("x." + ending)).isNotEqualTo(light(plain));
+    }
+    try (Stream<Path> files = Files.list(directory)) {
+      assertThat(files).as("no file beside a picture").hasSize(13);
+    }
+  }
+
+  private float[] light(String name) throws IOException {
+    return LinearReader.read(directory.resolve(name)).rgb();
   }
 
   @Test
-  void anErrorOnAnotherScaleThanTheNoiseOfTheRenderIsSaidToBe() {
+  void theNoiseBeforeAndTheErrorAfterAreTold() {
     String said =
-        "denoised \\(built-in\\): \\d+\\.\\d\\d % changed, noise before roughly [0-9.]+ %, error"
-            + " left roughly [0-9.]+ %; not comparable with the noise of the render";
+        "denoised \\(builtin [0-9a-f]{8}\\): noise before roughly [0-9.]+ %, error left roughly"
+            + " [0-9.]+ %\n";
     Outcome render =
-        run("render", scene, "-s", "8", "-o", path("x.exr"), "--denoise", "--size", "32x32");
+        run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise", "--size", "32x32");
     assertThat(render.err()).containsPattern("noise about [0-9.]+ %").containsPattern(said);
-    assertThat(run("denoise", path("x.exr"), "-o", path("y.png")).err()).containsPattern(said);
+    run("render", scene, "-s", "8", "-o", path("x.exr"), "--layers", "denoise");
+    assertThat(run("denoise", path("x.exr"), "-o", path("y.png")).err())
+        .containsPattern("y.png: " + said);
   }
 
   @Test
   void metadataSayWhatWasDone() throws IOException {
-    run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise");
-    String png = new String(bytes("x.denoised.png"), StandardCharsets.ISO_8859_1);
-    assertThat(png).contains("Denoiser\0built-in", "DenoiserChange", "DenoiserNoiseBefore");
-    assertThat(png).contains("DenoiserErrorEstimate");
-    assertThat(new String(bytes("x.png"), StandardCharsets.ISO_8859_1)).doesNotContain("Denoiser");
+    for (String ending : new String[] {"png", "jpg", "exr"}) {
+      run("render", scene, "-s", "8", "-o", path("x." + ending), "--denoise");
+      run("render", scene, "-s", "8", "-o", path("noisy." + ending));
+      String denoised = new String(bytes("x." + ending), StandardCharsets.ISO_8859_1);
+      assertThat(denoised)
+          .containsPattern("Denoised\\W+(string\\W+)?builtin [0-9a-f]{8}")
+          .contains("DenoisedChange", "DenoisedNoiseBefore", "DenoisedErrorAfter");
+      String noisy = new String(bytes("noisy." + ending), StandardCharsets.ISO_8859_1);
+      assertThat(noisy).doesNotContain("Denoised");
+    }
+  }
+
+  @Test
+  void theJsonSummaryHasBothErrors() {
+    Outcome outcome =
+        run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise", "--json", "--quiet");
+    JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject denoised = summary.getAsJsonObject("denoised");
+    assertThat(denoised.get("denoiser").getAsString()).matches("builtin [0-9a-f]{8}");
+    assertThat(denoised.get("relative_rmse_after").getAsDouble())
+        .isPositive()
+        .isLessThan(denoised.get("relative_rmse_before").getAsDouble());
+    assertThat(outcome.err()).isEmpty();
+    Outcome noisy = run("render", scene, "-s", "8", "-o", path("y.png"), "--json", "--quiet");
+    assertThat(noisy.out()).doesNotContain("denoised");
+  }
+
+  /** Guides that were recorded for the denoiser alone are not written. */
+  @Test
+  void layersOfADenoisedPictureAreThoseThatAreAskedFor() throws IOException {
+    run("render", scene, "-s", "8", "-o", path("x.exr"), "--denoise", "--layers", "depth");
+    assertThat(run("layers", path("x.exr")).out())
+        .contains("depth")
+        .doesNotContain("denoisingAlbedo", "variance");
+    run("render", scene, "-s", "8", "-o", path("noisy.exr"), "--layers", "depth");
+    run("compare", path("x.exr"), path("noisy.exr"), "--layer", "depth");
+  }
+
+  @Test
+  void onlyOneOfTheFlagsIsGiven() {
+    Outcome.of("render", scene, "-o", path("x.png"), "--denoise", "--no-denoise")
+        .assertFailed(ExitCodes.USAGE, "--denoise", "--no-denoise");
   }
 
   @Test
@@ -83,16 +136,19 @@ class DenoiseCommandTest {
         path("x.film"));
     run("denoise", path("x.film"), "-o", path("of-film.pfm"));
     run("develop", path("x.film"), "-o", path("d.pfm"), "--denoise");
-    assertThat(bytes("of-film.pfm")).isEqualTo(bytes("x.denoised.pfm"));
-    assertThat(bytes("d.denoised.pfm")).isEqualTo(bytes("x.denoised.pfm"));
+    run("develop", path("x.film"), "-o", path("noisy.pfm"), "--no-denoise");
+    assertThat(bytes("of-film.pfm")).isEqualTo(bytes("x.pfm"));
+    assertThat(bytes("d.pfm")).isEqualTo(bytes("x.pfm"));
+    assertThat(bytes("noisy.pfm")).isNotEqualTo(bytes("x.pfm"));
   }
 
   @Test
   void pictureFilesWithLayersAreDenoisedAboutAlike() throws IOException {
-    run("render", scene, "-s", "8", "-o", path("x.exr"), "--denoise");
+    run("render", scene, "-s", "8", "-o", path("x.pfm"), "--denoise");
+    run("render", scene, "-s", "8", "-o", path("x.exr"), "--layers", "denoise");
     run("denoise", path("x.exr"), "-o", path("of-exr.pfm"), "--threads", "1");
-    float[] ofExr = LinearReader.read(directory.resolve("of-exr.pfm")).rgb();
-    float[] ofFilm = LinearReader.read(directory.resolve("x.denoised.exr")).rgb();
+    float[] ofExr = light("of-exr.pfm");
+    float[] ofFilm = light("x.pfm");
     double squares = 0;
     double all = 0;
     for (int i = 0; i < ofExr.length; i++) {
@@ -110,21 +166,21 @@ class DenoiseCommandTest {
         .contains("warning: " + path("x.exr") + ": lacks the layer denoisingAlbedo")
         .contains("its noise", "--layers denoise");
     Outcome ofFilm = run("develop", path("x.film"), "-o", path("z.png"), "--denoise");
-    assertThat(ofFilm.err()).contains("denoisingNormal; without", "--denoise");
-    assertThat(directory.resolve("z.denoised.png")).exists();
-    run("render", scene, "-s", "8", "-o", path("y.exr"), "--denoise");
+    assertThat(ofFilm.err()).contains("denoisingNormal; without", "--layers denoise");
+    run("render", scene, "-s", "8", "-o", path("y.exr"), "--layers", "denoise");
     assertThat(run("denoise", path("y.exr"), "-o", path("y.png")).err()).doesNotContain("lacks");
   }
 
   @Test
   void oneSampleIsDenoisedWithoutAnEstimate() {
     Outcome outcome = run("render", scene, "-s", "1", "-o", path("x.png"), "--denoise");
-    assertThat(outcome.err()).contains("lacks its noise", "denoised").doesNotContain("an estimate");
+    assertThat(outcome.err())
+        .contains("lacks its noise", "denoised (builtin")
+        .doesNotContain("error left", "--layers");
   }
 
   @Test
-  void standardOutputAndCheckpointsHoldNoTwoPictures() {
-    Outcome.of("render", scene, "-o", "-", "--denoise").assertFailed(ExitCodes.USAGE, "--denoise");
+  void checkpointsHoldNoDenoisedPicture() {
     run("render", scene, "-o", path("x.png"), "--checkpoint", path("x.film"));
     Outcome.of("merge", path("x.film"), "-o", path("y.film"), "--denoise")
         .assertFailed(ExitCodes.USAGE, "--denoise", "y.film");
@@ -159,6 +215,7 @@ class DenoiseCommandTest {
   @Test
   @DisabledOnOs(OS.WINDOWS)
   void aFailingProgramLeavesTheNoisyPicture() throws IOException {
+    run("render", scene, "-o", path("plain.png"));
     for (String script : new String[] {"sleep 60", "exit 1", "exit 0"}) {
       Files.deleteIfExists(directory.resolve("x.png"));
       Path program = program(script + "\n");
@@ -176,8 +233,7 @@ class DenoiseCommandTest {
               "0.5s");
       assertThat(outcome.exitCode()).isEqualTo(ExitCodes.OUTPUT);
       assertThat(outcome.err()).contains("oidnDenoise", "the noisy picture is", "x.png");
-      assertThat(directory.resolve("x.png")).isNotEmptyFile();
-      assertThat(directory.resolve("x.denoised.png")).doesNotExist();
+      assertThat(light("x.png")).isEqualTo(light("plain.png"));
     }
   }
 
@@ -194,7 +250,8 @@ class DenoiseCommandTest {
         "--denoise",
         "--oidn",
         copier().toString());
-    assertThat(bytes("x.denoised.pfm")).isEqualTo(bytes("x.pfm"));
+    run("render", scene, "-s", "1", "-o", path("plain.pfm"));
+    assertThat(bytes("x.pfm")).isEqualTo(bytes("plain.pfm"));
   }
 
   @Test
@@ -215,16 +272,5 @@ class DenoiseCommandTest {
         .assertFailed(ExitCodes.USAGE, "none.exr");
     Outcome.of("denoise", path("x.exr"), "-o", path("y.txt"))
         .assertFailed(ExitCodes.USAGE, "y.txt");
-  }
-
-  @Test
-  void thePictureBesideIsGuarded() throws IOException {
-    Path own = Files.writeString(directory.resolve("x.denoised.png"), "# notes");
-    Outcome.of("render", scene, "-o", path("x.png"), "--denoise")
-        .assertFailed(ExitCodes.OUTPUT, "x.denoised.png", "--overwrite");
-    assertThat(own).hasContent("# notes");
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files).hasSize(2);
-    }
   }
 }

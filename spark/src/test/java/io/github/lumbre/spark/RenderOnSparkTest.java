@@ -198,7 +198,6 @@ class RenderOnSparkTest {
     assertDone(onSpark(there));
 
     assertSameLayers("spark.exr", "here.exr");
-    assertSameLayers("spark.denoised.exr", "here.denoised.exr");
   }
 
   private Path balls() throws IOException {

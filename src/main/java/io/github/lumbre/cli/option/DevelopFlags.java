@@ -2,17 +2,14 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
-import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmNotes;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
@@ -55,22 +52,22 @@ public final class DevelopFlags {
    * @param name of the film, for messages
    */
   public void develop(Path name, Source source, Path output) throws TaskException {
-    Optional<Denoising> denoising = stored.denoising();
-    try (PictureOutput picture = PictureOutput.reserve(output);
-        DenoisedPicture denoised = DenoisedPicture.reserve(denoising, output, Fallback.TEMPORARY)) {
+    Optional<Denoising> denoising = stored.denoising().denoising(false);
+    try (PictureOutput picture = PictureOutput.reserve(output)) {
       requireLayers(picture);
       FilmFile film = source.film();
       Messages messages = new Messages(spec.commandLine().getErr());
-      ImageWriter.Options options = develop(name, film, picture, messages);
-      if (stored.isDenoising()) {
-        denoised.write(
-            NoisyPicture.of(film.film()),
-            options,
-            output.toString(),
-            messages,
-            new JsonSummary("develop", name));
-      }
+      DenoisedPicture denoised =
+          denoising.isPresent()
+              ? DenoisedPicture.of(film.film(), denoising.get(), output, messages)
+              : DenoisedPicture.NOISY;
+      develop(name, film, denoised, picture, messages);
       new FilmReport(film).print(output, messages);
+      denoised.tell(messages, new JsonSummary("develop", name));
+      denoised.requireDone();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new TaskException(Kind.STOPPED, "stopped; no picture is written", e);
     }
   }
 
@@ -78,13 +75,8 @@ public final class DevelopFlags {
   public void requireNoDenoising(Path output) {
     new FlagChecks(spec)
         .require(
-            !stored.isDenoising(),
+            !stored.denoising().areOn(),
             "--denoise: expected a picture (-o), found the checkpoint " + output);
-  }
-
-  /** Adds the files that {@link #develop} writes. */
-  public OutputGuard guarding(OutputGuard guard, Path output) {
-    return stored.guarding(guard, output);
   }
 
   private void requireLayers(PictureOutput picture) {
@@ -112,23 +104,20 @@ public final class DevelopFlags {
     return wanted;
   }
 
-  private ImageWriter.Options develop(
-      Path name, FilmFile film, PictureOutput picture, Messages messages) throws TaskException {
+  private void develop(
+      Path name, FilmFile film, DenoisedPicture denoised, PictureOutput picture, Messages messages)
+      throws TaskException {
     FilmNotes notes = new FilmNotes(name, film.header());
     Exposure wanted = settings.valueOr(Setting.EXPOSURE, notes.exposure());
     Exposure stops = picture.isForScreen() ? FilmExposure.of(wanted, name, film, messages) : wanted;
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = stored.bits().isPresent() ? stored.bits().get() : notes.bits();
     Map<String, String> metadata = notes.metadata();
+    Set<Layer> layers = picture.hasLayers() ? layers(name, film) : Set.of();
+    FilmPicture developed = FilmPicture.of(film.film(), film.header().layers(), layers);
+    metadata.putAll(developed.metadata());
     ImageWriter.Options options =
         new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), metadata);
-    if (!picture.hasLayers()) {
-      picture.write(film.film().develop(), options);
-      return options;
-    }
-    FilmPicture developed = FilmPicture.of(film.film(), film.header().layers(), layers(name, film));
-    metadata.putAll(developed.metadata());
-    picture.write(developed.image(), developed.layers(), options.withMetadata(metadata));
-    return options;
+    picture.write(denoised.image(developed.image()), developed.layers(), denoised.noting(options));
   }
 }

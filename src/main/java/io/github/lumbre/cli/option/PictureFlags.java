@@ -1,10 +1,5 @@
 package io.github.lumbre.cli.option;
 
-import io.github.lumbre.cli.output.OutputContent;
-import io.github.lumbre.cli.output.OutputGuard;
-import io.github.lumbre.cli.run.Denoising;
-import io.github.lumbre.lab.TaskException;
-import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,13 +27,7 @@ public final class PictureFlags {
       description = "Quality of a JPEG, 1 to 100 (${DEFAULT-VALUE}).")
   private int jpegQuality;
 
-  @Option(
-      names = "--denoise",
-      description =
-          "Write a denoised picture beside OUT: x.denoised.png for x.png. OUT keeps its noise.")
-  private boolean denoise;
-
-  @Mixin private final DenoiserFlags denoiser = new DenoiserFlags();
+  @Mixin private final DenoisingFlags denoising = new DenoisingFlags();
 
   /**
    * Checks the ranges of the values before anything is read.
@@ -61,23 +50,8 @@ public final class PictureFlags {
     return jpegQuality;
   }
 
-  /** Returns whether a denoised picture is written, too. */
-  public boolean isDenoising() {
-    return denoise;
-  }
-
-  /**
-   * Returns the denoiser; empty if no denoised picture is written.
-   *
-   * @throws TaskException if its program is not found
-   */
-  public Optional<Denoising> denoising() throws TaskException {
-    return denoise ? Optional.of(denoiser.denoising(0)) : Optional.empty();
-  }
-
-  /** Adds the picture, and the denoised one beside it, to the files that a command writes. */
-  public OutputGuard guarding(OutputGuard guard, Path output) {
-    guard.writes("-o", output, OutputContent.PICTURE);
-    return denoise ? guard.writes("-o", Denoising.beside(output), OutputContent.PICTURE) : guard;
+  /** Returns the flags that set whether the picture is denoised. */
+  public DenoisingFlags denoising() {
+    return denoising;
   }
 }

@@ -66,15 +66,19 @@ public final class RenderFlags {
     return samples;
   }
 
-  /** Records the layers for denoising besides those that are asked for. */
-  public void recordForDenoising() {
-    isForDenoising = true;
+  /** Sets whether the layers for denoising are recorded besides those that are asked for. */
+  public void recordForDenoising(boolean isWanted) {
+    isForDenoising = isWanted;
   }
 
-  /** Returns whether layers are asked for. */
-  public boolean hasLayers() {
-    return settings.isGiven(Setting.LAYERS)
-        && !settings.valueOr(Setting.LAYERS, Set.of()).isEmpty();
+  /** Returns the layers that are asked for. */
+  public Set<Layer> layers() {
+    return settings.valueOr(Setting.LAYERS, Set.of());
+  }
+
+  /** Returns whether the scene is rendered in ray mode, if it is in path mode without flags. */
+  public boolean isRayMode() {
+    return mode.equals(Optional.of(Mode.RAY));
   }
 
   /** Returns whether bright samples are clamped. */

@@ -7,18 +7,20 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.cli.run.Deadline;
-import io.github.lumbre.cli.run.DenoisedPicture;
+import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.Layer;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -116,10 +118,12 @@ public final class RunFlags {
    * @param bits per channel of a PNG
    * @param jpegQuality quality of a JPEG, 1 to 100
    * @param strict whether rejected samples are an error
-   * @param denoised where to write a denoised picture, if it is wanted
+   * @param denoising removes the noise from the picture; if empty, it stays
+   * @param layers the layers to write if the picture's format holds layers
    */
-  public RenderJob.How how(int bits, int jpegQuality, boolean strict, DenoisedPicture denoised) {
-    return new RenderJob.How(bits, jpegQuality, quiet, stats, strict, denoised);
+  public RenderJob.How how(
+      int bits, int jpegQuality, boolean strict, Optional<Denoising> denoising, Set<Layer> layers) {
+    return new RenderJob.How(bits, jpegQuality, quiet, stats, strict, denoising, layers);
   }
 
   /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */

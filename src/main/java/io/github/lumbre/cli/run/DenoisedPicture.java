@@ -1,71 +1,94 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.render.Film;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** The denoised picture beside a noisy one: its file is reserved before anything is rendered. */
-public final class DenoisedPicture implements AutoCloseable {
-  /** No denoised picture. */
-  public static final DenoisedPicture NONE =
+/**
+ * The result of denoising a film's picture. If the denoiser fails, the picture keeps its noise.
+ *
+ * @param denoised the denoised picture; empty if the picture keeps its noise
+ * @param failure the denoiser's failure
+ */
+public record DenoisedPicture(Optional<Denoised> denoised, Optional<TaskException> failure) {
+  /** A picture that keeps its noise. */
+  public static final DenoisedPicture NOISY =
       new DenoisedPicture(Optional.empty(), Optional.empty());
 
-  private final Optional<Denoising> denoising;
-  private final Optional<PictureOutput> output;
+  /**
+   * Denoises the picture of a film.
+   *
+   * @param target where the picture is written
+   * @throws InterruptedException if the thread is interrupted
+   */
+  public static DenoisedPicture of(Film film, Denoising denoising, Path target, Messages messages)
+      throws InterruptedException {
+    String name = target.equals(PictureOutput.STANDARD) ? "standard output" : target.toString();
+    try {
+      NoisyPicture noisy = NoisyPicture.of(film);
+      denoising.advise(noisy, name, messages);
+      return new DenoisedPicture(Optional.of(denoising.denoise(noisy)), Optional.empty());
+    } catch (TaskException e) {
+      return failed(e.kind(), e.getMessage(), name, e);
+    } catch (OutOfMemoryError e) {
+      return failed(Kind.LIMIT, "not enough memory to denoise", name, e);
+    }
+  }
 
-  private DenoisedPicture(Optional<Denoising> denoising, Optional<PictureOutput> output) {
-    this.denoising = denoising;
-    this.output = output;
+  /** Denoises the picture of a film, unless the render is or was stopped. */
+  public static DenoisedPicture of(
+      Film film, Denoising denoising, Path target, Messages messages, RenderMonitor monitor) {
+    Optional<DenoisedPicture> done =
+        monitor.isCancelled()
+            ? Optional.empty()
+            : monitor.unlessStopped(() -> of(film, denoising, target, messages));
+    if (done.isEmpty()) {
+      messages.line("not denoised, because the render was stopped");
+    }
+    return done.orElse(NOISY);
+  }
+
+  private static DenoisedPicture failed(Kind kind, String reason, String name, Throwable cause) {
+    String text = reason + "; the noisy picture is " + name;
+    return new DenoisedPicture(Optional.empty(), Optional.of(new TaskException(kind, text, cause)));
+  }
+
+  /** Returns the picture to write, given the noisy one. */
+  public Image image(Image noisy) {
+    return denoised.map(Denoised::image).orElse(noisy);
+  }
+
+  /** Returns how to write the picture: the metadata of the denoiser are added. */
+  public ImageWriter.Options noting(ImageWriter.Options options) {
+    return denoised.map(picture -> Denoising.noting(picture, options)).orElse(options);
+  }
+
+  /** Reports by what the picture was denoised, and its errors before and after. */
+  public void tell(Messages messages, JsonSummary report) {
+    denoised.ifPresent(
+        picture -> {
+          messages.line(Denoising.line(picture));
+          report.put("denoised", Denoising.values(picture));
+        });
   }
 
   /**
-   * Reserves the file.
+   * Requires that the denoiser has not failed.
    *
-   * @param denoising the denoiser; if empty, nothing is reserved
-   * @param noisy path of the noisy picture
-   * @throws TaskException if the file cannot be written
+   * @throws TaskException that states the failure and where the noisy picture is
    */
-  public static DenoisedPicture reserve(
-      Optional<Denoising> denoising, Path noisy, Fallback fallback) throws TaskException {
-    return new DenoisedPicture(
-        denoising,
-        denoising.isPresent()
-            ? Optional.of(PictureOutput.reserve(Denoising.beside(noisy), fallback))
-            : Optional.empty());
-  }
-
-  /** Returns whether there is a denoiser. */
-  public boolean isWanted() {
-    return denoising.isPresent();
-  }
-
-  /**
-   * Denoises and writes the picture; there must be a denoiser. See {@link Denoising#write}.
-   *
-   * @param kept where the noisy picture is
-   * @throws TaskException if the denoiser fails or the picture cannot be written
-   */
-  public void write(
-      NoisyPicture noisy,
-      ImageWriter.Options options,
-      String kept,
-      Messages messages,
-      JsonSummary report)
-      throws TaskException {
-    Denoising denoiser = denoising.orElseThrow();
-    denoiser.advise(noisy, kept, messages);
-    denoiser.write(noisy, output.orElseThrow(), options, kept, messages, report);
-  }
-
-  /** Releases the reserved file if nothing was written. */
-  @Override
-  public void close() {
-    output.ifPresent(PictureOutput::close);
+  public void requireDone() throws TaskException {
+    if (failure.isPresent()) {
+      throw failure.get();
+    }
   }
 }

@@ -1,8 +1,6 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.denoise.DenoiseException;
 import io.github.lumbre.denoise.Denoised;
@@ -12,7 +10,6 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -21,22 +18,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Denoises pictures with a chosen denoiser and writes them.
+ * Denoises pictures with a chosen denoiser.
  *
  * @param program the installed program; empty for the built-in denoiser
  * @param threads number of threads; 0 means one for each processor
  */
 public record Denoising(Optional<OpenImageDenoise> program, int threads) {
   private static final String HOW_TO_RECORD =
-      "; without, less noise is removed. --denoise, or --layers denoise into an .exr picture or a"
-          + " checkpoint, records all";
-
-  /** Returns the path of the denoised picture beside a noisy one: x.denoised.png for x.png. */
-  public static Path beside(Path noisy) {
-    String name = noisy.getFileName().toString();
-    int dot = name.lastIndexOf('.');
-    return noisy.resolveSibling(name.substring(0, dot) + ".denoised" + name.substring(dot));
-  }
+      ". 'lumbre render --layers denoise' records the layers in an .exr picture or a checkpoint";
 
   /**
    * Says what a picture lacks that would help the built-in denoiser.
@@ -51,77 +40,72 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     if (noisy.normal().isEmpty()) {
       missing.add("the layer denoisingNormal");
     }
+    String advice = missing.isEmpty() ? "" : HOW_TO_RECORD;
     if (!noisy.light().isNoiseKnown()) {
       missing.add("its noise (2 samples in each pixel, and in an .exr file the layer variance)");
     }
     if (program.isEmpty() && !missing.isEmpty()) {
       messages.line(
-          "warning: %s: lacks %s%s".formatted(name, String.join(" and ", missing), HOW_TO_RECORD));
+          "warning: %s: lacks %s; without, less noise is removed%s"
+              .formatted(name, String.join(" and ", missing), advice));
     }
   }
 
+  /** Returns this denoiser with a number of threads; 0 means one for each processor. */
+  public Denoising withThreads(int count) {
+    return new Denoising(program.map(p -> p.withThreads(count)), count);
+  }
+
   /**
-   * Denoises a picture and writes it.
+   * Denoises a picture.
    *
-   * @param options how to write it; the metadata of the denoiser are added
-   * @param kept where the noisy picture is, for messages
-   * @throws TaskException if the denoiser fails or the picture cannot be written
+   * @throws TaskException if the denoiser fails
+   * @throws InterruptedException if the thread is interrupted
    */
-  public void write(
-      NoisyPicture noisy,
-      PictureOutput output,
-      ImageWriter.Options options,
-      String kept,
-      Messages messages,
-      JsonSummary report)
-      throws TaskException {
-    Denoised denoised = denoised(noisy, kept);
-    Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
-    metadata.putAll(metadata(denoised));
-    output.write(denoised.image(), List.of(), options.withMetadata(metadata));
-    String noise =
-        denoised.relativeNoise().isPresent()
-            ? ", noise before roughly " + Numbers.percent(denoised.relativeNoise().getAsDouble())
-            : "";
-    String error =
-        denoised.relativeError().isPresent()
-            ? ", error left roughly %s; not comparable with the noise of the render"
-                .formatted(Numbers.percent(denoised.relativeError().getAsDouble()))
-            : "";
-    messages.line(
-        "%s: denoised (%s): %s changed%s%s"
-            .formatted(
-                output.target(), denoised.engine(), percent(denoised.change()), noise, error));
-    report.put("denoised", output.target().toString());
-    report.put("denoiser", denoised.engine());
-  }
-
-  /** Returns the metadata of a denoised picture: by what, and how strongly it was changed. */
-  public static Map<String, String> metadata(Denoised denoised) {
-    Map<String, String> metadata = new LinkedHashMap<>();
-    metadata.put("Denoiser", denoised.engine());
-    metadata.put("DenoiserChange", percent(denoised.change()));
-    denoised
-        .relativeNoise()
-        .ifPresent(noise -> metadata.put("DenoiserNoiseBefore", percent(noise)));
-    denoised
-        .relativeError()
-        .ifPresent(error -> metadata.put("DenoiserErrorEstimate", percent(error)));
-    return metadata;
-  }
-
-  private Denoised denoised(NoisyPicture noisy, String kept) throws TaskException {
+  public Denoised denoise(NoisyPicture noisy) throws TaskException, InterruptedException {
     int all = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
     try {
       return program.isPresent()
           ? program.get().denoise(noisy)
           : BuiltInDenoiser.denoise(noisy, all);
     } catch (DenoiseException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage() + "; the noisy picture is " + kept, e);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new TaskException(Kind.STOPPED, "stopped; the noisy picture is " + kept, e);
+      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }
+  }
+
+  /** Returns how to write a denoised picture: the metadata of the denoiser are added. */
+  public static ImageWriter.Options noting(Denoised denoised, ImageWriter.Options options) {
+    Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
+    metadata.put("Denoised", denoised.engine());
+    metadata.put("DenoisedChange", percent(denoised.change()));
+    denoised
+        .relativeNoise()
+        .ifPresent(noise -> metadata.put("DenoisedNoiseBefore", percent(noise)));
+    denoised.relativeError().ifPresent(error -> metadata.put("DenoisedErrorAfter", percent(error)));
+    return options.withMetadata(metadata);
+  }
+
+  /** Returns by what a picture was denoised, and with which errors before and after. */
+  public static String line(Denoised denoised) {
+    String before =
+        denoised.relativeNoise().isPresent()
+            ? ": noise before roughly " + Numbers.percent(denoised.relativeNoise().getAsDouble())
+            : "";
+    String after =
+        denoised.relativeError().isPresent()
+            ? ", error left roughly " + Numbers.percent(denoised.relativeError().getAsDouble())
+            : "";
+    return "denoised (%s)%s%s".formatted(denoised.engine(), before, after);
+  }
+
+  /** Returns the values of {@link #line} for the JSON summary. */
+  public static Map<String, Object> values(Denoised denoised) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("denoiser", denoised.engine());
+    values.put("change", denoised.change());
+    denoised.relativeNoise().ifPresent(noise -> values.put("relative_rmse_before", noise));
+    denoised.relativeError().ifPresent(error -> values.put("relative_rmse_after", error));
+    return values;
   }
 
   private static String percent(double share) {

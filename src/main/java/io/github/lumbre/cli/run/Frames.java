@@ -10,7 +10,6 @@ import io.github.lumbre.parser.SceneFormatException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -26,7 +25,6 @@ public final class Frames implements AutoCloseable {
   private final Interruption interruption;
   private final Deadline deadline;
   private final List<PictureOutput> pictures = new ArrayList<>();
-  private final List<DenoisedPicture> denoised = new ArrayList<>();
   private final List<Path> failed = new ArrayList<>();
   private int current;
   private boolean reserved;
@@ -67,13 +65,11 @@ public final class Frames implements AutoCloseable {
   /**
    * Reserves the files of all pictures.
    *
-   * @param denoising denoiser of the denoised pictures beside them, if they are wanted
    * @throws TaskException if one of the files cannot be written
    */
-  public void reserve(Optional<Denoising> denoising, Fallback fallback) throws TaskException {
+  public void reserve(Fallback fallback) throws TaskException {
     for (Path target : targets) {
       pictures.add(PictureOutput.reserve(target, fallback));
-      denoised.add(DenoisedPicture.reserve(denoising, target, fallback));
     }
     reserved = true;
   }
@@ -81,7 +77,6 @@ public final class Frames implements AutoCloseable {
   /** Sets the only picture, for one that is not a file. */
   public void reserve(PictureOutput picture) {
     pictures.add(picture);
-    denoised.add(DenoisedPicture.NONE);
     reserved = true;
   }
 
@@ -160,11 +155,6 @@ public final class Frames implements AutoCloseable {
     return pictures.get(current);
   }
 
-  /** Returns the denoised output of the current frame. */
-  public DenoisedPicture denoised() {
-    return denoised.get(current);
-  }
-
   /**
    * Renders the current frame and goes to the next one.
    *
@@ -228,7 +218,6 @@ public final class Frames implements AutoCloseable {
   /** Releases the reserved files that are not written, in reverse order. */
   @Override
   public void close() {
-    denoised.forEach(DenoisedPicture::close);
     for (int i = pictures.size() - 1; i >= 0; i--) {
       pictures.get(i).close();
     }

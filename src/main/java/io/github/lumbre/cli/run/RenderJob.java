@@ -15,7 +15,6 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.cli.output.Visible;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
@@ -31,6 +30,7 @@ import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.render.internal.RendererInside;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
@@ -38,6 +38,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /**
  * Renders a film until it is complete or stopped, and saves the film and the picture.
@@ -64,7 +65,8 @@ public record RenderJob(
    * @param bits bits per channel of a PNG
    * @param jpegQuality quality of a JPEG, 1 to 100
    * @param strict whether rejected samples and invalid texture coordinates are errors
-   * @param denoised where to write a denoised picture, if it is wanted
+   * @param denoising removes the noise from the picture; if empty, it stays
+   * @param layers the layers to write if the picture's format holds layers
    */
   public record How(
       int bits,
@@ -72,7 +74,8 @@ public record RenderJob(
       boolean quiet,
       boolean stats,
       boolean strict,
-      DenoisedPicture denoised) {}
+      Optional<Denoising> denoising,
+      Set<Layer> layers) {}
 
   /** Renders a new film. */
   public int run(int firstSample) throws TaskException {
@@ -260,8 +263,9 @@ public record RenderJob(
     noise.putInto(metadata);
     light.putInto(metadata);
     List<ImageLayer> layers = List.of();
-    if (picture.hasLayers() && !settings.layers().isEmpty()) {
-      FilmPicture developed = FilmPicture.of(film, RecordedLayers.of(settings, file.scene()));
+    if (picture.hasLayers() && !how.layers().isEmpty()) {
+      RecordedLayers recorded = RecordedLayers.of(settings, file.scene());
+      FilmPicture developed = FilmPicture.of(film, recorded, how.layers());
       layers = developed.layers();
       metadata.putAll(developed.metadata());
     }
@@ -272,8 +276,10 @@ public record RenderJob(
             how.bits(),
             how.jpegQuality(),
             metadata);
-    picture.write(result.image(), layers, options);
+    DenoisedPicture denoised = denoised(film);
+    picture.write(denoised.image(result.image()), layers, denoised.noting(options));
     tell(summary, noise, light);
+    denoised.tell(said(), report);
     warn(result.complete() ? Optional.empty() : keeper.saved().map(RenderJob::continuation));
     warn(coverage(film));
     warn(evenness(film));
@@ -285,22 +291,22 @@ public record RenderJob(
       report.put("ended_by", stoppedBy());
     }
     light.putInto(report);
-    if (how.denoised().isWanted()) {
-      denoise(film, options);
-    }
     if (keeper.failure().isPresent()) {
       throw new TaskException(Kind.OUTPUT, keeper.failure().get());
     }
+    denoised.requireDone();
   }
 
-  private void denoise(Film film, ImageWriter.Options options) throws TaskException {
-    if (monitor.isCancelled() && !monitor.isOutOfTime()) {
-      messages.line("not denoised, because the render was stopped");
-      return;
-    }
-    NoisyPicture noisy = NoisyPicture.of(film);
-    String name = picture.target().toString();
-    how.denoised.write(noisy, options, name, how.quiet() ? Messages.NONE : messages, report);
+  private DenoisedPicture denoised(Film film) {
+    return how.denoising()
+        .map(denoising -> denoising.withThreads(file.settings().threads()))
+        .map(denoising -> DenoisedPicture.of(film, denoising, picture.target(), said(), monitor))
+        .orElse(DenoisedPicture.NOISY);
+  }
+
+  /** Returns the printer of what {@code --quiet} leaves out. */
+  private Messages said() {
+    return how.quiet() ? Messages.NONE : messages;
   }
 
   private static String continuation(Path film) {

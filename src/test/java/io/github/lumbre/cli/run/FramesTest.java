@@ -35,7 +35,7 @@ class FramesTest {
   private Frames frames(int count) throws TaskException {
     List<Path> targets = Frames.numbered(directory.resolve("a.png"), count);
     Frames frames = new Frames(targets, interruption, deadline);
-    frames.reserve(Optional.empty(), Fallback.TEMPORARY);
+    frames.reserve(Fallback.TEMPORARY);
     return frames;
   }
 

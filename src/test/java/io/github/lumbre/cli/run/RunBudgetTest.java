@@ -25,6 +25,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -102,7 +103,7 @@ class RunBudgetTest {
           new RunBudget(
               new Budget(MANY, OptionalDouble.empty(), .95),
               Deadline.after(Optional.of(time), clock.nanos()::get));
-      RenderJob.How how = new RenderJob.How(8, 90, false, false, false, DenoisedPicture.NONE);
+      RenderJob.How how = new RenderJob.How(8, 90, false, false, false, Optional.empty(), Set.of());
       JsonSummary report = new JsonSummary("render", target);
       int code =
           new RenderJob(

@@ -1,13 +1,14 @@
-package io.github.lumbre.parser.internal;
+package io.github.lumbre.math.internal;
 
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** Computes SHA-256 hashes of files. */
+/** Computes SHA-256 hashes. */
 public final class Sha256 {
   private Sha256() {}
 
+  /** Returns a new digest. */
   public static MessageDigest digest() {
     try {
       return MessageDigest.getInstance("SHA-256");
