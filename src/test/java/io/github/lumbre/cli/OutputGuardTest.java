@@ -56,6 +56,7 @@ class OutputGuardTest {
           "view SCENE",
           "view --compare",
           "views MODEL",
+          "views --oidn",
           "trade SCENE");
 
   /** A command line for each path that commands write; OUT is the output. */
