@@ -8,7 +8,6 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;

@@ -1,6 +1,5 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;

@@ -10,7 +10,6 @@ import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.parser.internal.FileHashes;
 import io.github.lumbre.parser.internal.ParsedScene;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.text.PrintableText;

@@ -24,7 +24,6 @@ import io.github.lumbre.parser.internal.FileHashes;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.SceneContents;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;

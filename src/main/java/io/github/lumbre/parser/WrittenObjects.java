@@ -18,7 +18,6 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFile;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.scene.internal.SceneNode;
 import io.github.lumbre.scene.internal.SurfaceNames;
 import java.nio.charset.StandardCharsets;

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser.internal;
 
+import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneText;
