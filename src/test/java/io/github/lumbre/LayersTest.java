@@ -108,7 +108,7 @@ class LayersTest {
                   + " cli.output"),
           Map.entry(
               "cli.option",
-              "image geometry file scene model render parser checkpoint denoise stopping lab"
+              "image geometry file scene model parser checkpoint denoise stopping lab"
                   + " cli.output cli.run"),
           Map.entry(
               "cli.view",
