@@ -341,6 +341,25 @@ class TerminalIT {
     assertNothingLeftBehind();
   }
 
+  @Test
+  void controlCEndsABatchAfterThePartialPicture() throws IOException, InterruptedException {
+    Files.copy(directory.resolve("tiny.json"), directory.resolve("b.json"));
+    Files.writeString(directory.resolve("broken.glb"), "glTF and no more");
+    String scenes = "render broken.glb tiny.json b.json -o out -s " + ENDLESS;
+    try (PseudoTerminal terminal = lumbre(200, scenes)) {
+      terminal.await("a bar", printed -> printed.contains("2/3 tiny.png:   0 % ["));
+      terminal.control('C');
+      assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
+      assertThat(terminal.screen())
+          .contains(
+              "lumbre: stopped after 0 of 3 pictures: out/tiny.png is partial, 1 not rendered:"
+                  + " out/b.png, 1 failed: broken.glb");
+    }
+    assertThat(directory.resolve("out/tiny.png")).exists();
+    assertThat(directory.resolve("out").toFile().list()).containsExactly("tiny.png");
+    assertNothingLeftBehind();
+  }
+
   /** Like an interactive shell, the shell here forwards the signal and waits. */
   @Test
   void closedWindowSavesThePicture() throws IOException, InterruptedException {

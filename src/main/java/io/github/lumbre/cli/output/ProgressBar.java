@@ -73,7 +73,7 @@ public final class ProgressBar implements ProgressDisplay {
       TerminalWidth width,
       boolean hasEscapes,
       DoubleSupplier clock) {
-    this.title = title.isEmpty() ? "" : Messages.printable(title) + ": ";
+    this.title = Messages.printable(title);
     this.out = out;
     this.width = width;
     this.hasEscapes = hasEscapes;
@@ -246,7 +246,7 @@ public final class ProgressBar implements ProgressDisplay {
     if (drawn > 0 && columns != drawnWidth) {
       erase();
     }
-    String head = BarStatus.cut(title, columns / 3);
+    String head = title.isEmpty() ? "" : BarStatus.cut(title, columns / 3) + ": ";
     int room = columns - 1 - head.length();
     String text =
         head

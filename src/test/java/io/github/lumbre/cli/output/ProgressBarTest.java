@@ -45,6 +45,20 @@ class ProgressBarTest {
   }
 
   @Test
+  void titlesTakeAtMostAThirdOfTheLine() {
+    ProgressBar bar = bar("3/12 \u001bwooden-chair.png", true);
+    bar.started(1000);
+    bar.advanced(250);
+    now = 1;
+    bar.tick();
+    assertThat(printed()).startsWith("\r3/12 \\u001bwooden-ch:  25 % 0:00:03 left, 250 samples/s");
+    bar.reading("chair.glb");
+    now = 2;
+    bar.tick();
+    assertThat(printed()).startsWith("\r3/12 \\u001bwooden-ch: reading chair.glb ... 0:00:01");
+  }
+
+  @Test
   void terminalWithoutEscapesGetsBlanks() {
     ProgressBar bar = bar(false);
     bar.started(1000);

@@ -150,6 +150,35 @@ class FramesTest {
   }
 
   @Test
+  void failedFramesAreNamedAtTheEnd() throws Exception {
+    Frames frames = after(2);
+    assertThat(frames.title()).isEqualTo("3/4 a-002.png");
+    frames.fail(Path.of("c.glb"));
+    assertThat(frames.left()).isEqualTo(1);
+    assertEnds(
+        Kind.STOPPED,
+        "stopped after 2 of 4 pictures: 1 not rendered: a-003.png, 1 failed: c.glb",
+        frames,
+        false,
+        () -> {
+          throw new TaskException(Kind.STOPPED, "stopped before anything was rendered");
+        });
+    assertThat(frames.haveEnded()).isTrue();
+  }
+
+  @Test
+  void onlyTheFirstFailuresAreNamed() throws Exception {
+    Frames frames = frames(23);
+    for (int i = 0; i < 22; i++) {
+      frames.fail(Path.of(i + ".glb"));
+    }
+    render(frames, true, () -> {});
+    assertThat(frames.summary())
+        .startsWith("1 of 23 pictures written, 22 failed: 0.glb, 1.glb, ")
+        .endsWith(", 19.glb and 2 more");
+  }
+
+  @Test
   void singlePicturesAreNoSequence() throws Exception {
     assertThat(render(frames(1), false, interruption::request)).isZero();
   }
