@@ -61,18 +61,19 @@ public final class TargetFlags {
    *     differs, which many file systems ignore
    */
   public List<Path> targets(List<Path> scenes) throws TaskException {
-    if (scenes.size() > 1) {
-      requireBatch(scenes);
-    }
     boolean isFolder = isFolder();
     new FlagChecks(spec)
         .require(
             format.isEmpty() || isStandardOutput() || isFolder,
             "--format: requires -o - or a folder (-o)");
+    if (scenes.size() == 1) {
+      return List.of(isFolder ? inFolder(scenes.get(0)) : single(scenes.get(0)));
+    }
+    requireBatch(scenes);
     List<Path> targets = new ArrayList<>();
     Map<String, Path> named = new HashMap<>();
     for (Path scene : scenes) {
-      Path target = isFolder ? inFolder(scene) : single(scene);
+      Path target = inFolder(scene);
       String name = Normalizer.normalize(target.toString(), Normalizer.Form.NFC);
       Path other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), scene);
       if (other != null) {

@@ -5,8 +5,6 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * Prints messages, one line each. Characters that could move the cursor, color the terminal or fake
@@ -17,7 +15,7 @@ public final class Messages {
   public static final Messages NONE = new Messages(new PrintWriter(Writer.nullWriter()));
 
   /** The starts of lines that stay in front of a scene's name. */
-  private static final Pattern START = Pattern.compile("^(lumbre: |warning: |hint: |)");
+  private static final List<String> STARTS = List.of("lumbre: ", "warning: ", "hint: ");
 
   private final PrintWriter out;
   private final List<String> names;
@@ -36,11 +34,11 @@ public final class Messages {
   }
 
   private String named(String text) {
-    return names.isEmpty() || names.stream().anyMatch(text::contains)
-        ? text
-        : START
-            .matcher(text)
-            .replaceFirst(m -> Matcher.quoteReplacement(m.group() + names.get(0) + ": "));
+    if (names.isEmpty() || names.stream().anyMatch(text::contains)) {
+      return text;
+    }
+    String start = STARTS.stream().filter(text::startsWith).findFirst().orElse("");
+    return start + names.get(0) + ": " + text.substring(start.length());
   }
 
   /** Prints a line. */

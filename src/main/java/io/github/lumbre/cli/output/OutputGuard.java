@@ -10,12 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * The files that a command reads and writes. {@link #check} rejects a command before it starts if
@@ -156,12 +155,14 @@ public final class OutputGuard {
    * then can it be an asset.
    */
   private void checkAssets() throws TaskException {
-    Set<Path> folders =
-        outputs.stream()
-            .flatMap(output -> written(output.path).stream())
-            .filter(Files::exists)
-            .flatMap(path -> Stream.ofNullable(PictureOutput.real(path).getParent()))
-            .collect(Collectors.toSet());
+    Set<Path> folders = new HashSet<>();
+    for (Output output : outputs) {
+      for (Path path : written(output.path)) {
+        if (Files.exists(path)) {
+          folders.add(PictureOutput.real(path).getParent());
+        }
+      }
+    }
     for (Assets ofScene : assets) {
       Path folder = PictureOutput.real(ofScene.scene).getParent();
       if (folders.stream().anyMatch(existing -> existing.startsWith(folder))) {

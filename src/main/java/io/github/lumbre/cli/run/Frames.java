@@ -170,6 +170,8 @@ public final class Frames implements AutoCloseable {
     } catch (TaskException e) {
       boolean hasEnded = e.kind() == Kind.STOPPED || e.kind() == Kind.LIMIT && deadline.hasPassed();
       throw hasEnded && !isSingle() ? ended(e.kind(), 0) : e;
+    } finally {
+      interruption.endRender();
     }
     int partial = report.isPartial() ? 1 : 0;
     current += 1 - partial;

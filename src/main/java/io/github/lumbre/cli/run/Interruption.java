@@ -113,6 +113,14 @@ public final class Interruption implements AutoCloseable {
   }
 
   /**
+   * Marks that the result is saved, so that a signal ends the program even if reading the next
+   * scene cannot be interrupted.
+   */
+  synchronized void endRender() {
+    rendering = false;
+  }
+
+  /**
    * Marks that there is now a result to save.
    *
    * @throws TaskException if the program is already ending

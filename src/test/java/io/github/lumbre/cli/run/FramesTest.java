@@ -108,6 +108,13 @@ class FramesTest {
   }
 
   @Test
+  void signalsAfterAFrameDoNotWaitForTheNextOne() throws Exception {
+    Frames frames = frames(COUNT);
+    assertThat(render(frames, true, interruption::requireRender)).isZero();
+    assertThat(interruption.request()).isFalse();
+  }
+
+  @Test
   void signalsDuringReadingNameTheFrames() throws Exception {
     assertEnds(
         Kind.STOPPED,
