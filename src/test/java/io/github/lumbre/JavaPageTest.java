@@ -9,7 +9,9 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import java.util.stream.IntStream;
@@ -21,8 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Every example of {@code docs/java.md} and {@code docs/servers.md} compiles, with warnings as
- * errors, and runs.
+ * Every example of {@code docs/java.md}, {@code docs/java-parts.md} and {@code docs/servers.md}
+ * compiles, with warnings as errors, and runs. Together they name every exported type.
  */
 class JavaPageTest {
   private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
@@ -43,16 +45,47 @@ class JavaPageTest {
         .toList();
   }
 
-  static Stream<Named<String>> examples() throws Exception {
-    List<String> blocks = blocks();
+  private static Stream<Named<String>> examples(String page) throws Exception {
+    List<String> blocks = blocks(page);
     return IntStream.range(1, blocks.size())
         .mapToObj(i -> Named.of(blocks.get(i).lines().findFirst().orElseThrow(), blocks.get(i)));
+  }
+
+  static Stream<Named<String>> examples() throws Exception {
+    return examples("java.md");
+  }
+
+  static Stream<Named<String>> examplesOfParts() throws Exception {
+    return examples("java-parts.md");
   }
 
   @ParameterizedTest
   @MethodSource("examples")
   void exampleRuns(String example) throws Exception {
     runs(blocks().get(0), example);
+  }
+
+  @ParameterizedTest
+  @MethodSource("examplesOfParts")
+  void exampleOfPartsRuns(String example) throws Exception {
+    runs(blocks("java-parts.md").get(0), example);
+  }
+
+  @Test
+  void everyExportedTypeIsInAnExample() throws Exception {
+    Set<String> named = new HashSet<>();
+    for (String page : List.of("java.md", "java-parts.md", "servers.md")) {
+      String examples = String.join("", blocks(page)).replaceAll("//.*", "");
+      Pattern.compile("\\w+").matcher(examples).results().forEach(w -> named.add(w.group()));
+    }
+    List<String> exported =
+        Files.readAllLines(Path.of("src/test/resources/api.txt")).stream()
+            .map(line -> line.substring(0, line.indexOf(':')))
+            .filter(type -> !type.contains("$"))
+            .map(type -> type.substring(type.lastIndexOf('.') + 1))
+            .distinct()
+            .toList();
+    assertThat(exported).hasSizeGreaterThan(50).allMatch(named::contains);
   }
 
   @Test
