@@ -346,9 +346,9 @@ public final class TextScanner {
     return c >= '0' && c <= '9';
   }
 
-  /** Returns an exception that names the line, for a value beyond a limit. */
-  public ModelFormatException tooLarge(String message) {
-    return new ModelFormatException(Kind.TOO_LARGE, location(), message);
+  /** Checks a number of things as {@link ModelLimits#require} does; the error names the line. */
+  public void require(String things, long max, long found) throws ModelFormatException {
+    ModelLimits.require(location(), things, max, found);
   }
 
   /** Returns an exception that names the line. */

@@ -61,9 +61,7 @@ final class MtlReader {
   private void readLine() throws ModelFormatException {
     String key = scanner.word().toLowerCase(Locale.ROOT);
     if (key.equals("newmtl")) {
-      if (materials.size() == MAX_MATERIALS) {
-        throw scanner.tooLarge("expected at most " + MAX_MATERIALS + " materials, found more");
-      }
+      scanner.require("materials", MAX_MATERIALS, materials.size() + 1);
       String location = scanner.location();
       materials.add(new MtlMaterial(scanner.remainingWords(), location));
     } else if (materials.isEmpty()) {

@@ -200,10 +200,7 @@ public final class ObjModelReader {
     if (!name.isEmpty()) {
       libraries.putIfAbsent(MtlMap.portable(name), location);
     }
-    if (libraries.size() > MAX_LIBRARIES) {
-      throw scanner.tooLarge(
-          "expected at most " + MAX_LIBRARIES + " material libraries, found more");
-    }
+    scanner.require("material libraries", MAX_LIBRARIES, libraries.size());
   }
 
   private ObjSurface currentSurface() throws ModelFormatException {
@@ -214,9 +211,9 @@ public final class ObjModelReader {
           scanner.location(),
           "joined further objects into one, since there are " + ModelLimits.MAX_PARTS + " parts");
       key = new Key("", material);
-      if (parts.size() >= 2 * ModelLimits.MAX_PARTS && !parts.containsKey(key)) {
-        throw scanner.tooLarge(
-            "expected at most " + ModelLimits.MAX_PARTS + " materials, found more");
+      if (!parts.containsKey(key)) {
+        int materials = parts.size() + 1 - ModelLimits.MAX_PARTS;
+        scanner.require("materials", ModelLimits.MAX_PARTS, materials);
       }
     }
     return parts

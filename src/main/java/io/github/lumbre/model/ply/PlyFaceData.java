@@ -130,12 +130,7 @@ final class PlyFaceData {
       return;
     }
     int larger = (int) Math.min(2L * count, ModelLimits.MAX_COUNT / 3);
-    if (count > larger) {
-      throw new ModelFormatException(
-          ModelFormatException.Kind.TOO_LARGE,
-          "element face",
-          "expected at most " + larger + " triangles with data of their own");
-    }
+    ModelLimits.require("element face", "triangles with data of their own", larger, count);
     // Each triangle gets three vertices of its own, too.
     ModelLimits.requireMemory("element face", 268L * larger, limits);
     textures = Arrays.copyOf(textures, larger);

@@ -48,10 +48,8 @@ record PlyHeader(
     while (true) {
       String word = nextKeyword(scanner, textures);
       if (word.equals("property") && !element.isEmpty()) {
-        if (properties.size() == ModelLimits.MAX_PARTS) {
-          throw scanner.tooLarge("expected at most " + ModelLimits.MAX_PARTS + " properties");
-        }
         properties.add(readProperty(scanner));
+        scanner.require("properties", ModelLimits.MAX_PARTS, properties.size());
       } else if (word.equals("element") || word.equals("end_header")) {
         if (!element.isEmpty()) {
           elements.add(new PlyElement(element, count, List.copyOf(properties)));
@@ -145,9 +143,7 @@ record PlyHeader(
   private static void addTexture(TextScanner scanner, List<String> textures)
       throws ModelFormatException {
     String name = scanner.remainingWords();
-    if (textures.size() == ModelLimits.MAX_PARTS) {
-      throw scanner.tooLarge("expected at most " + ModelLimits.MAX_PARTS + " textures, found more");
-    }
+    scanner.require("textures", ModelLimits.MAX_PARTS, textures.size() + 1);
     if (!name.isEmpty()) {
       textures.add(name);
     }
@@ -162,9 +158,7 @@ record PlyHeader(
 
   private static void requireNew(TextScanner scanner, String name, List<PlyElement> elements)
       throws ModelFormatException {
-    if (elements.size() == ModelLimits.MAX_PARTS) {
-      throw scanner.tooLarge("expected at most " + ModelLimits.MAX_PARTS + " elements, found more");
-    }
+    scanner.require("elements", ModelLimits.MAX_PARTS, elements.size() + 1);
     if (elements.stream().anyMatch(e -> e.name().equals(name))) {
       throw scanner.error(
           "expected elements of different names, found " + PrintableText.quoted(name) + " again");
@@ -176,10 +170,7 @@ record PlyHeader(
       throw scanner.error("expected a number of items, found the end of the line");
     }
     long count = scanner.integer(0, Long.MAX_VALUE);
-    if (count > ModelLimits.MAX_COUNT) {
-      throw scanner.tooLarge(
-          "expected at most " + ModelLimits.MAX_COUNT + " items, found " + count);
-    }
+    scanner.require("items", ModelLimits.MAX_COUNT, count);
     return (int) count;
   }
 

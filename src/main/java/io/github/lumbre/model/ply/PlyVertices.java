@@ -84,12 +84,7 @@ final class PlyVertices {
   }
 
   private int colorLength(int count) throws ModelFormatException {
-    if (count > Integer.MAX_VALUE / 4 - 8) {
-      throw new ModelFormatException(
-          ModelFormatException.Kind.TOO_LARGE,
-          "element vertex",
-          "expected at most " + (Integer.MAX_VALUE / 4 - 8) + " vertices, found " + count);
-    }
+    ModelLimits.require("element vertex", "vertices", Integer.MAX_VALUE / 4 - 8, count);
     return 4 * count;
   }
 

@@ -37,9 +37,7 @@ final class StlText {
   }
 
   private void readSolid() throws ModelFormatException {
-    if (solids.size() == ModelLimits.MAX_PARTS) {
-      throw scanner.tooLarge("expected at most " + ModelLimits.MAX_PARTS + " solids, found more");
-    }
+    scanner.require("solids", ModelLimits.MAX_PARTS, solids.size() + 1);
     String location = scanner.location();
     StlSolid solid = new StlSolid(scanner.remainingWords(), location, 4);
     solids.add(solid);
