@@ -182,6 +182,16 @@ class BatchTest {
   }
 
   @Test
+  void scenesAreNotOverwritten() throws IOException {
+    copy("sample.glb", "wood.png");
+    run("render T/tiny.json T/wood.png -o T" + SMALL)
+        .assertFailed(ExitCodes.OUTPUT, "T/wood.png: is the model", "which is read");
+    assertThat(directory.resolve("wood.png"))
+        .hasSameBinaryContentAs(directory.resolve("sample.glb"));
+    assertThat(directory.resolve("tiny.png")).doesNotExist();
+  }
+
+  @Test
   void foreignFilesInTheFolderAreFoundFirst() throws IOException {
     Files.createDirectory(directory.resolve("out"));
     Files.writeString(directory.resolve("out/tiny.png"), "a letter");

@@ -120,7 +120,9 @@ public final class OutputGuard {
   public void check() throws TaskException {
     for (Output output : outputs) {
       for (Path path : written(output.path)) {
-        PictureOutput.identities(path).forEach(identity -> replaced.putIfAbsent(identity, output));
+        for (Object identity : PictureOutput.identities(path)) {
+          replaced.putIfAbsent(identity, output);
+        }
       }
     }
     for (Input input : inputs) {
