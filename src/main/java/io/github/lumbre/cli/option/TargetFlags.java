@@ -32,8 +32,8 @@ public final class TargetFlags {
       paramLabel = "OUT",
       description = {
         "Picture to write: PNG or JPEG for the screen, OpenEXR or PFM for linear light, by its"
-            + " ending; - for standard output. A name without an ending is a folder, in which"
-            + " pictures have the names of their scenes.",
+            + " ending; - for standard output. Or a folder, which exists or has a name without an"
+            + " ending: its pictures have the names of their scenes.",
         "Default: the scene's name with .png, in the working directory."
       })
   private Optional<Path> output;
