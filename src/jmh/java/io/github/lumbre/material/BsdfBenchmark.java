@@ -2,6 +2,9 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.MicroBenchmark;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Beckmann;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.internal.Warp;

@@ -10,6 +10,7 @@ import io.github.lumbre.scene.RenderSettings.Crop;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -400,17 +401,18 @@ public final class Film {
   }
 
   /**
-   * Returns the number of samples of each primitive, by the pixel's index from the window's top
-   * left.
+   * Returns the number of samples of each primitive that samples of a pixel hit, by its number in
+   * the scene.
    *
+   * @param pixel the pixel's index, row by row from the window's top left
    * @throws IllegalArgumentException if the film has neither {@link Layer#OBJECT} nor {@link
    *     Layer#MATERIAL}
    */
-  public PrimitiveCounts primitives() {
+  public Map<Integer, Integer> primitives(int pixel) {
     if (!layers().countsPrimitives()) {
       throw new IllegalArgumentException("expected a film with ids, found " + layers());
     }
-    return layers.counts();
+    return layers.counts().of(pixel);
   }
 
   /**

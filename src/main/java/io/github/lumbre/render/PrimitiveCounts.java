@@ -3,12 +3,14 @@ package io.github.lumbre.render;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 
 /**
  * The number of samples of each primitive in each pixel: all of them, exactly. Mutable; different
  * threads may write different pixels.
  */
-public final class PrimitiveCounts {
+final class PrimitiveCounts {
   /** Bytes per pixel with at most one primitive: its entry, and a reference. */
   static final int BYTES_PER_PIXEL = Long.BYTES + Integer.BYTES;
 
@@ -37,8 +39,17 @@ public final class PrimitiveCounts {
     return (int) (entry >>> Integer.SIZE) - 1;
   }
 
+  /** Returns the number of samples of each primitive that samples of a pixel hit, by its number. */
+  Map<Integer, Integer> of(int pixel) {
+    Map<Integer, Integer> counts = new LinkedHashMap<>();
+    for (int i = 0; i < size(pixel); i++) {
+      counts.put(primitive(pixel, i), count(pixel, i));
+    }
+    return counts;
+  }
+
   /** Returns the number of primitives that samples of a pixel hit. */
-  public int size(int pixel) {
+  private int size(int pixel) {
     return first[pixel] == 0 ? 0 : 1 + others[pixel].length;
   }
 
@@ -47,12 +58,12 @@ public final class PrimitiveCounts {
    *
    * @param i 0 to {@link #size} - 1; the order has no meaning
    */
-  public int primitive(int pixel, int i) {
+  private int primitive(int pixel, int i) {
     return primitive(entryAt(pixel, i));
   }
 
   /** Returns the number of samples that hit a primitive; see {@link #primitive(int, int)}. */
-  public int count(int pixel, int i) {
+  private int count(int pixel, int i) {
     return (int) entryAt(pixel, i);
   }
 

@@ -155,7 +155,7 @@ class FilmWithLayersTest {
             RenderStatistics.ZERO);
     Film read = FilmFile.read(written(file)).film();
     assertThat(pixels(read)).isEqualTo(pixels(film));
-    assertThat(read.primitives().size(1)).isEqualTo(primitives);
+    assertThat(read.primitives(1)).hasSize(primitives);
   }
 
   private static void number(ByteBuffer out, int number) {

@@ -6,7 +6,6 @@ import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageLayer.Precision;
 import io.github.lumbre.image.internal.Cryptomatte;
 import io.github.lumbre.render.Film;
-import io.github.lumbre.render.PrimitiveCounts;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.internal.SurfaceNames;
 import java.util.ArrayList;
@@ -107,7 +106,6 @@ public record FilmPicture(Image image, List<ImageLayer> layers, Map<String, Stri
   }
 
   private static Cryptomatte matte(String type, Film film, IntFunction<String> names) {
-    PrimitiveCounts counts = film.primitives();
     int width = film.window().width();
     return Cryptomatte.of(
         type,
@@ -118,10 +116,8 @@ public record FilmPicture(Image image, List<ImageLayer> layers, Map<String, Stri
           int y = film.window().y() + pixel / width;
           // Whole numbers, because sums of shares would depend on the order of the primitives.
           Map<String, Integer> hits = new LinkedHashMap<>();
-          for (int i = 0; i < counts.size(pixel); i++) {
-            String name = names.apply(counts.primitive(pixel, i));
-            hits.merge(name, counts.count(pixel, i), Integer::sum);
-          }
+          film.primitives(pixel)
+              .forEach((hit, count) -> hits.merge(names.apply(hit), count, Integer::sum));
           float samples = film.samples(x, y);
           Map<String, Float> shares = new LinkedHashMap<>();
           hits.forEach((name, count) -> shares.put(name, count / samples));
