@@ -289,7 +289,6 @@ public final class TriangleMesh {
     return new Vec3(tangents[i], tangents[i + 1], tangents[i + 2]);
   }
 
-  /** Returns the sign of the bitangents of a triangle. */
   double bitangentSign(int triangle) {
     double[] tangents = attributes.tangents();
     return Math.signum(

@@ -11,7 +11,6 @@ record RecordRange(RecordOrder order, int from, int to) {
     return to - from;
   }
 
-  /** Returns a record by its place in the range. */
   int record(int place) {
     return order.record(from + place);
   }

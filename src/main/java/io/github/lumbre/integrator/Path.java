@@ -73,7 +73,6 @@ final class Path {
     splitBlue = throughputBlue / branches;
   }
 
-  /** Returns whether the path was split. */
   boolean isSplit() {
     return branches > 1;
   }

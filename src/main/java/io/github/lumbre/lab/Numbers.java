@@ -19,14 +19,18 @@ public final class Numbers {
     return number + " " + noun + (number == 1 ? "" : "s");
   }
 
-  /**
-   * Returns a rate per second with three digits, {@code 1.25 M}; a whole number below 1 million.
-   */
+  /** Returns a rate per second; see {@link #large}. */
   public static String rate(long count, double seconds) {
-    double rate = seconds > 0 ? count / seconds : 0;
-    if (rate >= 1e6) {
-      return String.format(Locale.ROOT, "%.3g M", rate / 1e6);
+    return large(seconds > 0 ? count / seconds : 0);
+  }
+
+  /** Returns a number with three digits, {@code 1.25 M}; a whole number below 1 million. */
+  public static String large(double number) {
+    if (number >= 1e6) {
+      return number >= 1e9
+          ? String.format(Locale.ROOT, "%.3g G", number / 1e9)
+          : String.format(Locale.ROOT, "%.3g M", number / 1e6);
     }
-    return String.format(Locale.ROOT, "%.0f", rate);
+    return String.format(Locale.ROOT, "%.0f", number);
   }
 }

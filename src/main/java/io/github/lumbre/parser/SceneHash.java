@@ -27,7 +27,6 @@ final class SceneHash {
     waiting.clear();
   }
 
-  /** Adds a file. */
   void add(byte[] file) {
     if (hasText) {
       update(file);

@@ -11,7 +11,6 @@ interface Surface {
   /** The surface of shapes without a material. */
   Surface DEFAULT = of(Matte.GREY);
 
-  /** Adds a shape with this surface to a scene. */
   void add(Shape shape, SceneAssembly scene);
 
   /** Returns the surface that scatters light by a material. */

@@ -194,7 +194,6 @@ final class WrittenObjects {
     return folder + model.name();
   }
 
-  /** Returns the camera of a viewpoint. */
   JsonObject camera(Viewpoint from) {
     JsonObject object = object("Camera", "");
     object.addProperty("id", 1);

@@ -41,7 +41,6 @@ final class ExactSums {
     }
   }
 
-  /** Adds a sum of others to a sum. */
   void add(int i, ExactSums other, int from) {
     add(i, other.whole[from], other.fraction[from]);
   }

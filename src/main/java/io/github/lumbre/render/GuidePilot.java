@@ -58,6 +58,39 @@ final class GuidePilot {
     this.crew = crew;
   }
 
+  /**
+   * Pixels that are spread evenly over the full frame, in columns and rows.
+   *
+   * @param width width of the full frame in pixels
+   * @param height height of the full frame in pixels
+   * @param columns number of columns, at least 1
+   * @param rows number of rows, at least 1
+   */
+  private record Grid(int width, int height, int columns, int rows) {
+    /** Returns a grid of at most the given number of pixels, at least 1. */
+    static Grid of(RenderSettings settings, int most) {
+      int width = settings.width();
+      int height = settings.height();
+      if ((long) width * height <= most) {
+        return new Grid(width, height, width, height);
+      }
+      double side = Math.sqrt(most * settings.aspect());
+      int columns = (int) Math.max(1, Math.min(Math.min(width, most), side));
+      int rows = Math.max(1, Math.min(height, most / columns));
+      return new Grid(width, height, columns, rows);
+    }
+
+    /** Returns the column, in the full frame, of the pixels of a column. */
+    int x(int column) {
+      return (int) ((2L * column + 1) * width / (2L * columns));
+    }
+
+    /** Returns the row, in the full frame, of the pixels of a row. */
+    int y(int row) {
+      return (int) ((2L * row + 1) * height / (2L * rows));
+    }
+  }
+
   /** A guide, and why it is used or not. */
   record Learned(Guide guide, GuideReport report) {}
 
@@ -116,7 +149,7 @@ final class GuidePilot {
   /** Traces the paths of a pass. */
   private GuideRecords records(Guide guide, int paths, int pass) throws InterruptedException {
     Integrator integrator = Integrator.of(scene, settings, guide);
-    PilotGrid grid = PilotGrid.of(settings, paths);
+    Grid grid = Grid.of(settings, paths);
     int limit = Math.max(1, MOST_RECORDS / grid.rows());
     List<Row> rows = crew.render(grid.rows(), row -> recordRow(integrator, grid, row, pass, limit));
     GuideRecords all = new GuideRecords();
@@ -129,7 +162,7 @@ final class GuidePilot {
 
   private record Row(GuideRecords records, long rays) {}
 
-  private Row recordRow(Integrator integrator, PilotGrid grid, int row, int pass, int limit)
+  private Row recordRow(Integrator integrator, Grid grid, int row, int pass, int limit)
       throws InterruptedException {
     GuideRecords records = new GuideRecords(limit);
     GuideRecorder recorder = new GuideRecorder(records);

@@ -22,7 +22,6 @@ final class LayerDevelopment {
     pixels = (int) film.window().pixels();
   }
 
-  /** Returns the picture. */
   Image picture() {
     float[] rgb = new float[3 * pixels];
     float[] alpha = new float[film.hasAlpha() ? pixels : 0];

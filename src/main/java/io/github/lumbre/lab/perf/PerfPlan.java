@@ -68,7 +68,6 @@ public record PerfPlan(
     return file.with(scene);
   }
 
-  /** Returns the plan as sentences. */
   String sentences() {
     String counts = threads.stream().map(String::valueOf).collect(Collectors.joining(", "));
     return String.format(

@@ -16,7 +16,6 @@ public record BenchmarkPlan(BigDecimal share, int threads, int warmup, int repea
     return share.compareTo(BigDecimal.ONE) == 0;
   }
 
-  /** Returns the plan as sentences. */
   String sentences() {
     String samples =
         isFull()

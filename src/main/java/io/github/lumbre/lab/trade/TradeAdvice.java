@@ -67,7 +67,7 @@ final class TradeAdvice {
         "-s " + Math.round(Math.ceil(samples)) + " " + most.setting().flags(),
         (best.cost.isExtrapolated() ? "extrapolated " : "about ")
             + TradeText.seconds(best.cpuSeconds()),
-        TradeText.count(samples * most.allRays() / most.samples()),
+        Numbers.large(samples * most.allRays() / most.samples()),
         most.setting().isUnbiased() ? "none" : TradeText.bias(most.bias(), ""));
   }
 
@@ -108,7 +108,7 @@ final class TradeAdvice {
                 new Choice(
                     "-s " + row.samples() + " " + row.setting().flags(),
                     TradeText.seconds(row.cpuTime().value()),
-                    TradeText.count(row.allRays()),
+                    Numbers.large(row.allRays()),
                     TradeText.bias(row.bias(), "")));
   }
 }

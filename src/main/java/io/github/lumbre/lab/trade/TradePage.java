@@ -216,7 +216,7 @@ public final class TradePage {
             .number("samples", TradeRow::samples)
             .number("time", row -> TradeText.seconds(row.time()))
             .number("CPU time", row -> TradeText.seconds(row.cpuTime()))
-            .number("rays", row -> TradeText.count(row.allRays()))
+            .number("rays", row -> Numbers.large(row.allRays()))
             .number("relMSE", row -> error(row.relativeMse()))
             .number("signed error", number(row -> row.signedError().value()))
             .number("max error", number(TradeRow::largestError))

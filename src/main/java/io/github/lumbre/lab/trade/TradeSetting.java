@@ -69,7 +69,6 @@ public record TradeSetting(
     return knob.label(value);
   }
 
-  /** Returns a renderer of the setting with a seed. */
   FilmRenderer renderer(long seed) {
     return renderer(scene.scene(), settings.toBuilder().seed(seed).build());
   }

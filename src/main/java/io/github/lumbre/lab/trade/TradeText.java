@@ -33,14 +33,6 @@ final class TradeText {
     return String.format(Locale.ROOT, "%.3g s ± %.2g", time.value(), time.high() - time.value());
   }
 
-  static String count(double value) {
-    return value >= 1e9
-        ? String.format(Locale.ROOT, "%.3g G", value / 1e9)
-        : value >= 1e6
-            ? String.format(Locale.ROOT, "%.3g M", value / 1e6)
-            : String.format(Locale.ROOT, "%.0f", value);
-  }
-
   /** Returns a bias that was detected, or the bound of one that was not. */
   static String bias(TradeRow.Bias bias, String ifNotDetected) {
     return bias.isDetected()

@@ -65,7 +65,6 @@ final class MtlConversion {
     out = PlainModel.matte(in.name(), in.location());
   }
 
-  /** Returns the material. */
   ModelMaterial material() throws ModelFormatException, IOException {
     out.set(BASE_COLOR, color("kd", Rgb.grey(PlainModel.ALBEDO)));
     out.emission(color("ke", Rgb.BLACK));

@@ -226,7 +226,6 @@ final class PlyVertices {
     return type.isInteger() && !isAlpha ? Srgb.decode(limited) : limited;
   }
 
-  /** Returns whether the vertices have colors. */
   boolean hasColors() {
     return colors.length > 0;
   }

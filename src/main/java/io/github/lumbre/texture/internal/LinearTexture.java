@@ -23,7 +23,6 @@ public final class LinearTexture implements Texture<Rgb> {
     return image;
   }
 
-  /** Returns the texels. */
   GridMaxima.TexelRows texels() {
     return new GridMaxima.TexelRows() {
       @Override
