@@ -1,7 +1,6 @@
 package io.github.lumbre.audit;
 
 import io.github.lumbre.audit.Finding.Severity;
-import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.render.internal.DepthCut;
 import io.github.lumbre.scene.RenderSettings.Mode;
@@ -32,7 +31,8 @@ final class DepthCheck implements Check {
         new Finding(
             sure > WORTH_A_WARNING ? Severity.WARNING : Severity.NOTE,
             "depth",
-            new Origin("$.renderOptions." + key, ""),
+            "$.renderOptions." + key,
+            "",
             String.format(
                 Locale.ROOT,
                 "about %.2g %% (± %.1g) of the energy is lost to the path length limit",

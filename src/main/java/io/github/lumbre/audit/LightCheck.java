@@ -1,7 +1,7 @@
 package io.github.lumbre.audit;
 
 import io.github.lumbre.light.Light;
-import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Primitive;
 import java.util.ArrayList;

@@ -1,7 +1,7 @@
 package io.github.lumbre.audit;
 
-import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.Problem;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.ArrayList;
 import java.util.List;

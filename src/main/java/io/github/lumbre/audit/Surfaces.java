@@ -2,7 +2,7 @@ package io.github.lumbre.audit;
 
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
-import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.texture.TexturePoint;

@@ -3,7 +3,7 @@ package io.github.lumbre.audit;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.SceneOrigins.TextureUse;
 import io.github.lumbre.sampling.Sampler;

@@ -1,6 +1,6 @@
 package io.github.lumbre.audit;
 
-import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.List;
 import java.util.stream.IntStream;

@@ -12,9 +12,9 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.parser.Origin;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.scene.SettingType;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -94,7 +94,7 @@ final class AuditCommand implements Callable<Integer> {
   }
 
   private static Origin place(Finding finding) {
-    return new Origin(ProblemText.place(finding.path().path()), finding.path().name());
+    return new Origin(ProblemText.place(finding.path()), finding.name());
   }
 
   private static String json(SceneFile file, List<Finding> findings) {
@@ -111,7 +111,7 @@ final class AuditCommand implements Callable<Integer> {
     values.put("severity", SettingType.nameOf(finding.severity()));
     values.put("law", finding.law());
     values.put("path", place(finding).path());
-    values.put("name", finding.path().name());
+    values.put("name", finding.name());
     values.put("found", finding.found());
     values.put("means", finding.means());
     values.put("advice", finding.advice());

@@ -8,6 +8,8 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.internal.Origin;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.text.Spelling;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -85,6 +87,12 @@ record JsonNode(JsonValue value, Problems problems) {
   /** Returns the path, such as {@code $.objects[3].radius}. */
   String path() {
     return value.path();
+  }
+
+  /** Returns the place of the object or asset that this node describes. */
+  Origin origin() {
+    String name = find("name").flatMap(JsonNode::text).map(PrintableText::shortened).orElse("");
+    return new Origin(PrintableText.path(path()), name);
   }
 
   private String path(String childKey) {

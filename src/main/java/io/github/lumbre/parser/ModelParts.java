@@ -10,6 +10,7 @@ import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.model.internal.ModelSurface;
+import io.github.lumbre.parser.internal.Origin;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Map;

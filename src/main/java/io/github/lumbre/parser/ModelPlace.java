@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.text.PrintableText;
 
 /** Where a model stands: its problems are reported there, and its parts have their places there. */
@@ -28,8 +29,7 @@ interface ModelPlace {
   }
 
   private static Origin shown(String path, String name) {
-    return new Origin(
-        PrintableText.path(path), PrintableText.shortened(name));
+    return new Origin(PrintableText.path(path), PrintableText.shortened(name));
   }
 
   /** A model that is rendered by itself: all places are in its own file. */

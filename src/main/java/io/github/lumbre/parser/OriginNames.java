@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.parser.internal.Origin;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -12,6 +13,7 @@ import java.util.Set;
 final class OriginNames {
   /** The names by path and name in the file, between them a NUL, which is in neither. */
   private final Map<String, String> names = new HashMap<>();
+
   private final Set<String> taken = new HashSet<>();
 
   /** The next number for each name that has been given. */

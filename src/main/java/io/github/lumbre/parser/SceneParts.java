@@ -4,6 +4,7 @@ import io.github.lumbre.camera.Camera;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneAssembly;

@@ -6,6 +6,7 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.parser.ObjectTree.Placed;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.Scene;
@@ -128,8 +129,8 @@ final class SceneReader {
     shape.ifPresent(
         made ->
             parts.add(
-                Origin.of(object.node()),
-                materials.asset(object.node()).map(Origin::of).orElse(Origin.NONE),
+                object.node().origin(),
+                materials.asset(object.node()).map(JsonNode::origin).orElse(Origin.NONE),
                 object.lightGroup(),
                 scene -> surface.add(made, scene)));
   }
@@ -142,7 +143,7 @@ final class SceneReader {
   private void readLights(Optional<Rgb> background) {
     LightReader lights = new LightReader(textures, materials.hasGlass());
     for (Placed light : objects(ObjectTree.Type.LIGHT)) {
-      Origin origin = Origin.of(light.node());
+      Origin origin = light.node().origin();
       lights
           .read(light)
           .ifPresent(made -> parts.add(origin, Origin.NONE, light.lightGroup(), made));
@@ -155,7 +156,7 @@ final class SceneReader {
       background.ifPresent(
           radiance ->
               parts.add(
-                  Origin.of(backgroundNode()),
+                  backgroundNode().origin(),
                   Origin.NONE,
                   "",
                   scene -> scene.addBackground(radiance)));
@@ -191,7 +192,7 @@ final class SceneReader {
       List<SceneOrigins.Unused> unused) {
     assets.all(type).stream()
         .filter(isUsed.negate())
-        .forEach(asset -> unused.add(new SceneOrigins.Unused(name, Origin.of(asset))));
+        .forEach(asset -> unused.add(new SceneOrigins.Unused(name, asset.origin())));
   }
 
   /** Returns the numbers of objects and assets. */

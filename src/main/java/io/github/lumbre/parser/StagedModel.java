@@ -22,6 +22,7 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.parser.internal.FileHashes;
 import io.github.lumbre.parser.internal.ModelContents;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.scene.RenderSettings;

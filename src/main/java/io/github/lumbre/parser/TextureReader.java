@@ -119,9 +119,9 @@ final class TextureReader {
               texture ->
                   uses.add(
                       new TextureUse(
-                          Origin.of(material),
+                          material.origin(),
                           channel,
-                          Origin.of(texture),
+                          texture.origin(),
                           decoded.width(),
                           decoded.height(),
                           mapping.scaleX(),

@@ -81,7 +81,7 @@ class SceneAuditTest {
         .filteredOn(f -> f.law().equals(law) && f.severity() == severity)
         .anySatisfy(
             f -> {
-              assertThat(f.path().path()).isEqualTo(path);
+              assertThat(f.path()).isEqualTo(path);
               assertThat(f.found()).contains(found);
             });
   }
@@ -128,7 +128,7 @@ class SceneAuditTest {
         "{\"id\": 7, \"name\": \"old\", \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
     List<Finding> findings = auditOf(material("Diffuse", GREY) + ", " + unused, sphere(0, 1, 1));
     assertFinds(findings, "unused", Severity.NOTE, "$.assets[1]", "texture is not used by any");
-    assertThat(findings.get(0).path().name()).isEqualTo("old");
+    assertThat(findings.get(0).name()).isEqualTo("old");
   }
 
   @Test

@@ -4,7 +4,7 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.Origin;
+import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.path.PathVertex;
 import io.github.lumbre.path.PathVertex.Contribution;
 import io.github.lumbre.path.PathVertex.FoundLight;

@@ -1,6 +1,5 @@
 package io.github.lumbre.parser.internal;
 
-import io.github.lumbre.parser.Origin;
 import java.util.List;
 
 /**

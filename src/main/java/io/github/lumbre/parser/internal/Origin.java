@@ -1,6 +1,5 @@
-package io.github.lumbre.parser;
+package io.github.lumbre.parser.internal;
 
-import io.github.lumbre.text.PrintableText;
 import java.util.Objects;
 
 /**
@@ -17,12 +16,6 @@ public record Origin(String path, String name) {
   public Origin {
     Objects.requireNonNull(path, "path");
     Objects.requireNonNull(name, "name");
-  }
-
-  static Origin of(JsonNode node) {
-    String name =
-        node.find("name").flatMap(JsonNode::text).map(PrintableText::shortened).orElse("");
-    return new Origin(PrintableText.path(node.path()), name);
   }
 
   /** Returns the path, followed by the quoted name if there is one. */
