@@ -69,7 +69,7 @@ final class Connections {
       double pdf = records.number(record, GuideRecords.PDF);
       double allPdf = .5 * pdf + .5 * pdf(record);
       records.setAllPdf(record, allPdf);
-      values.scale(record, allPdf > 0 ? pdf / allPdf : 2);
+      values.set(record, (allPdf > 0 ? pdf / allPdf : 2) * values.value(record));
       all[size++] = record;
     }
     for (int i = 0; i < range.size(); i++) {
@@ -88,8 +88,9 @@ final class Connections {
     }
     Way way = new Way(records, record, record + 1);
     boolean isStraight =
-        Math.abs(way.u() - records.number(record, GuideRecords.U)) < SAME
-            && Math.abs(way.v() - records.number(record, GuideRecords.V)) < SAME;
+        Math.abs(Octahedron.u(way.x, way.y, way.z) - records.number(record, GuideRecords.U)) < SAME
+            && Math.abs(Octahedron.v(way.x, way.y, way.z) - records.number(record, GuideRecords.V))
+                < SAME;
     return isStraight && way.isFacing() ? pdf(way, record + 1) : 0;
   }
 
@@ -189,14 +190,6 @@ final class Connections {
       return x * records.number(record, GuideRecords.NORMAL)
           + y * records.number(record, GuideRecords.NORMAL + 1)
           + z * records.number(record, GuideRecords.NORMAL + 2);
-    }
-
-    double u() {
-      return Octahedron.u(x, y, z);
-    }
-
-    double v() {
-      return Octahedron.v(x, y, z);
     }
 
     boolean isClear(Sight sight) {

@@ -2,7 +2,6 @@ package io.github.lumbre.guiding;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
@@ -28,8 +27,8 @@ public final class GuideBuilder {
       Supplier<? extends Sight> sights,
       int limit,
       boolean isTraining) {
-    this.records = Objects.requireNonNull(records, "records");
-    this.sights = Objects.requireNonNull(sights, "sights");
+    this.records = records;
+    this.sights = sights;
     this.limit = limit;
     this.isTraining = isTraining;
     orders = RecordOrder.ofAxes(records);

@@ -77,24 +77,16 @@ final class RecordOrder {
 
   /** Returns where the records of a range lie. */
   Extent extent(int from, int to) {
-    float lowX = Float.POSITIVE_INFINITY;
-    float lowY = Float.POSITIVE_INFINITY;
-    float lowZ = Float.POSITIVE_INFINITY;
-    float highX = Float.NEGATIVE_INFINITY;
-    float highY = Float.NEGATIVE_INFINITY;
-    float highZ = Float.NEGATIVE_INFINITY;
+    float[] low = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
+    float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
     for (int i = from; i < to; i++) {
-      float x = records.number(order[i], GuideRecords.X);
-      float y = records.number(order[i], GuideRecords.X + 1);
-      float z = records.number(order[i], GuideRecords.X + 2);
-      lowX = Math.min(lowX, x);
-      lowY = Math.min(lowY, y);
-      lowZ = Math.min(lowZ, z);
-      highX = Math.max(highX, x);
-      highY = Math.max(highY, y);
-      highZ = Math.max(highZ, z);
+      for (int axis = 0; axis < 3; axis++) {
+        float x = records.number(order[i], GuideRecords.X + axis);
+        low[axis] = Math.min(low[axis], x);
+        high[axis] = Math.max(high[axis], x);
+      }
     }
-    return new Extent(new float[] {lowX, lowY, lowZ}, new float[] {highX, highY, highZ});
+    return new Extent(low, high);
   }
 
   /**

@@ -70,12 +70,7 @@ final class RecordValues {
     return values[record];
   }
 
-  /** Multiplies a value. */
-  void scale(int record, double factor) {
-    values[record] = (float) Math.min(Float.MAX_VALUE, factor * values[record]);
-  }
-
-  /** Sets the value of a connection. */
+  /** Sets what a direction gave. */
   void set(int record, double value) {
     values[record] = (float) Math.min(Float.MAX_VALUE, value);
   }

@@ -30,8 +30,8 @@ public sealed interface Microfacets permits Beckmann, Ggx {
   }
 
   /**
-   * Samples a microfacet normal in proportion to the area visible from wo: with density {@link
-   * #visibleDensity}.
+   * Samples a microfacet normal m in proportion to the area visible from wo: with the density per
+   * solid angle G1 · max(0, wo·m) · D / cos θo, with G1 = 1 / (1 + Λ).
    *
    * @param u uniform in [0,1)²
    */
@@ -50,14 +50,6 @@ public sealed interface Microfacets permits Beckmann, Ggx {
     Vec3 i = m.times(2 * o.dot(m)).minus(o).normalized();
     result.setDirection(i.times(side));
     return woZ != 0 && i.z() > 0;
-  }
-
-  /**
-   * Returns the density of {@link #sampleVisible} per solid angle: G1 · max(0, wo·m) · D / cos θo,
-   * with G1 = 1 / (1 + Λ).
-   */
-  default double visibleDensity(Vec3 wo, Vec3 m) {
-    return Math.max(0, wo.dot(m)) * density(m) / visible(wo.z());
   }
 
   /**
