@@ -50,6 +50,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -251,7 +252,10 @@ final class RenderCommand implements Callable<Integer> {
       requireStreams();
     }
     Optional<Denoising> denoising = denoising(frames.targets().get(0));
-    flags.recordForDenoising(denoising.isPresent());
+    boolean isUsual = denoising.isPresent() && options.isModel() && !quality.isAdaptive();
+    flags.recordForDenoising(
+        denoising.isPresent(),
+        isUsual ? OptionalInt.of(Denoising.MODEL_SAMPLES) : OptionalInt.empty());
     if (!frames.areReserved()) {
       reserve(course.scenes, frames);
     }

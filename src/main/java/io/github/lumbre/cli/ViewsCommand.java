@@ -101,7 +101,7 @@ final class ViewsCommand implements Callable<Integer> {
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Samples per pixel (100).")
+      description = "Samples per pixel (8; with --no-denoise 100).")
   private Optional<Integer> samples;
 
   @Option(
@@ -204,12 +204,12 @@ final class ViewsCommand implements Callable<Integer> {
 
   private RenderSettings overridden(RenderSettings settings) {
     RenderSettings.Builder builder = settings.toBuilder();
+    if (denoising.isPresent()) {
+      builder.samples(Denoising.MODEL_SAMPLES).set(Setting.LAYERS, Layer.FOR_DENOISING);
+    }
     samples.ifPresent(builder::samples);
     size.ifPresent(s -> builder.size(s.width(), s.height()));
     threads.ifPresent(builder::threads);
-    if (denoising.isPresent()) {
-      builder.set(Setting.LAYERS, Layer.FOR_DENOISING);
-    }
     return builder.build();
   }
 

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Pictures of models for the screen are denoised by default, and others are not. */
@@ -176,6 +177,30 @@ class DenoisedModelsTest {
   void adaptiveSamplesAreDenoised() {
     assertThat(runs("render T/sample.glb --adaptive --size 24x18 -s 48 -o T/a.png"))
         .contains(DENOISED);
+  }
+
+  /** A fixed number: it depends on nothing but the flags. */
+  @ParameterizedTest
+  @CsvSource({
+    "-o T/a.png, 8",
+    "-o T/a.jpg, 8",
+    "-o T/a.pfm --denoise, 8",
+    "-o T/a.png -s 3, 3",
+    "-o T/a.png --no-denoise, 100",
+    "-o T/a.exr, 100",
+    "-o T/a.png --adaptive, 100",
+    "-o T/a.png --checkpoint T/a.film, 100"
+  })
+  void denoisedModelsNeedFewSamples(String flags, int samples) {
+    Outcome outcome = run("render T/sample.glb --size 24x18 --json --quiet " + flags);
+    assertThat(outcome.out()).contains("\"samples_per_pixel\":" + samples + ",");
+  }
+
+  @Test
+  void denoisedViewsNeedFewSamples() {
+    String views = "views T/sample.glb --size 24x18 -o T/v";
+    assertThat(runs(views)).contains(" 8 samples per pixel, denoised");
+    assertThat(runs(views + "2 --no-denoise")).contains(" 100 samples per pixel, ");
   }
 
   /** The stop rule sees the noise of the samples, which the denoiser does not change. */

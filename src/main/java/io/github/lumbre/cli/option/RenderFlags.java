@@ -49,6 +49,9 @@ public final class RenderFlags {
   /** Whether the layers for denoising are recorded besides those that are asked for. */
   private boolean isForDenoising;
 
+  /** The samples per pixel without a flag, if they are not those of the scene. */
+  private OptionalInt usualSamples = OptionalInt.empty();
+
   /**
    * Checks the ranges of the values before anything is read.
    *
@@ -66,9 +69,14 @@ public final class RenderFlags {
     return samples;
   }
 
-  /** Sets whether the layers for denoising are recorded besides those that are asked for. */
-  public void recordForDenoising(boolean isWanted) {
+  /**
+   * Sets whether the layers for denoising are recorded besides those that are asked for.
+   *
+   * @param samples per pixel without a flag; empty for those of the scene
+   */
+  public void recordForDenoising(boolean isWanted, OptionalInt samples) {
     isForDenoising = isWanted;
+    usualSamples = samples;
   }
 
   /** Returns the layers that are asked for. */
@@ -106,9 +114,10 @@ public final class RenderFlags {
         .overriding(inScene -> override(changed(inScene, isOpen, adaptive, pathDepth)));
   }
 
-  private static RenderSettings changed(
+  private RenderSettings changed(
       RenderSettings inScene, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
     RenderSettings.Builder builder = inScene.toBuilder().adaptive(adaptive);
+    usualSamples.ifPresent(builder::samples);
     if (isOpen) {
       builder.samples(RenderSettings.MAX_SAMPLES);
     }

@@ -17,7 +17,7 @@ public final class SampleFlags {
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Samples per pixel (scene or 100).")
+      description = "Samples per pixel (scene or 100; of a model that is denoised: 8).")
   private Optional<Integer> samples;
 
   @Option(

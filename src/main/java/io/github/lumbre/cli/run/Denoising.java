@@ -24,6 +24,12 @@ import java.util.Optional;
  * @param threads number of threads; 0 means one for each processor
  */
 public record Denoising(Optional<OpenImageDenoise> program, int threads) {
+  /**
+   * The samples per pixel of a denoised picture of a model, if nothing else is asked for:
+   * docs/measurements/2026-11-denoised-models.md.
+   */
+  public static final int MODEL_SAMPLES = 8;
+
   private static final String HOW_TO_RECORD =
       ". 'lumbre render --layers denoise' records the layers in an .exr picture or a checkpoint";
 
