@@ -66,7 +66,7 @@ class DenoiseCommandTest {
   @Test
   void theNoiseBeforeAndTheErrorAfterAreTold() {
     String said =
-        "denoised \\(builtin [0-9a-f]{8}\\): noise before roughly [0-9.]+ %, error left roughly"
+        "denoised \\(builtin [0-9a-f]{8}\\): estimated noise before [0-9.]+ %, estimated error left"
             + " [0-9.]+ %\n";
     Outcome render =
         run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise", "--size", "32x32");

@@ -95,11 +95,11 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
   public static String line(Denoised denoised) {
     String before =
         denoised.relativeNoise().isPresent()
-            ? ": noise before roughly " + Numbers.percent(denoised.relativeNoise().getAsDouble())
+            ? ": estimated noise before " + Numbers.percent(denoised.relativeNoise().getAsDouble())
             : "";
     String after =
         denoised.relativeError().isPresent()
-            ? ", error left roughly " + Numbers.percent(denoised.relativeError().getAsDouble())
+            ? ", estimated error left " + Numbers.percent(denoised.relativeError().getAsDouble())
             : "";
     return "denoised (%s)%s%s".formatted(denoised.engine(), before, after);
   }
