@@ -158,16 +158,17 @@ final class BuildImage {
   }
 
   private void archiveRender() throws IOException, InterruptedException {
-    Path picture = Files.createTempFile("lumbre", ".png");
+    Path pictures = Files.createTempDirectory("lumbre");
     String[] render = {
       "render",
-      "scenes/lantern.json",
+      "scenes/cornell-box.json",
+      "scenes/models/lantern.glb",
       "--size",
       "16x12",
       "--samples",
-      "1",
+      "2",
       "--output",
-      picture.toString(),
+      pictures.toString(),
       "--overwrite",
       "--progress",
       "none"
@@ -184,7 +185,7 @@ final class BuildImage {
               "-XX:SharedArchiveFile=" + app.resolve("lumbre.jsa")));
     } finally {
       Files.delete(classes);
-      Files.delete(picture);
+      delete(pictures);
     }
   }
 

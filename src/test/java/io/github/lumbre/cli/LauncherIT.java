@@ -315,7 +315,7 @@ class LauncherIT {
     // JDK 17 archives no classes from a path with spaces.
     home = Files.move(home, directory.resolve("home"));
     Files.createDirectories(home.resolve("scenes/models"));
-    for (String file : List.of("scenes/lantern.json", "scenes/models/lantern.glb")) {
+    for (String file : List.of("scenes/cornell-box.json", "scenes/models/lantern.glb")) {
       Files.copy(Path.of(file), home.resolve(file));
     }
     launch();
