@@ -41,41 +41,24 @@ public final class SceneParser {
   static final Set<String> KEYS =
       Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
 
-  private static final Limits DEFAULT_LIMITS = Limits.NONE.withPixels(MAX_PIXELS);
-
   static {
     CountingParser.madeBy(SceneParser::counting);
   }
 
   private final boolean lenient;
-  private final Optional<RenderSettings.Mode> mode;
-  private final UnaryOperator<RenderSettings> change;
-  private final Limits limits;
+  private final SettingsChange settings;
   private final TextureChange textures;
   private final Optional<Kernel> kernel;
 
   /** Creates a parser without overrides: missing assets are errors, settings are the file's. */
   public SceneParser() {
-    this(
-        false,
-        Optional.empty(),
-        UnaryOperator.identity(),
-        DEFAULT_LIMITS,
-        TextureChange.NONE,
-        Optional.empty());
+    this(false, SettingsChange.NONE, TextureChange.NONE, Optional.empty());
   }
 
   private SceneParser(
-      boolean lenient,
-      Optional<RenderSettings.Mode> mode,
-      UnaryOperator<RenderSettings> change,
-      Limits limits,
-      TextureChange textures,
-      Optional<Kernel> kernel) {
+      boolean lenient, SettingsChange settings, TextureChange textures, Optional<Kernel> kernel) {
     this.lenient = lenient;
-    this.mode = mode;
-    this.change = change;
-    this.limits = limits;
+    this.settings = settings;
     this.textures = textures;
     this.kernel = kernel;
   }
@@ -85,18 +68,17 @@ public final class SceneParser {
    * in scenes, as warnings, not errors.
    */
   public SceneParser lenient() {
-    return new SceneParser(true, mode, change, limits, textures, kernel);
+    return new SceneParser(true, settings, textures, kernel);
   }
 
   /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(lenient, Optional.of(newMode), change, limits, textures, kernel);
+    return new SceneParser(lenient, settings.inMode(newMode), textures, kernel);
   }
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
-    return new SceneParser(
-        lenient, mode, Objects.requireNonNull(newChange, "newChange"), limits, textures, kernel);
+    return new SceneParser(lenient, settings.overriding(newChange), textures, kernel);
   }
 
   /**
@@ -110,7 +92,7 @@ public final class SceneParser {
     if (newMaxPixels < 1 || newMaxPixels > MAX_PIXELS_EVER) {
       throw new IllegalArgumentException("pixels: expected 1 to 2^29, found " + newMaxPixels);
     }
-    return limitedTo(limits.withPixels(newMaxPixels));
+    return limitedTo(limits().withPixels(newMaxPixels));
   }
 
   /**
@@ -121,7 +103,7 @@ public final class SceneParser {
    *     #MAX_PIXELS_EVER}
    */
   public SceneParser limitedTo(Limits newLimits) {
-    return new SceneParser(lenient, mode, change, newLimits, textures, kernel);
+    return new SceneParser(lenient, settings.limitedTo(newLimits), textures, kernel);
   }
 
   /**
@@ -131,17 +113,17 @@ public final class SceneParser {
    */
   public SceneParser interpolatingTextures(boolean interpolated) {
     TextureChange changed = textures.filtering(interpolated ? Filter.BILINEAR : Filter.NEAREST);
-    return new SceneParser(lenient, mode, change, limits, changed, kernel);
+    return new SceneParser(lenient, settings, changed, kernel);
   }
 
   private SceneParser counting(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, mode, change, limits, changed, kernel);
+    return new SceneParser(lenient, settings, changed, kernel);
   }
 
   /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
-    return new SceneParser(lenient, mode, change, limits, textures, Optional.of(newKernel));
+    return new SceneParser(lenient, settings, textures, Optional.of(newKernel));
   }
 
   /**
@@ -155,10 +137,10 @@ public final class SceneParser {
   public SceneFile parse(Path file) throws SceneFormatException, IOException {
     Problems problems = new Problems(String.valueOf(file.getFileName()));
     return TimedReading.of(
-        limits,
+        limits(),
         problems,
         () -> {
-          byte[] text = InputFile.read(file, problems, "scene", "bytes", limits.bytes());
+          byte[] text = InputFile.read(file, problems, "scene", "bytes", limits().bytes());
           return parse(file, text, Optional.empty(), Map.of(), Optional.empty(), problems);
         });
   }
@@ -173,7 +155,7 @@ public final class SceneParser {
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
   public SceneFile parse(Path model, Stage stage) throws SceneFormatException, IOException {
-    return TimedReading.of(limits, problemsOf(model), () -> staged(model, stage).scene(this));
+    return TimedReading.of(limits(), problemsOf(model), () -> staged(model, stage).scene(this));
   }
 
   /**
@@ -195,10 +177,11 @@ public final class SceneParser {
     }
     Stage lenient = stage.reading(stage.options().lenient(true));
     return TimedReading.of(
-        limits,
+        limits(),
         problemsOf(file),
         () ->
-            new StagedModel(lenient, stage.folderOf(file), file, model, true, limits).scene(this));
+            new StagedModel(lenient, stage.folderOf(file), file, model, true, limits())
+                .scene(this));
   }
 
   /**
@@ -214,7 +197,7 @@ public final class SceneParser {
   public ModelViews parse(Path model, Stage stage, List<Stage.View> views)
       throws SceneFormatException, IOException {
     return TimedReading.of(
-        limits,
+        limits(),
         problemsOf(model),
         () -> {
           StagedModel staged = staged(model, stage.seenFrom(views.get(0)));
@@ -236,8 +219,8 @@ public final class SceneParser {
   private StagedModel staged(Path file, Stage stage, Path folder)
       throws SceneFormatException, IOException {
     byte[] content =
-        InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits.bytes());
-    return new StagedModel(stage, folder, file, content, false, limits);
+        InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits().bytes());
+    return new StagedModel(stage, folder, file, content, false, limits());
   }
 
   /**
@@ -251,19 +234,17 @@ public final class SceneParser {
   public SceneFile parse(Path folder, Path model, Stage stage)
       throws SceneFormatException, IOException {
     Path file = model.toAbsolutePath().normalize();
-    return TimedReading.of(limits, problemsOf(file), () -> staged(file, stage, folder).scene(this));
+    return TimedReading.of(
+        limits(), problemsOf(file), () -> staged(file, stage, folder).scene(this));
   }
 
-  /** Returns the aspect ratio for which a model is framed. */
-  double frameAspect() {
-    return change
-        .apply(new RenderSettings.Builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
-        .aspect();
+  /** Returns what the parser makes of settings. */
+  SettingsChange settings() {
+    return settings;
   }
 
-  /** Returns the settings of a scene that states none. */
-  RenderSettings missing() {
-    return SettingsReader.missing(mode);
+  private Limits limits() {
+    return settings.limits();
   }
 
   boolean isLenient() {
@@ -313,7 +294,7 @@ public final class SceneParser {
     Problems problems = new Problems(String.valueOf(file.getFileName()), ModelReader.isModel(file));
     try {
       return TimedReading.of(
-          limits,
+          limits(),
           problems,
           () -> parse(file, text.json(), Optional.of(text), files, known, problems));
     } catch (InterruptedIOException e) {
@@ -357,20 +338,20 @@ public final class SceneParser {
       Optional<Scene> known,
       Problems problems)
       throws SceneFormatException {
-    Allowance allowance = new Allowance(limits);
+    Allowance allowance = new Allowance(limits());
     Optional<String> excess = allowance.addBytes(text.length);
     if (excess.isPresent()) {
       problems.error(Kind.LIMIT, () -> "$", excess.get());
       throw problems.exception();
     }
     InputFile.requireScene(text, file, problems);
-    JsonNode root = JsonNode.read(text, problems, limits);
+    JsonNode root = JsonNode.read(text, problems, limits());
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
     root.warnUnknown(KEYS);
     Optional<JsonNode> options = root.object("renderOptions");
-    RenderSettings settings = settings(options, problems);
+    RenderSettings used = settings.read(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
     SceneHash hash = new SceneHash();
     hash.text(text);
@@ -381,16 +362,16 @@ public final class SceneParser {
             root,
             assets,
             data,
-            settings.seed(),
+            used.seed(),
             textures,
             kernel(),
             String.valueOf(file.getFileName()));
-    world.read(settings.aspect(), background);
+    world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);
     return new ParsedScene(
         scene,
-        settings,
+        used,
         problems.warnings(),
         hash.value(),
         new FileHashes(Sha256.of(text), data.hashes()),
@@ -413,40 +394,5 @@ public final class SceneParser {
         InputFile.requireScene(in.readNBytes(FileContent.START), file, problems);
       }
     }
-  }
-
-  /** Returns the settings; the caller's changes apply only if the file's settings are valid. */
-  private RenderSettings settings(Optional<JsonNode> options, Problems problems) {
-    boolean hadErrors = problems.hasErrors();
-    RenderSettings inFile =
-        options
-            .map(o -> SettingsReader.read(o, mode))
-            .orElseGet(() -> SettingsReader.missing(mode));
-    if (problems.hasErrors() && !hadErrors) {
-      return inFile;
-    }
-    return changed(inFile, "$.renderOptions", problems);
-  }
-
-  /**
-   * Returns settings with the caller's changes; adds an error for each that exceeds a limit.
-   *
-   * @param place of the settings, for messages
-   */
-  RenderSettings changed(RenderSettings inFile, String place, Problems problems) {
-    RenderSettings used = change.apply(inFile);
-    boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
-    if ((long) used.width() * used.height() > limits.pixels()) {
-      boolean overrides = place.startsWith("$") && !isInFile;
-      String where = overrides ? "the size that overrides " + place : place;
-      String found = used.width() + "x" + used.height();
-      problems.error(
-          Kind.LIMIT,
-          () -> where,
-          "expected width x height <= " + limits.pixels() + ", found " + found);
-    }
-    Limits.excess("samples per pixel", limits.samples(), used.samples())
-        .ifPresent(excess -> problems.error(Kind.LIMIT, () -> place, excess));
-    return used;
   }
 }

@@ -125,7 +125,7 @@ final class StagedModel {
   SceneFile scene(SceneParser parser) throws SceneFormatException {
     StageCamera camera = camera(stage, parser);
     RenderSettings inFile = settings(camera, parser);
-    RenderSettings settings = parser.changed(inFile, "size", problems);
+    RenderSettings settings = parser.settings().changed(inFile, "size", problems);
     WrittenStage written = new WrittenStage(stage, camera, framing.min().y());
     byte[] text = written.scene(folder, file, inFile).toString().getBytes(StandardCharsets.UTF_8);
     hash.text(text);
@@ -169,7 +169,7 @@ final class StagedModel {
 
   private StageCamera camera(Stage of, SceneParser parser) throws SceneFormatException {
     try {
-      return StageCamera.of(of, model, framing, parser.frameAspect());
+      return StageCamera.of(of, model, framing, parser.settings().frameAspect());
     } catch (ModelFormatException e) {
       place.error(e);
       throw problems.exception();
@@ -180,7 +180,7 @@ final class StagedModel {
   private RenderSettings settings(StageCamera camera, SceneParser parser) {
     double ratio = camera.aspect().orElse((double) Stage.DEFAULT_WIDTH / Stage.DEFAULT_HEIGHT);
     double side = Stage.DEFAULT_WIDTH;
-    return parser.missing().toBuilder()
+    return parser.settings().missing().toBuilder()
         .size(
             (int) Math.max(1, Math.round(side * Math.min(1, ratio))),
             (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
