@@ -26,10 +26,10 @@ PREFIXES = [1, 2, 4, 8, 16, 32, 64]
 # How often each picture of a scene is drawn: the samples 0 to 0, 1, 3, 7, 15, 31, 63, then 2-3, 4-7.
 OFTEN = [0.3, 1.0, 3.0, 1.4, 2.0, 1.2, 1.4, 0.6, 1.4]
 HELD_OUT = int(os.environ.get("HELD_OUT", 48))
-# Sizes at which errors are seen, with the weights of tones and of squared errors.
-SCALES = ((1, 1.0, 0.03), (2, 0.5, 0.015), (4, 0.35, 0.01), (8, 0.25, 0.01))
+# Sizes at which errors of tones are seen, with their weights.
+SCALES = ((1, 1.0), (2, 0.5), (4, 0.35), (8, 0.25))
+SQUARES = 0.3
 SIMILARITY = 0.08
-FAR = 16
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 DTYPE = torch.float32
 
@@ -117,16 +117,6 @@ def differences(d):
     return d.abs().mean() + 0.5 * (across.abs().mean() + down.abs().mean())
 
 
-def relative_squares(output, target):
-    """Returns the mean logarithm of pictures' relative squared errors.
-
-    The mean of noisy targets, not their median, has the least; errors of several times the light count less.
-    """
-    near = torch.maximum(output.detach(), F.avg_pool2d(target, 5, 1, 2))
-    squared = (output - target) ** 2 / (near**2 + 0.01)
-    return torch.log((FAR * torch.log1p(squared / FAR)).mean((1, 2, 3)) + 0.002).mean()
-
-
 def encoded(light):
     luminance = sum(weight * light[:, i : i + 1] for i, weight in enumerate(LUMINANCE))
     return 1.055 * (luminance.clamp(0, 1) + 1e-3) ** (1 / 2.4) - 0.055
@@ -142,12 +132,12 @@ def similarity(a, b):
 
 
 def loss_of(output, target):
-    """Returns errors of tones and relative squared errors at several sizes, and what lacks of similarity."""
+    """Returns errors of tones at several sizes, relative squared errors, and what lacks of similarity."""
     tones = tone(output) - tone(target)
-    total = SIMILARITY * (1 - similarity(output, target))
-    for size, weight, squared in SCALES:
-        d, p, q = (F.avg_pool2d(t, size) if size > 1 else t for t in (tones, output, target))
-        total = total + weight * differences(d) + squared * relative_squares(p, q)
+    squares = torch.log1p((output - target) ** 2 / (target**2 + 0.01)).mean()
+    total = SIMILARITY * (1 - similarity(output, target)) + SQUARES * squares
+    for size, weight in SCALES:
+        total = total + weight * differences(F.avg_pool2d(tones, size))
     return total
 
 
@@ -192,8 +182,8 @@ def arguments():
     parser.add_argument("--seconds", type=float, default=36000, help="of training, in all")
     parser.add_argument("--end", help="file with the time, in seconds since 1970, at which it ends instead")
     parser.add_argument("--steps", type=int, default=1 << 60, help="at most")
-    parser.add_argument("--batch", type=int, default=32)
-    parser.add_argument("--rate", type=float, default=2e-3)
+    parser.add_argument("--batch", type=int, default=128)
+    parser.add_argument("--rate", type=float, default=1e-3)
     parser.add_argument("--side", type=int, default=96, help="of the pictures")
     parser.add_argument("--most", type=int, default=3000, help="scenes")
     parser.add_argument("--least", type=int, default=2 * HELD_OUT, help="scenes before it begins")

@@ -28,7 +28,7 @@ public final class BuiltInDenoiser {
    * How much larger the squared error is than the filtered noise, since kernels also mix different
    * light. Measured on scenes that were held out in the training.
    */
-  private static final double UNSEEN = 2.6;
+  private static final double UNSEEN = 2.2;
 
   private final NoisyPicture noisy;
   private final Features features;
