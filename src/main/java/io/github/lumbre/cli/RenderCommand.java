@@ -33,6 +33,7 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
+import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.MemoryCheck;
@@ -265,7 +266,7 @@ final class RenderCommand implements Callable<Integer> {
         RenderMonitor monitor = run.monitor(course.interruption, course.deadline)) {
       SceneFile file = monitor.reading(options.scene(), () -> options.load(parser(), messages));
       if (dryRun) {
-        return estimate(file, report);
+        return estimate(file, denoising, report);
       }
       MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
       frames.picture().requireFits(file.settings());
@@ -375,12 +376,16 @@ final class RenderCommand implements Callable<Integer> {
     return stored.bits().orElse(ImageWriter.Options.DEFAULT.pngBits());
   }
 
-  private int estimate(SceneFile file, JsonSummary report) throws TaskException {
+  private int estimate(SceneFile file, Optional<Denoising> denoising, JsonSummary report)
+      throws TaskException {
     MemoryEstimate estimate =
         MemoryEstimate.measured(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+    long denoise = denoising.isPresent() ? BuiltInDenoiser.bytes(estimate.pixels()) : 0;
     if (!run.isJson()) {
       estimate.lines().forEach(run.out()::line);
+      run.out().line("denoise  " + MemoryEstimate.mebibytes(denoise) + " more after the render");
     }
+    report.put("denoise_bytes", denoise);
     report.putScene(file);
     report.putEstimate(estimate);
     MemoryCheck.require(estimate);

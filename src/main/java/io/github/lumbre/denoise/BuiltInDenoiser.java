@@ -18,6 +18,9 @@ public final class BuiltInDenoiser {
   /** Memory for each pixel of a tile, rounded up. */
   private static final int BYTES_PER_PIXEL = 240;
 
+  /** Memory for each pixel of the picture, its guides and the result. */
+  private static final int BYTES_PER_PICTURE_PIXEL = 110;
+
   private static final int SMALLEST_TILE = 640 * 640;
   private static final int LARGEST_TILE = 2200 * 1200;
 
@@ -59,8 +62,17 @@ public final class BuiltInDenoiser {
    * @throws InterruptedException if the thread is interrupted
    */
   public static Denoised denoise(NoisyPicture noisy, int threads) throws InterruptedException {
+    return denoise(noisy, threads, tile());
+  }
+
+  /** Returns about how many bytes a film of this many pixels needs besides, to be denoised. */
+  public static long bytes(long pixels) {
+    return BYTES_PER_PICTURE_PIXEL * pixels + BYTES_PER_PIXEL * Math.min(pixels, tile());
+  }
+
+  private static int tile() {
     long most = Runtime.getRuntime().maxMemory() / 3 / BYTES_PER_PIXEL;
-    return denoise(noisy, threads, (int) Math.max(SMALLEST_TILE, Math.min(LARGEST_TILE, most)));
+    return (int) Math.max(SMALLEST_TILE, Math.min(LARGEST_TILE, most));
   }
 
   /** Denoises a picture in tiles of at most about a number of pixels, margins included. */

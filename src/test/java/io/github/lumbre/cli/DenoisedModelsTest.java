@@ -197,6 +197,14 @@ class DenoisedModelsTest {
   }
 
   @Test
+  void theMemoryOfTheDenoiserIsEstimated() {
+    String render = "render T/sample.glb --dry-run --size 512x512 -o T/a.png";
+    assertThat(run(render).out()).contains("denoise  88 MiB more after the render");
+    assertThat(run(render + " --no-denoise").out()).contains("denoise  0 MiB");
+    assertThat(run(render + " --json").out()).contains("\"denoise_bytes\":91750400");
+  }
+
+  @Test
   void denoisedViewsNeedFewSamples() {
     String views = "views T/sample.glb --size 24x18 -o T/v";
     assertThat(runs(views)).contains(" 8 samples per pixel, denoised");

@@ -7,6 +7,7 @@ import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.render.Film;
@@ -40,7 +41,8 @@ public record DenoisedPicture(Optional<Denoised> denoised, Optional<TaskExceptio
     } catch (TaskException e) {
       return failed(e.kind(), e.getMessage(), name, e);
     } catch (OutOfMemoryError e) {
-      return failed(Kind.LIMIT, "not enough memory to denoise", name, e);
+      String advice = MemoryCheck.advice(Runtime.getRuntime().maxMemory() * 3 / 2);
+      return failed(Kind.LIMIT, "not enough memory to denoise; " + advice, name, e);
     }
   }
 
