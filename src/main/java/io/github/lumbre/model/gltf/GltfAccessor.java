@@ -37,7 +37,7 @@ final class GltfAccessor {
       throws ModelFormatException, IOException {
     location = json.location();
     component = GltfComponent.of(json, "componentType");
-    components = COMPONENTS[TYPES.indexOf(json.choice("type", "", TYPES))];
+    components = components(json);
     normalized = json.flag("normalized", false);
     long found = json.requireWhole("count", 0, Long.MAX_VALUE);
     ModelLimits.require(json.location("count"), "elements", GltfBudget.MAX_COUNT, found);
@@ -56,6 +56,33 @@ final class GltfAccessor {
             : Optional.empty();
   }
 
+  private GltfAccessor(
+      String location, GltfComponent component, int components, boolean normalized, Source source) {
+    this.location = location;
+    this.component = component;
+    this.components = components;
+    this.normalized = normalized;
+    this.source = Optional.of(source);
+    sparse = Optional.empty();
+    count = source.bytes.limit() / source.stride;
+  }
+
+  /**
+   * Returns an accessor of elements without gaps.
+   *
+   * @param location in the file, for messages
+   * @param bytes all elements, little-endian
+   */
+  static GltfAccessor over(
+      ByteBuffer bytes,
+      GltfComponent component,
+      int components,
+      boolean normalized,
+      String location) {
+    Source source = new Source(bytes, 0, component.size() * components);
+    return new GltfAccessor(location, component, components, normalized, source);
+  }
+
   /**
    * Returns the accessor that a JSON object describes.
    *
@@ -65,6 +92,11 @@ final class GltfAccessor {
       throws ModelFormatException, IOException {
     Interrupts.check();
     return new GltfAccessor(json, document, buffers);
+  }
+
+  /** Returns the number of numbers per element of the accessor that a JSON object describes. */
+  static int components(GltfJson json) throws ModelFormatException {
+    return COMPONENTS[TYPES.indexOf(json.choice("type", "", TYPES))];
   }
 
   private static Source source(

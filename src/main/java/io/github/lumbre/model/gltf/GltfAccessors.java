@@ -12,15 +12,31 @@ final class GltfAccessors {
   private final GltfDocument document;
   private final GltfBuffers buffers;
   private final Map<Integer, GltfAccessor> accessors = new HashMap<>();
+  private final Map<String, GltfAccessor> replaced = new HashMap<>();
 
   GltfAccessors(GltfDocument document, GltfBuffers buffers) {
     this.document = document;
     this.buffers = buffers;
   }
 
-  /** Returns the accessor whose index a member of an object is, and that must exist. */
+  /**
+   * Returns the accessor whose index a member of an object is, and that must exist; or the one that
+   * replaces it.
+   */
   GltfAccessor require(GltfJson object, String member) throws ModelFormatException, IOException {
-    return get(document.requireIndex(object, member, "accessors"));
+    GltfAccessor replacement = replaced.get(path(object, member));
+    return replacement == null
+        ? get(document.requireIndex(object, member, "accessors"))
+        : replacement;
+  }
+
+  /** Replaces the accessor whose index a member of an object is. */
+  void replace(GltfJson object, String member, GltfAccessor replacement) {
+    replaced.put(path(object, member), replacement);
+  }
+
+  private static String path(GltfJson object, String member) {
+    return object.value().path() + '.' + member;
   }
 
   /** Returns an accessor by its index. */

@@ -14,6 +14,7 @@ final class GltfExtensions {
   /** Supported extensions, besides those with parameters of materials. */
   private static final Set<String> SUPPORTED =
       Set.of(
+          GltfDraco.EXTENSION,
           "KHR_lights_punctual",
           "KHR_materials_emissive_strength",
           "KHR_materials_unlit",
@@ -65,7 +66,6 @@ final class GltfExtensions {
 
   private static final Map<String, String> ADVICE =
       Map.of(
-          "KHR_draco_mesh_compression", DECOMPRESS,
           "KHR_meshopt_compression", DECOMPRESS,
           "EXT_meshopt_compression", DECOMPRESS,
           "KHR_texture_basisu", CONVERT,

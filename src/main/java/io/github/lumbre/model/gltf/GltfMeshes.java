@@ -20,6 +20,7 @@ final class GltfMeshes {
   private final GltfAccessors accessors;
   private final GltfAttributes attributes;
   private final GltfMorph morph;
+  private final GltfDraco draco;
   private final Map<Form, Optional<ModelGeometry>> forms = new HashMap<>();
   private final Map<Corners, int[]> corners = new HashMap<>();
 
@@ -29,8 +30,10 @@ final class GltfMeshes {
   /** Which vertices the triangles of a primitive use. */
   private record Corners(Optional<GltfAccessor> indices, int mode, int vertices) {}
 
-  GltfMeshes(GltfDocument document, GltfAccessors accessors, GltfAttributes attributes) {
+  GltfMeshes(
+      GltfDocument document, GltfAccessors accessors, GltfAttributes attributes, GltfDraco draco) {
     this.document = document;
+    this.draco = draco;
     this.accessors = accessors;
     this.attributes = attributes;
     morph = new GltfMorph(document, attributes);
@@ -100,10 +103,11 @@ final class GltfMeshes {
                   : "a mesh without positions is left out");
       return Optional.empty();
     }
+    boolean isDecoded = draco.decode(primitive, mode);
     GltfAccessor position = accessors.require(json, "POSITION");
     double[] positions = attributes.positions(position);
     int vertices = positions.length / 3;
-    int[] all = indices(primitive, mode, vertices);
+    int[] all = indices(primitive, isDecoded, isDecoded ? GltfTriangles.LIST : mode, vertices);
     int[] indices = GltfTriangles.whole(document, primitive, attributes.broken(position), all);
     if (indices.length == 0) {
       warn(primitive, "a mesh without triangles is left out");
@@ -125,10 +129,10 @@ final class GltfMeshes {
     document.warnings().add(primitive.location(), message);
   }
 
-  private int[] indices(GltfJson primitive, int mode, int vertices)
+  private int[] indices(GltfJson primitive, boolean isDecoded, int mode, int vertices)
       throws ModelFormatException, IOException {
     Optional<GltfAccessor> accessor =
-        primitive.has("indices")
+        isDecoded || primitive.has("indices")
             ? Optional.of(accessors.require(primitive, "indices"))
             : Optional.empty();
     int count = accessor.isPresent() ? accessor.get().count() : vertices;

@@ -63,7 +63,8 @@ public final class GltfReader {
     accessors = new GltfAccessors(document, buffers);
     GltfAttributes attributes = new GltfAttributes(document, accessors);
     influences = new GltfInfluences(document, accessors, attributes);
-    meshes = new GltfMeshes(document, accessors, attributes);
+    GltfDraco draco = new GltfDraco(document, accessors, buffers);
+    meshes = new GltfMeshes(document, accessors, attributes, draco);
     GltfTextures textures = new GltfTextures(document, buffers, options.lenient());
     materials = new GltfMaterials(document, textures);
     variants = new GltfVariants(document, options.variant());

@@ -87,7 +87,7 @@ class GltfMutationTest {
     }
   }
 
-  private static void check(ModelPart part) {
+  static void check(ModelPart part) {
     ModelGeometry mesh = part.geometry();
     int vertices = mesh.vertexCount();
     boolean isSound =
