@@ -6,11 +6,13 @@ import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
+import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.SceneContents;
@@ -66,7 +68,7 @@ final class CheckCommand implements Callable<Integer> {
     Messages out = new Messages(spec.commandLine().getOut());
     Messages errors = new Messages(spec.commandLine().getErr());
     if (!json) {
-      SceneFile file = options.load(options.parser(), errors);
+      SceneFile file = options.load(parser(), errors);
       describe(file, out);
       if (plan) {
         new PlanReport(file).print(out);
@@ -74,7 +76,14 @@ final class CheckCommand implements Callable<Integer> {
       return ExitCodes.OK;
     }
     JsonSummary report = new JsonSummary("check", options.scene());
-    return report.around(() -> print(options.load(options.parser(), errors), report, out), out);
+    return report.around(() -> print(options.load(parser(), errors), report, out), out);
+  }
+
+  /** Returns a parser for the settings with which {@code render} writes its default picture. */
+  private SceneParser parser() throws TaskException {
+    return options.isModel()
+        ? options.parser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build())
+        : options.parser();
   }
 
   private static int print(SceneFile file, JsonSummary report, Messages out) {
@@ -87,7 +96,7 @@ final class CheckCommand implements Callable<Integer> {
     return ExitCodes.OK;
   }
 
-  private void describe(SceneFile file, Messages out) {
+  private void describe(SceneFile file, Messages out) throws TaskException {
     RenderSettings settings = file.settings();
     ParsedScene parsed = ParsedScene.of(file);
     SceneContents contents = parsed.contents();
@@ -95,7 +104,11 @@ final class CheckCommand implements Callable<Integer> {
     out.line("camera     " + contents.camera());
     out.line("size       " + settings.width() + "x" + settings.height() + " pixels");
     out.line("mode       " + settings.mode().name().toLowerCase(Locale.ROOT) + depths(settings));
-    out.line("samples    " + settings.samples() + " per pixel");
+    out.line(
+        "samples    "
+            + settings.samples()
+            + " per pixel"
+            + (options.isModel() ? ", denoised" : ""));
     out.line("shapes     " + contents.shapes());
     out.line("meshes     " + contents.meshes());
     out.line("triangles  " + contents.triangles());

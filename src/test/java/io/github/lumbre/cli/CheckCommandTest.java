@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,6 +34,16 @@ class CheckCommandTest {
             "materials  2",
             "textures   0",
             "warnings   0");
+  }
+
+  /** A PNG of a model is denoised by default, and then has fewer samples than its scene. */
+  @Test
+  void samplesOfAModelAreThoseOfItsDefaultPicture() throws IOException {
+    ModelSample.write(directory);
+    String model = directory.resolve("sample.glb").toString();
+    assertThat(Outcome.of("check", model).out().lines())
+        .contains("samples    8 per pixel, denoised");
+    assertThat(Outcome.of("check", model, "--json").out()).contains("\"samples_per_pixel\":8,");
   }
 
   @Test
