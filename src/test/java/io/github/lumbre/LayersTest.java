@@ -112,8 +112,8 @@ class LayersTest {
                   + " cli.output cli.run"),
           Map.entry(
               "cli.view",
-              "math image geometry path camera scene render parser checkpoint stopping preview"
-                  + " lab cli.output"),
+              "math image geometry path camera scene render parser checkpoint denoise stopping"
+                  + " preview lab cli.output cli.run"),
           Map.entry(
               "cli",
               "math image texture file scene model render parser checkpoint denoise audit"

@@ -40,6 +40,7 @@ import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
 import java.io.IOException;
 import java.io.InputStream;
@@ -238,6 +239,9 @@ final class ViewCommand implements Callable<Integer> {
         Set<Layer> all = EnumSet.noneOf(Layer.class);
         all.addAll(settings.layers());
         all.addAll(layers);
+        if (options.isModel() && settings.mode() == Mode.PATH) {
+          all.addAll(Layer.FOR_DENOISING);
+        }
         SceneFile recorded =
             file.with(
                 settings.toBuilder()

@@ -327,6 +327,32 @@ class ViewBrowserTest {
     assertThat(browser.complaints()).isEmpty();
   }
 
+  @Test
+  void denoisedPictureIsShownByAKey() throws Exception {
+    open(1280, 800, false);
+    awaitFinished();
+    byte[] noisy = canvas();
+    key("n");
+    await("document.getElementById('layer').value === 'denoised'");
+    await("document.getElementById('status').textContent === 'Finished, denoised at 64 samples'");
+    await("document.getElementById('layer').selectedOptions[0].textContent === 'denoised'");
+    byte[] denoised = canvas();
+    assertThat(denoised).isNotEqualTo(noisy);
+    browser.photograph(FOLDER.resolve("view-denoised.png"));
+    key("k");
+    await("!document.getElementById('second').hidden");
+    key("n");
+    awaitFinished();
+    assertThat(canvas()).isEqualTo(noisy);
+    assertThat(text("othercaption")).isEqualTo("the picture denoised at 64 samples");
+    browser.photograph(FOLDER.resolve("view-denoised-side.png"));
+    // A page that is opened now shows the denoised picture at once.
+    open(1280, 800, false);
+    await("document.getElementById('status').textContent === 'Finished, denoised at 64 samples'");
+    assertThat(canvas()).isEqualTo(denoised);
+    assertThat(browser.complaints()).isEmpty();
+  }
+
   /** Returns the number of different colors. */
   private static long colors(byte[] rgb) {
     return IntStream.range(0, rgb.length / 3)

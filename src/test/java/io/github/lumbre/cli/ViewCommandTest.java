@@ -54,6 +54,27 @@ class ViewCommandTest {
   }
 
   @Test
+  void modelsRecordWhatDenoisingNeeds() throws Exception {
+    ModelSample.write(directory);
+    StringWriter out = new StringWriter();
+    String[] line = {"view", directory + "/sample.glb", "--no-open", "--size", "24x18"};
+    Thread command =
+        new Thread(() -> Lumbre.run(line, new PrintWriter(out, true), new PrintWriter(out, true)));
+    command.start();
+    while (command.isAlive() && !ADDRESS.matcher(out.toString()).find()) {
+      Thread.sleep(20);
+    }
+    Matcher address = ADDRESS.matcher(out.toString());
+    assertThat(address.find()).as(out.toString()).isTrue();
+    byte[] state = URI.create(address.group() + "state").toURL().openStream().readAllBytes();
+    assertThat(new String(state, StandardCharsets.UTF_8))
+        .contains("\"recorded\":[\"variance\",\"denoisingAlbedo\",\"denoisingNormal\"]");
+    command.interrupt();
+    command.join(20_000);
+    assertThat(command.isAlive()).isFalse();
+  }
+
+  @Test
   void refusesBeforeItServes() throws Exception {
     Path scene = TinyScene.write(directory, TinyScene.JSON);
     Outcome missing = Outcome.of("view", "missing.json", "--no-open");

@@ -16,6 +16,7 @@ import java.util.Optional;
  * @param isDraft whether it is a quick picture with fewer pixels
  * @param isFinal whether nothing is added to it any more, so that it is worth all its digits
  * @param metadata attributes that describe the layers
+ * @param denoised the picture after denoising, perhaps of fewer samples; empty if there is none
  */
 record Frame(
     long version,
@@ -24,10 +25,17 @@ record Frame(
     double samples,
     boolean isDraft,
     boolean isFinal,
-    Map<String, String> metadata) {
+    Map<String, String> metadata,
+    Optional<Frame> denoised) {
   Frame {
     layers = List.copyOf(layers);
     metadata = Map.copyOf(metadata);
+  }
+
+  /** Returns this frame with its picture after denoising. */
+  Frame with(Frame clean) {
+    return new Frame(
+        version, image, layers, samples, isDraft, isFinal, metadata, Optional.of(clean));
   }
 
   /** Returns a layer by its name. */

@@ -32,17 +32,19 @@ record PictureFiles(Path viewed, Exposure automatic) {
   /** Returns the file of a frame. */
   Answer of(Frame frame, Optional<SceneFile> scene, ViewSession session, Query query)
       throws IOException {
+    boolean isExr = query.text("format").equals(Optional.of("exr"));
+    Frame shown = ViewRoutes.isDenoised(query) && !isExr ? frame.denoised().orElse(frame) : frame;
     Map<String, String> metadata =
-        scene.map(file -> metadata(frame, file, session)).orElseGet(LinkedHashMap::new);
-    metadata.putAll(frame.metadata());
+        scene.map(file -> metadata(shown, file, session)).orElseGet(LinkedHashMap::new);
+    metadata.putAll(shown.metadata());
     ImageWriter.Options options =
         new ImageWriter.Options(exposure(frame, scene, query), curve(query), 8, metadata);
     String file = String.valueOf(viewed.getFileName());
     String stem = file.contains(".") ? file.substring(0, file.lastIndexOf('.')) : file;
-    if (query.text("format").equals(Optional.of("exr"))) {
+    if (isExr) {
       return Answer.file(stem + ".exr", "image/x-exr", exr(frame, options));
     }
-    return Answer.file(stem + ".png", "image/png", frame.image().toPng(options));
+    return Answer.file(stem + ".png", "image/png", shown.image().toPng(options));
   }
 
   private Map<String, String> metadata(Frame frame, SceneFile file, ViewSession session) {

@@ -68,6 +68,7 @@ final class StateJson {
     json.addProperty("isDraft", frame.isDraft());
     json.addProperty("isFinal", frame.isFinal());
     json.add("layers", texts(frame.layers().stream().map(ImageLayer::name)));
+    frame.denoised().ifPresent(clean -> json.addProperty("denoised", clean.version()));
     return json;
   }
 

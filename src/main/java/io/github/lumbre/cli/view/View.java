@@ -11,6 +11,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -48,7 +49,7 @@ public final class View implements AutoCloseable {
       Map<String, String> metadata,
       boolean isDisplayReferred) {
     private Frame frame() {
-      return new Frame(1, image, layers, 0, false, true, metadata);
+      return new Frame(1, image, layers, 0, false, true, metadata, Optional.empty());
     }
   }
 
@@ -159,11 +160,17 @@ public final class View implements AutoCloseable {
     try {
       session.open(scene.read(layers));
     } catch (SceneFormatException e) {
-      session.fail(ProblemText.of(e));
+      fail(ProblemText.of(e));
     } catch (TaskException e) {
-      session.fail(List.of(String.valueOf(e.getMessage())));
+      fail(List.of(String.valueOf(e.getMessage())));
     }
     watch.watch(scene.files());
+  }
+
+  private void fail(List<String> reasons) {
+    List<String> problems = new ArrayList<>(reasons);
+    problems.add("The scene cannot be read; the picture is of its last valid state.");
+    session.fail(problems);
   }
 
   @Override

@@ -33,6 +33,7 @@ public final class ViewRenderer implements Runnable {
   /**
    * The full render of a generation.
    *
+   * @param denoiser denoises the film while a page shows it denoised
    * @param goal the largest number of samples, over all pixels
    */
   private record Full(
@@ -43,6 +44,7 @@ public final class ViewRenderer implements Runnable {
       RenderClock clock,
       Sink sink,
       BudgetWatch watch,
+      ViewDenoiser denoiser,
       long goal)
       implements PassListener {
     @Override
@@ -53,6 +55,7 @@ public final class ViewRenderer implements Runnable {
     @Override
     public void passed(Film film, PassResult soFar) {
       previews.passed(film, soFar);
+      denoiser.passed(film);
       long pixels = film.window().pixels();
       watch
           .forecast()
@@ -63,6 +66,7 @@ public final class ViewRenderer implements Runnable {
       sink.isLast = true;
       previews.showLast(film);
       sink.isLast = false;
+      denoiser.show(film);
     }
   }
 
@@ -197,6 +201,7 @@ public final class ViewRenderer implements Runnable {
         clock,
         sink,
         new BudgetWatch(limits.budget(file.settings()), () -> limits.secondsLeft(clock.seconds())),
+        new ViewDenoiser(session, job, clock),
         goal);
   }
 }

@@ -96,12 +96,21 @@ final class ViewRoutes {
 
   private Answer state(Query query) throws InterruptedException {
     boolean isHidden = query.number("hidden", 0, 1, 0) == 1;
+    boolean isDenoised = isDenoised(query);
     if (!isHidden) {
       session.viewers().seen();
+      if (isDenoised) {
+        session.viewers().wantDenoised();
+      }
     }
     session.viewers().spend(1_000_000 * query.number("cost", 0, 5000, 0));
     session.await(query.number("since", 0, Long.MAX_VALUE, 0), WAIT_MILLIS);
     return Answer.json(StateJson.of(session.snapshot(), look(), otherState));
+  }
+
+  /** Returns whether a page shows the denoised picture if there is one. */
+  static boolean isDenoised(Query query) {
+    return query.number("denoised", 0, 1, 0) == 1;
   }
 
   private StateJson.Look look() {
@@ -127,13 +136,21 @@ final class ViewRoutes {
     if (frame.isEmpty()) {
       return missing();
     }
+    boolean isDenoised = isDenoised(query);
+    if (isDenoised) {
+      session.viewers().wantDenoised();
+    }
+    Optional<Frame> denoised = isDenoised ? frame.get().denoised() : Optional.empty();
     long start = System.nanoTime();
     Answer answer =
-        bytes(frame.get(), name, isExact)
+        bytes(denoised.orElse(frame.get()), name, isExact)
             .orElseGet(() -> needed.isEmpty() ? missing() : Answer.nothingYet());
     if (query.number("auto", 0, 1, 0) == 1) {
       double factor = files.automatic(frame.get(), scene).factor(frame.get().image());
       answer = answer.with("Automatic-Exposure", String.valueOf(factor));
+    }
+    if (denoised.isPresent()) {
+      answer = answer.with("Denoised-Samples", String.valueOf(denoised.get().samples()));
     }
     session.viewers().spend(System.nanoTime() - start);
     return answer;
@@ -277,9 +294,12 @@ final class ViewRoutes {
 
   private void record(JsonObject command) {
     String name = command.has("layer") ? command.get("layer").getAsString() : "";
-    Layer layer =
-        Layer.named(name)
-            .orElseThrow(() -> new IllegalArgumentException("layer: found an unknown one"));
-    session.record(Set.of(layer));
+    Set<Layer> layers =
+        name.equals("denoised")
+            ? Layer.FOR_DENOISING
+            : Layer.named(name)
+                .map(Set::of)
+                .orElseThrow(() -> new IllegalArgumentException("layer: found an unknown one"));
+    session.record(layers);
   }
 }

@@ -8,6 +8,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
@@ -26,6 +27,7 @@ public final class ViewSession {
   private final ErrorHistory errors = new ErrorHistory();
   private Optional<Frame> frame = Optional.empty();
   private Optional<Image> draft = Optional.empty();
+  private Optional<Frame> denoised = Optional.empty();
   private final SceneCamera camera = new SceneCamera();
   private Set<Layer> extraLayers = Set.of();
   private List<String> problems = List.of();
@@ -94,7 +96,8 @@ public final class ViewSession {
                 preview.samples(),
                 isDraft,
                 isLast,
-                preview.metadata()));
+                preview.metadata(),
+                isDraft ? Optional.empty() : denoised));
     preview
         .noise()
         .ifPresent(
@@ -105,6 +108,18 @@ public final class ViewSession {
                         preview.samples(),
                         n.relativeRmse(),
                         n.upperRelativeRmse())));
+  }
+
+  /** Shows the denoised picture of a job, if it is still the current one. */
+  synchronized void showDenoised(
+      Job job, Image image, double samples, Map<String, String> metadata) {
+    if (!isStale(job)) {
+      changed();
+      Frame clean =
+          new Frame(version, image, List.of(), samples, false, true, metadata, Optional.empty());
+      denoised = Optional.of(clean);
+      frame = frame.map(noisy -> noisy.with(clean));
+    }
   }
 
   synchronized Optional<Frame> frame() {
@@ -143,7 +158,7 @@ public final class ViewSession {
     restart();
   }
 
-  /** Shows why the scene cannot be read; what is shown and rendered stays. */
+  /** Shows problems, such as why the scene cannot be read; what is rendered stays. */
   public synchronized void fail(List<String> newProblems) {
     problems = List.copyOf(newProblems);
     changed();
@@ -152,6 +167,7 @@ public final class ViewSession {
   private void restart() {
     generation++;
     draft = Optional.empty();
+    denoised = Optional.empty();
     errors.clear();
     isFinished = false;
     clock = new RenderClock(() -> true);

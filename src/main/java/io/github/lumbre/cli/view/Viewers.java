@@ -20,6 +20,7 @@ final class Viewers {
   private final Map<Layer, Long> layers = new EnumMap<>(Layer.class);
   private final AtomicLong costNanos = new AtomicLong();
   private volatile long lastSeen;
+  private volatile long lastDenoised;
   private volatile boolean isUrgent;
 
   /**
@@ -28,6 +29,7 @@ final class Viewers {
   Viewers(LongSupplier clock) {
     this.clock = clock;
     lastSeen = clock.getAsLong() - 2 * PATIENCE_NANOS;
+    lastDenoised = lastSeen;
   }
 
   /** Notes that a page has asked for something. */
@@ -41,6 +43,19 @@ final class Viewers {
   /** Returns whether a page is open and visible. */
   boolean areWatching() {
     return clock.getAsLong() - lastSeen < PATIENCE_NANOS;
+  }
+
+  /** Notes that a page shows the denoised picture. */
+  void wantDenoised() {
+    if (!wantsDenoised()) {
+      isUrgent = true;
+    }
+    lastDenoised = clock.getAsLong();
+  }
+
+  /** Returns whether a page is visible and shows the denoised picture. */
+  boolean wantsDenoised() {
+    return clock.getAsLong() - lastDenoised < PATIENCE_NANOS;
   }
 
   /** Notes that layers are needed. */

@@ -6,6 +6,8 @@
   const SIGNED = /^(normal|geometricNormal|denoisingNormal)$/;
   const LAYERS = [...new DOMParser().parseFromString('<select><!--layers--></select>', 'text/html').querySelectorAll('option')]
     .map(o => o.textContent);
+  // The choice among the layers that shows the denoised picture, and the layers that denoising needs.
+  const DENOISED = 'denoised', GUIDES = ['variance', 'denoisingAlbedo', 'denoisingNormal'];
 
   let state = null, since = 0, cost = 0;
   let picture = null, other = null, kept = null;
@@ -24,13 +26,13 @@
     const answer = await fetch(path);
     // 204: the render does not have this layer yet.
     if (answer.status !== 200) return null;
-    return {...Tone.read(await answer.arrayBuffer()), automatic: +answer.headers.get('Automatic-Exposure')};
+    return {...Tone.read(await answer.arrayBuffer()), automatic: +answer.headers.get('Automatic-Exposure'), denoisedAt: +answer.headers.get('Denoised-Samples')};
   };
 
   const poll = async () => {
     while (true) {
       try {
-        const answer = await fetch(`state?since=${since}&cost=${Math.min(5000, Math.round(cost))}&hidden=${document.hidden ? 1 : 0}`);
+        const answer = await fetch(`state?since=${since}&cost=${Math.min(5000, Math.round(cost))}&hidden=${document.hidden ? 1 : 0}&denoised=${isClean()}`);
         cost = 0;
         if (!answer.ok) throw new Error();
         state = await answer.json();
@@ -51,11 +53,11 @@
   const refresh = async () => {
     const frame = state.frame;
     if (!frame) return;
-    const layer = frame.isDraft ? '' : $('layer').value;
-    const exact = frame.isFinal ? 1 : 0, auto = $('auto').checked ? 1 : 0;
-    const key = frame.version + '/' + layer + '/' + exact;
+    const clean = isClean(), layer = frame.isDraft || clean ? '' : $('layer').value;
+    const exact = frame.isFinal || clean ? 1 : 0, auto = $('auto').checked ? 1 : 0;
+    const key = [clean && frame.denoised || frame.version, layer, exact, clean].join('/');
     if (picture && picture.key === key && (!auto || picture.automatic)) return;
-    const found = await fetchPicture(`image?layer=${encodeURIComponent(layer)}&exact=${exact}&auto=${auto}&v=${frame.version}`);
+    const found = await fetchPicture(`image?layer=${encodeURIComponent(layer)}&exact=${exact}&auto=${auto}&v=${frame.version}&denoised=${clean}`);
     if (!found) return;
     const start = performance.now();
     found.key = key;
@@ -63,10 +65,14 @@
     found.isDraft = frame.isDraft;
     picture = found;
     $('empty').hidden = true;
+    showStatus();
     paint();
     canvas.dataset.final = frame.isFinal;
     cost += performance.now() - start;
   };
+
+  // 1 if the denoised picture is wanted, which is there some time after the noisy one.
+  const isClean = () => state && state.render && $('layer').value === DENOISED ? 1 : 0;
 
   // ---- Painting
 
@@ -365,11 +371,16 @@
 
   const STATUS = {reading: 'Reading…', rendering: 'Rendering', stopped: 'Stopped', finished: 'Finished', moving: 'Moving the camera', still: 'Picture'};
 
+  const showStatus = () => {
+    const note = !picture || picture.isDraft ? '' : picture.denoisedAt ? `, denoised at ${number(picture.denoisedAt)} samples`
+      : isClean() ? ', noisy until it is denoised' : '';
+    setStatus((STATUS[state.status] || state.status) + note, state.status === 'rendering');
+  };
+
   const showState = () => {
     document.title = state.name + ' – Lumbre';
     $('name').textContent = state.name;
-    setStatus(STATUS[state.status] || state.status, state.status === 'rendering');
-    tell(state.problems.length ? 'The scene cannot be read; the picture is of its last valid state.\n' + state.problems.join('\n') : '');
+    tell(state.problems.join('\n'));
     if (!touched) {
       $('tone').value = state.toneMap;
       $('auto').checked = state.exposure === 'auto';
@@ -380,6 +391,7 @@
     for (const id of ['progress', 'run', 'camera']) $(id).hidden = !r;
     $('home').hidden = !state.isMoved;
     layers();
+    showStatus();
     if (state.other && !other) loadOther();
     if (!r) return;
     $('run').textContent = state.status === 'stopped' ? 'Continue' : 'Stop';
@@ -401,20 +413,22 @@
     drawChart($('chart'), r.errors);
   };
 
+  const isRecorded = name => (name === DENOISED ? GUIDES : [name]).every(n => state.render.recorded.includes(n));
   let layerKey = '';
   const layers = () => {
     const own = state.frame ? state.frame.layers : [];
     const recorded = state.render ? state.render.recorded : own;
-    const all = !state.render ? own : LAYERS.flatMap(name => {
+    const all = !state.render ? own : [DENOISED, ...LAYERS.flatMap(name => {
       const parts = recorded.filter(r => r === name || name === 'lights' && r.startsWith('lights.'));
       return parts.length ? parts : [name];
-    });
+    })];
     const key = all.join() + '/' + recorded.join();
     if (key === layerKey) return;
+    // A render that records what denoising needs, as of a model, is shown denoised at first.
+    const chosen = !layerKey && state.render && isRecorded(DENOISED) ? DENOISED : $('layer').value;
     layerKey = key;
-    const chosen = $('layer').value;
     const options = all.map(name => {
-      const has = recorded.includes(name);
+      const has = !state.render || isRecorded(name);
       return new Option(has ? name : name + ' (renders anew)', name);
     });
     $('layer').replaceChildren(new Option('picture', ''), ...options);
@@ -443,7 +457,8 @@
   $('mode').onchange = paint;
   $('layer').onchange = async () => {
     const name = $('layer').value;
-    if (name && state.render && !state.render.recorded.includes(name)) await post({action: 'record', layer: name});
+    if (name && state.render && !isRecorded(name)) await post({action: 'record', layer: name});
+    showStatus();
     await refresh();
   };
   $('run').onclick = () => post({action: state.status === 'stopped' ? 'continue' : 'stop'});
@@ -456,7 +471,8 @@
   $('show').onclick = () => { const p = Paths.pixel(); if (p) Paths.load(p[0], p[1], Math.max(0, Math.round(+$('number').value)), redraw); };
   $('keep').onclick = () => {
     if (!picture || picture.isDraft) return;
-    kept = {...picture, name: 'the picture kept at ' + (state.render ? number(state.render.samples) + ' samples' : state.name)};
+    kept = {...picture, name: picture.denoisedAt ? `the picture denoised at ${number(picture.denoisedAt)} samples`
+      : 'the picture kept at ' + (state.render ? number(state.render.samples) + ' samples' : state.name)};
     if (!$('mode').value) $('mode').value = 'side';
     comparing();
   };
@@ -482,7 +498,7 @@
   for (const id of ['png', 'exr']) {
     $(id).onclick = () => {
       const stops = $('auto').checked ? 'auto' : $('exposure').value;
-      $(id).href = `save?format=${id}&exposure=${stops}&tone=${$('tone').value}`;
+      $(id).href = `save?format=${id}&exposure=${stops}&tone=${$('tone').value}&denoised=${isClean()}`;
     };
   }
 
@@ -504,6 +520,7 @@
     h: () => { if (!$('home').hidden) $('home').click(); },
     c: () => { if (!$('camera').hidden) copyCamera(); },
     k: () => $('keep').click(), b: () => mode('side'), d: () => mode('diff'), x: () => mode('other'),
+    n: () => { if (state.render) { $('layer').value = isClean() ? '' : DENOISED; $('layer').dispatchEvent(new Event('change')); } },
     t: () => next($('tone')), l: () => next($('layer')),
     z: () => { $('zoom').value = $('zoom').value === '0' ? '1' : '0'; layout(); },
     '[': () => expose(-.5), ']': () => expose(.5), '?': () => $('keys').showModal(),

@@ -7,6 +7,9 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.output.Visible;
+import io.github.lumbre.denoise.BuiltInDenoiser;
+import io.github.lumbre.denoise.Denoised;
+import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
@@ -337,6 +340,56 @@ class ViewServerTest {
   }
 
   @Test
+  void denoisedPictureHasTheBitsOfTheDenoiserAndLeavesTheSamplesAlone() throws Exception {
+    start();
+    act("{\"action\": \"record\", \"layer\": \"denoised\"}");
+    await(s -> recorded(s).contains("denoisingNormal") && isFinished(s));
+    assertThat(state(0).getAsJsonObject("frame").has("denoised")).isFalse();
+    assertThat(get("image?exact=1").headers()).doesNotContainKey("Denoised-Samples");
+    // A page that wants it finds none yet, and gets the noisy picture.
+    assertThat(values("image?exact=1&denoised=1")).isEqualTo(rendered(scene));
+    await(s -> s.getAsJsonObject("frame").has("denoised"));
+
+    SceneFile file = new Source().read(Layer.FOR_DENOISING);
+    FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
+    Film film = renderer.newFilm();
+    new PassLoop(renderer, film)
+        .run(
+            new BudgetWatch(ViewLimits.NONE.budget(file.settings())),
+            PassListener.NONE,
+            Progress.NONE);
+    Denoised denoised = BuiltInDenoiser.denoise(NoisyPicture.of(film), 1);
+    assertThat(get("image?exact=1&denoised=1").headers()).containsEntry("Denoised-Samples", "64.0");
+    assertThat(values("image?exact=1&denoised=1"))
+        .isEqualTo(denoised.image().rgb())
+        .isNotEqualTo(rendered(scene));
+    assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+
+    byte[] png = denoised.image().toPng(ImageWriter.Options.DEFAULT);
+    byte[] saved = get("save?format=png&denoised=1").body();
+    assertThat(pixels(saved)).isEqualTo(pixels(png));
+    assertThat(new String(saved, StandardCharsets.ISO_8859_1)).contains(denoised.engine());
+    assertThat(LayeredImage.of(get("save?format=exr&denoised=1").body()).layer("variance"))
+        .isPresent();
+  }
+
+  @Test
+  void runningRenderIsDenoisedAndAMovedCameraIsNoisyAgain() throws Exception {
+    samples = RenderSettings.MAX_SAMPLES;
+    start();
+    String running = "state?denoised=1&since=0";
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    while (!get(running).text().contains("\"denoised\":")) {
+      assertThat(System.nanoTime()).isLessThan(end);
+      Thread.sleep(50);
+    }
+    double first = Double.parseDouble(get("image?denoised=1").headers().get("Denoised-Samples"));
+    assertThat(first).isGreaterThanOrEqualTo(2);
+    act("{\"action\": \"move\", \"right\": 3, \"still\": true}");
+    await(s -> !s.getAsJsonObject("frame").has("denoised"));
+  }
+
+  @Test
   void lightsAreShownByGroup() throws Exception {
     start();
     await(ViewServerTest::isFinished);
@@ -507,6 +560,7 @@ class ViewServerTest {
           pixel?x=1.5&y=0      | x: expected a number from 0 to 15, found 1.5
           pixel?x=1&y=1&sample=99999999999 | sample: expected a number from 0 to 1073741823, found 99999999999
           state?since=x        | since: expected a number from 0 to 9223372036854775807, found x
+          image?denoised=2     | denoised: expected a number from 0 to 1, found 2
           save?exposure=NaN    | exposure: expected a number from -64 to 64, found NaN
           save?exposure=zz     | exposure: expected a number from -64 to 64, found zz
           save?exposure=       | exposure: expected a number from -64 to 64, found
