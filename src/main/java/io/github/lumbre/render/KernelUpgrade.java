@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.scene.Scene;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.DoubleSupplier;
@@ -38,6 +39,9 @@ final class KernelUpgrade {
   /** The number of passes that are running in this JVM. */
   private static final AtomicInteger RUNNING = new AtomicInteger();
 
+  /** The processor seconds that this JVM had used before its first pass, by reading the scene. */
+  private static final double READING = usedSeconds().orElse(0);
+
   private static volatile long lastEnd;
 
   private KernelUpgrade() {}
@@ -72,8 +76,8 @@ final class KernelUpgrade {
    * Starts the change if it pays, after a pass. On a busy machine, threads wait for processors, so
    * that the processor time counts.
    *
-   * @param processorSeconds the processor seconds that this JVM has used, an upper bound of the
-   *     seconds of the threads; called if the change pays without such a bound
+   * @param processorSeconds the processor seconds that this JVM has used since its first pass, an
+   *     upper bound of the seconds of the threads; called if the change pays without such a bound
    */
   static void passed(
       Scene scene, double seconds, double secondsLeft, DoubleSupplier processorSeconds) {
@@ -98,13 +102,15 @@ final class KernelUpgrade {
     return spent > LEAST_SPENT && Math.max(spent, left) > PAYS_FROM;
   }
 
-  /** Returns the processor time of this JVM; infinity if it is unknown. */
+  /** Returns the processor time of this JVM since its first pass; infinity if it is unknown. */
   private static double processorSeconds() {
-    return ProcessHandle.current()
-        .info()
-        .totalCpuDuration()
-        .map(duration -> duration.toMillis() / 1000.0)
-        .orElse(Double.POSITIVE_INFINITY);
+    return usedSeconds().orElse(Double.POSITIVE_INFINITY) - READING;
+  }
+
+  private static OptionalDouble usedSeconds() {
+    return ProcessHandle.current().info().totalCpuDuration().stream()
+        .mapToDouble(duration -> duration.toMillis() / 1000.0)
+        .findFirst();
   }
 
   /**
