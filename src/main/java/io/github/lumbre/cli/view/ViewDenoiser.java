@@ -28,17 +28,19 @@ final class ViewDenoiser {
 
   /**
    * @param clock of the render, which stops while a picture is denoised
+   * @param pace of this render, and of the next ones
    */
-  ViewDenoiser(ViewSession session, ViewSession.Job job, RenderClock clock) {
+  ViewDenoiser(ViewSession session, ViewSession.Job job, RenderClock clock, DenoisingPace pace) {
     this.session = session;
     this.job = job;
     this.clock = clock;
-    pace = new DenoisingPace(clock::seconds);
+    this.pace = pace;
+    pace.restart();
   }
 
   /** Denoises the film of a running render if that is due. */
   void passed(Film film) {
-    if (pace.isDue() && film.fewestSamples() > 1) {
+    if (pace.isDue(clock.seconds()) && film.fewestSamples() > 1) {
       clock.stop();
       show(film);
       clock.start();
@@ -65,7 +67,7 @@ final class ViewDenoiser {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    pace.spend(1e-9 * (System.nanoTime() - start));
+    pace.spend(clock.seconds(), 1e-9 * (System.nanoTime() - start));
   }
 
   /** Returns the denoised picture; empty if the camera was moved meanwhile, or memory is short. */

@@ -27,6 +27,7 @@ public final class ViewRenderer implements Runnable {
   private final ViewSession session;
   private final ViewLimits limits;
   private final Drafts drafts;
+  private final DenoisingPace pace = new DenoisingPace();
   private long drafted = -1;
   private Optional<Full> full = Optional.empty();
 
@@ -201,7 +202,7 @@ public final class ViewRenderer implements Runnable {
         clock,
         sink,
         new BudgetWatch(limits.budget(file.settings()), () -> limits.secondsLeft(clock.seconds())),
-        new ViewDenoiser(session, job, clock),
+        new ViewDenoiser(session, job, clock, pace),
         goal);
   }
 }

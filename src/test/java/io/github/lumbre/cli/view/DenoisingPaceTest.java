@@ -6,31 +6,41 @@ import org.junit.jupiter.api.Test;
 
 /** When the picture of a render is denoised. */
 class DenoisingPaceTest {
-  private double rendered;
+  private final DenoisingPace pace = new DenoisingPace();
 
   @Test
   void quickOnesComeEverySecondOfRendering() {
-    DenoisingPace pace = new DenoisingPace(() -> rendered);
     for (int i = 1; i < 5; i++) {
-      rendered = i - .01;
-      assertThat(pace.isDue()).isFalse();
-      rendered = i;
-      assertThat(pace.isDue()).isTrue();
-      pace.spend(.02);
+      assertThat(pace.isDue(i - .01)).isFalse();
+      assertThat(pace.isDue(i)).isTrue();
+      pace.spend(i, .02);
     }
   }
 
   @Test
   void slowOnesTakeThreePercentOfTheTime() {
-    DenoisingPace pace = new DenoisingPace(() -> rendered);
     double spent = 0;
-    for (rendered = 0; rendered < 5000; rendered += .25) {
-      if (pace.isDue()) {
-        double seconds = spent % 2 == 0 ? 1 : 3;
-        spent += seconds;
-        pace.spend(seconds);
+    double rendered = 0;
+    for (; rendered < 5000; rendered += .25) {
+      if (pace.isDue(rendered)) {
+        double cost = spent % 2 == 0 ? 1 : 3;
+        spent += cost;
+        pace.spend(rendered, cost);
       }
     }
     assertThat(spent / (rendered + spent)).isBetween(.025, .0305);
+  }
+
+  @Test
+  void onlyTheFirstOfAllRendersIsNotCounted() {
+    pace.spend(1, 3);
+    assertThat(pace.isDue(1.99)).isFalse();
+    assertThat(pace.isDue(2)).isTrue();
+    pace.restart();
+    assertThat(pace.isDue(.99)).isFalse();
+    assertThat(pace.isDue(1)).isTrue();
+    pace.spend(1, 3);
+    assertThat(pace.isDue(97.9)).isFalse();
+    assertThat(pace.isDue(98.1)).isTrue();
   }
 }
