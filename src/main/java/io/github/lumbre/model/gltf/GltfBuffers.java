@@ -18,6 +18,7 @@ final class GltfBuffers {
   private final GltfDocument document;
   private final Optional<ByteBuffer> binary;
   private final ModelFiles folder;
+  private final GltfMeshopt meshopt;
   private final Map<Integer, ByteBuffer> buffers = new HashMap<>();
   private final Map<Integer, ModelFormatException> unreadable = new HashMap<>();
   private final Map<Integer, View> views = new HashMap<>();
@@ -35,6 +36,7 @@ final class GltfBuffers {
     this.document = document;
     this.binary = binary;
     this.folder = folder;
+    meshopt = new GltfMeshopt(document, this);
   }
 
   /** Returns the buffer view whose index is the member {@code bufferView}, which must exist. */
@@ -52,11 +54,30 @@ final class GltfBuffers {
   }
 
   private View readView(GltfJson json) throws ModelFormatException, IOException {
+    Optional<ByteBuffer> decoded = meshopt.decode(json);
+    ByteBuffer bytes = decoded.isPresent() ? decoded.get() : bytes(json);
+    return new View(bytes, (int) json.whole("byteStride", 0, 1, MAX_STRIDE));
+  }
+
+  /** Returns the part of a buffer that an object names, little-endian. */
+  ByteBuffer bytes(GltfJson json) throws ModelFormatException, IOException {
     ByteBuffer buffer = buffer(document.requireIndex(json, "buffer", "buffers"));
     int offset = (int) json.whole("byteOffset", 0, 0, buffer.limit());
     int length = (int) json.requireWhole("byteLength", 0, buffer.limit() - offset);
-    int stride = (int) json.whole("byteStride", 0, 1, MAX_STRIDE);
-    return new View(buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN), stride);
+    return buffer.slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /** Returns whether the file or another file contains the buffer that an object names. */
+  boolean isStored(GltfJson json) throws ModelFormatException {
+    int index = document.requireIndex(json, "buffer", "buffers");
+    GltfJson buffer = document.section("buffers").get(index);
+    for (String extension : GltfMeshopt.EXTENSIONS) {
+      Optional<GltfJson> marks = buffer.extension(extension);
+      if (marks.isPresent() && marks.get().flag("fallback", false)) {
+        return buffer.has("uri");
+      }
+    }
+    return buffer.has("uri") || index == 0 && binary.isPresent();
   }
 
   private ByteBuffer buffer(int index) throws ModelFormatException, IOException {

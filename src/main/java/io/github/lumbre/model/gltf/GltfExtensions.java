@@ -14,12 +14,14 @@ final class GltfExtensions {
   /** Supported extensions, besides those with parameters of materials. */
   private static final Set<String> SUPPORTED =
       Set.of(
+          "EXT_meshopt_compression",
           GltfDraco.EXTENSION,
           "KHR_lights_punctual",
           "KHR_materials_emissive_strength",
           "KHR_materials_unlit",
           "KHR_materials_variants",
           "KHR_mesh_quantization",
+          "KHR_meshopt_compression",
           "KHR_texture_transform");
 
   /**
@@ -61,13 +63,10 @@ final class GltfExtensions {
           "VRMC_springBone",
           "VRMC_vrm");
 
-  private static final String DECOMPRESS = "decompress the model, for example with gltf-transform";
   private static final String CONVERT = "convert its textures to PNG or JPEG";
 
   private static final Map<String, String> ADVICE =
       Map.of(
-          "KHR_meshopt_compression", DECOMPRESS,
-          "EXT_meshopt_compression", DECOMPRESS,
           "KHR_texture_basisu", CONVERT,
           "EXT_texture_webp", CONVERT,
           "EXT_texture_avif", CONVERT,
