@@ -15,6 +15,7 @@ final class GltfExtensions {
   private static final Set<String> SUPPORTED =
       Set.of(
           "EXT_meshopt_compression",
+          GltfInstances.EXTENSION,
           GltfDraco.EXTENSION,
           "KHR_lights_punctual",
           "KHR_materials_emissive_strength",

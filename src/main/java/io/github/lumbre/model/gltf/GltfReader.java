@@ -45,6 +45,7 @@ public final class GltfReader {
   private final GltfLights lights;
   private final GltfCameras cameras;
   private final GltfNodes nodes;
+  private final GltfInstances instances;
   private final GltfPose pose;
   private final boolean lenient;
   private Optional<ModelFormatException> unreadable = Optional.empty();
@@ -72,6 +73,7 @@ public final class GltfReader {
     lights = new GltfLights(document);
     cameras = new GltfCameras(document);
     nodes = new GltfNodes(document, lights.size());
+    instances = new GltfInstances(document, accessors);
     pose =
         options.pose().isPresent() ? animations.pose(options.pose().get(), nodes) : new GltfPose();
   }
@@ -149,7 +151,7 @@ public final class GltfReader {
   private void add(int index, GltfNode node, GltfMatrix matrix)
       throws ModelFormatException, IOException {
     if (node.mesh().isPresent()) {
-      addMesh(index, node, matrix);
+      addMeshes(index, node, matrix);
     }
     Transform toWorld = matrix.toTransform();
     Vec3 axis = toWorld.vector(Vec3.Z);
@@ -177,14 +179,25 @@ public final class GltfReader {
     return isPlaced;
   }
 
-  private void addMesh(int index, GltfNode node, GltfMatrix matrix)
+  /** Adds all copies of a node's mesh; skins place it in world space, once. */
+  private void addMeshes(int index, GltfNode node, GltfMatrix matrix)
       throws ModelFormatException, IOException {
     GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
     String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
-    Placement placement = new Placement(node, name, matrix, weights(index, node, mesh));
+    double[] weights = weights(index, node, mesh);
+    List<GltfMatrix> copies =
+        node.skin().isPresent() ? List.of(GltfMatrix.IDENTITY) : instances.ofNode(index);
+    for (GltfMatrix copy : copies) {
+      Interrupts.check();
+      addMesh(new Placement(node, name, matrix.times(copy), weights), mesh);
+    }
+  }
+
+  private void addMesh(Placement placement, GltfJson mesh)
+      throws ModelFormatException, IOException {
     List<GltfJson> primitives = mesh.objects("primitives");
     for (int i = 0; i < primitives.size(); i++) {
-      String location = node.location() + ".mesh.primitives[" + i + "]";
+      String location = placement.node.location() + ".mesh.primitives[" + i + "]";
       try {
         addPrimitive(placement, primitives.get(i), location);
       } catch (ModelFormatException e) {

@@ -87,7 +87,26 @@ class GltfMutationTest {
     }
   }
 
-  static void check(ModelPart part) {
+  /** Reads mutants of another file, of which some are read and some refused. */
+  static void checkMutants(byte[] original, long seed, int count) throws IOException {
+    int read = 0;
+    for (int i = 0; i < count; i++) {
+      byte[] mutant = new GltfMutator(seed + i).mutant(original);
+      try {
+        GltfBudget budget = new GltfBudget(Limits.NONE.withMemory(10 * MAX_BYTES));
+        Model model = GltfReader.read(mutant, GltfFile.EMPTY, ModelOptions.DEFAULT, budget);
+        model.parts().forEach(GltfMutationTest::check);
+        read++;
+      } catch (ModelFormatException e) {
+        assertThat(e.getMessage()).as("seed %d", seed + i).hasSizeLessThan(1000);
+      } catch (RuntimeException e) {
+        throw new AssertionError("seed " + (seed + i), e);
+      }
+    }
+    assertThat(read).isBetween(count / 20, count * 19 / 20);
+  }
+
+  private static void check(ModelPart part) {
     ModelGeometry mesh = part.geometry();
     int vertices = mesh.vertexCount();
     boolean isSound =
