@@ -19,7 +19,7 @@ public enum MeshoptMode {
   /** The largest number of bytes that an element can have. */
   public static final int MAX_STRIDE = 256;
 
-  /** Elements per byte of their stream at most, over their size. */
+  /** The largest number of bytes of elements that one byte of attributes stands for. */
   private static final int MAX_RATIO = 1024;
 
   /** Returns whether elements can have a number of bytes. */
@@ -53,7 +53,7 @@ public enum MeshoptMode {
     return target.flip();
   }
 
-  /** Returns a number of bytes below which no stream can be, so that short ones cost no memory. */
+  /** Returns a lower bound of the length of a stream, so that short streams cost no memory. */
   private long minLength(int count, int stride) {
     return switch (this) {
       case ATTRIBUTES -> (long) count * stride / MAX_RATIO;

@@ -50,7 +50,7 @@ class MeshoptMutationTest {
     assertThat(decoded).isBetween(count / 20, count * 19 / 20);
   }
 
-  /** Decodes a damaged stream, sometimes with another mode, filter, and number of elements. */
+  /** Decodes a damaged stream with any filter, sometimes as more elements. */
   private static boolean isDecoded(long seed) {
     Random random = new Random(seed);
     Sample sample = SAMPLES.get(random.nextInt(SAMPLES.size()));
