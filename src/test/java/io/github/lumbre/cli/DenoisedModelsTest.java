@@ -90,7 +90,7 @@ class DenoisedModelsTest {
     assertThat(pixels("scene.png")).isEqualTo(pixels("noisy.png"));
   }
 
-  /** With a checkpoint file, the picture is that of the commands that read the file. */
+  /** With a checkpoint file, the picture equals the one that commands make of the file. */
   @Test
   void filmsAndTheirPicturesKeepTheirNoise() throws IOException {
     String model = "render T/sample.glb --size 24x18";

@@ -49,7 +49,7 @@ public final class RenderFlags {
   /** Whether the layers for denoising are recorded besides those that are asked for. */
   private boolean isForDenoising;
 
-  /** The samples per pixel without a flag, if they are not those of the scene. */
+  /** The samples per pixel without a flag; empty for the samples of the scene. */
   private OptionalInt usualSamples = OptionalInt.empty();
 
   /**
@@ -72,7 +72,7 @@ public final class RenderFlags {
   /**
    * Sets whether the layers for denoising are recorded besides those that are asked for.
    *
-   * @param samples per pixel without a flag; empty for those of the scene
+   * @param samples per pixel without a flag; empty for the samples of the scene
    */
   public void recordForDenoising(boolean isWanted, OptionalInt samples) {
     isForDenoising = isWanted;

@@ -16,13 +16,13 @@ import java.util.Optional;
  */
 record Connectivity(
     int pointCount, int[] points, Optional<CornerTable> table, List<CornerTable> seams) {
-  /** Returns a mesh of which each vertex is a point. */
+  /** Returns a mesh without seams: each vertex is a point. */
   static Connectivity of(CornerTable table) {
     return new Connectivity(table.vertexCount(), table.vertices(), Optional.of(table), List.of());
   }
 
   /**
-   * Returns a mesh of which a vertex is one point, or several between seams of attributes.
+   * Returns a mesh with seams: between seams of attributes, a vertex has several points.
    *
    * @param seams the table, cut along the seams of each attribute
    */

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * The order in which the values of attributes are in the stream: that in which a traversal reaches
- * the vertices, or that of the points. Mutable while the traversal goes on.
+ * The order of an attribute's values in the stream: the order in which a traversal reaches the
+ * vertices, or the order of the points. Mutable while the traversal goes on.
  */
 final class Entries {
   private static final int NOT_REACHED = -1;
@@ -52,7 +52,7 @@ final class Entries {
     return count;
   }
 
-  /** Returns the connectivity of the vertices; empty if the entries are those of points. */
+  /** Returns the connectivity of the vertices; empty if there is an entry for each point. */
   Optional<CornerTable> table() {
     return table;
   }

@@ -64,7 +64,7 @@ record Octahedron(int center) {
    * same vector; the encoder chooses one of them, but {@link OctahedralCorrection} treats both
    * alike.
    *
-   * @param vector of which |x| + |y| + |z| is the center
+   * @param vector integers; |x| + |y| + |z| is the center
    * @param target receives two coordinates
    */
   void unfold(int[] vector, int[] target) {

@@ -5,7 +5,7 @@ import static io.github.lumbre.model.draco.CornerTable.next;
 import static io.github.lumbre.model.draco.CornerTable.previous;
 
 /**
- * Predicts the fourth corner of a parallelogram of which a face across an edge is one half.
+ * Predicts the fourth corner of a parallelogram; the face across an edge is its other half.
  *
  * @param entries their order
  * @param table the connectivity of the entries

@@ -61,7 +61,7 @@ final class TopologySplits {
     return isRight[count - 1];
   }
 
-  /** Returns the symbol of the encoder that the split joins, and goes on to the one before. */
+  /** Returns the encoder's symbol that this split joins, and goes on to the split before it. */
   int take() {
     return targets[--count];
   }

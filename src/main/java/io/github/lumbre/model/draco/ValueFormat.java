@@ -12,7 +12,7 @@ interface ValueFormat {
   /**
    * Appends a value.
    *
-   * @param values integers, of which those from an index on are used
+   * @param values integers; the values from {@code at} on are used
    */
   void put(int[] values, int at, ByteBuffer target);
 

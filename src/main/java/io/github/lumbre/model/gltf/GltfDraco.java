@@ -50,7 +50,7 @@ final class GltfDraco {
    * damaged and the file also has plain accessors, they stay, with a warning.
    *
    * @param mode of the primitive: a list, strip or fan of triangles
-   * @return whether the accessors are replaced, by those of a list of triangles
+   * @return whether the primitive was decoded: its accessors are then a list of triangles
    */
   boolean decode(GltfJson primitive, int mode) throws ModelFormatException, IOException {
     Optional<GltfJson> extension = primitive.extension(EXTENSION);

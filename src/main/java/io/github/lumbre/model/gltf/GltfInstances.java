@@ -11,7 +11,7 @@ import java.util.Optional;
 record GltfInstances(GltfDocument document, GltfAccessors accessors) {
   static final String EXTENSION = "EXT_mesh_gpu_instancing";
 
-  /** Heap bytes of a transform, and of the numbers of which it is made. */
+  /** Heap bytes of a copy: its transform, and the numbers that the transform is made from. */
   private static final long BYTES_PER_COPY = 300;
 
   /**
