@@ -52,6 +52,8 @@ public final class FileContent {
           new Kind("II*\u0000", "a TIFF picture"),
           new Kind("MM\u0000*", "a TIFF picture"),
           new Kind("BM....\u0000\u0000\u0000\u0000", "a BMP picture"),
+          new Kind("\u0000\u0000\u0002\u0000\u0000\u0000\u0000\u0000", "a TGA picture"),
+          new Kind("\u0000\u0000\n\u0000\u0000\u0000\u0000\u0000", "a TGA picture"),
           new Kind("\u0000\u0000\u0000\fjP  ", "a JPEG 2000 picture"),
           new Kind("\u00ff\n", "a JPEG XL picture"),
           new Kind("\u0000\u0000\u0000\fJXL ", "a JPEG XL picture"),

@@ -1,36 +1,25 @@
 package io.github.lumbre.image;
 
-import static io.github.lumbre.image.ImageFormatException.malformed;
-
-import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.internal.ColorTag;
+import io.github.lumbre.image.internal.EncodedFormat;
+import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.jpeg.JpegFile;
-import io.github.lumbre.image.png.PngFile;
-import io.github.lumbre.image.png.PngTransparency;
 import io.github.lumbre.limit.Limits;
-import io.github.lumbre.limit.internal.Interrupts;
-import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.ImageInputStream;
-import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
- * Decodes picture files from untrusted sources: PNG and JPEG as they are, all formats as linear
- * light.
+ * Decodes picture files from untrusted sources: PNG, JPEG and TGA as they are, all formats as
+ * linear light. The content decides, not the name.
  *
  * <p>The header is read first. A picture that exceeds the limits, or is larger than its data can
  * hold, is rejected before memory is allocated for it. All color types and bit depths of PNG are
- * supported, and JPEG with 8 bits per channel. Values are returned as the file has them: color
- * profiles, gamma and orientation are ignored.
+ * supported, JPEG with 8 bits per channel, and TGA, packed or not. Values are returned as the file
+ * has them: color profiles, gamma and orientation are ignored.
  */
 public final class ImageReader {
   /** The largest number of pixels of a picture: 2^28. */
@@ -44,29 +33,18 @@ public final class ImageReader {
   /**
    * Checks the structure of a file without decoding the picture.
    *
-   * @throws ImageFormatException if it is not the beginning of a PNG or JPEG file, or the picture
-   *     is too large
+   * @throws ImageFormatException if it is not the beginning of a file of a supported format, or the
+   *     picture is too large
    */
   public static void requireIntact(byte[] file) throws ImageFormatException {
-    if (PngFile.startsIn(file)) {
-      PngFile.read(file);
-    } else if (JpegFile.startsIn(file)) {
-      JpegFile.read(file);
-    } else {
-      throw unknown(file);
-    }
-  }
-
-  private static ImageFormatException unknown(byte[] file) {
-    String found = FileContent.describe(file).orElse("neither");
-    return malformed("expected a PNG or JPEG picture, found " + found);
+    EncodedFormat.open(file);
   }
 
   /**
    * Returns the picture in a file's bytes.
    *
-   * @throws ImageFormatException if they are not an intact PNG or JPEG file, or the picture is too
-   *     large
+   * @throws ImageFormatException if they are not an intact file of a supported format, or the
+   *     picture is too large
    * @throws CancellationException if the calling thread is interrupted, which is checked every few
    *     kilobytes; the interrupt status stays set
    */
@@ -81,25 +59,17 @@ public final class ImageReader {
    */
   public static Pixels decode(byte[] file, long maxPixels) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
-    if (PngFile.startsIn(file)) {
-      PngFile png = PngFile.read(file);
-      PictureLimits.checkPixels(png.width(), png.height(), maxPixels);
-      PictureLimits.checkMemory(png.width(), png.height(), 1, Limits.NONE);
-      return decode("PNG", png.content(), reader -> Pixels.of(reader.read(0), png.transparency()));
+    EncodedPicture picture = EncodedFormat.open(file);
+    PictureLimits.checkPixels(picture.width(), picture.height(), maxPixels);
+    PictureLimits.checkMemory(
+        picture.width(), picture.height(), picture.bytesPerPixel(), Limits.NONE);
+    try {
+      return picture.decoder().decode();
+    } catch (OutOfMemoryError e) {
+      // The pixels are a single allocation. If it fails, nothing else is affected.
+      throw new ImageFormatException(
+          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", e);
     }
-    if (JpegFile.startsIn(file)) {
-      JpegFile jpeg = JpegFile.read(file);
-      PictureLimits.checkPixels(jpeg.width(), jpeg.height(), maxPixels);
-      PictureLimits.checkMemory(jpeg.width(), jpeg.height(), 1, Limits.NONE);
-      return decode(
-          "JPEG",
-          jpeg.content(),
-          reader ->
-              jpeg.components() == 4
-                  ? jpeg.inks(reader.readRaster(0, null))
-                  : Pixels.of(reader.read(0), PngTransparency.NONE));
-    }
-    throw unknown(file);
   }
 
   /**
@@ -113,8 +83,8 @@ public final class ImageReader {
 
   /**
    * Returns the picture in a file as linear light: OpenEXR, Radiance HDR or a portable float map,
-   * or a PNG or JPEG, whose values are taken for sRGB. The content decides, not the name. The color
-   * is not multiplied by alpha.
+   * or any format of {@link #decode}, whose values are taken for sRGB. The content decides, not the
+   * name. The color is not multiplied by alpha.
    *
    * @throws ImageFormatException if the file is in none of the formats, damaged or too large
    * @throws IOException if the file cannot be read
@@ -132,59 +102,5 @@ public final class ImageReader {
    */
   public static Image decodeLinear(byte[] file) throws ImageFormatException {
     return LinearReader.decode(file);
-  }
-
-  /** A function that decodes the pixels with a reader whose input is set. */
-  @FunctionalInterface
-  private interface Decoding {
-    Pixels from(javax.imageio.ImageReader reader) throws IOException;
-  }
-
-  private static Pixels decode(String format, byte[] content, Decoding decoding)
-      throws ImageFormatException {
-    javax.imageio.ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
-    List<String> complaints = new ArrayList<>();
-    reader.addIIOReadWarningListener((source, warning) -> complaints.add(warning));
-    try (ImageInputStream in =
-        new MemoryCacheImageInputStream(Interrupts.over(content, 0, content.length))) {
-      reader.setInput(in, true, true);
-      Pixels pixels = decoding.from(reader);
-      for (String complaint : complaints) {
-        if (!isHarmless(complaint)) {
-          throw malformed(format + " is damaged: " + complaint);
-        }
-      }
-      return pixels;
-    } catch (ImageFormatException | CancellationException e) {
-      throw e;
-    } catch (IOException | RuntimeException | OutOfMemoryError e) {
-      // For damaged files, decoders throw exceptions of any kind.
-      throw failure(format, e);
-    } finally {
-      reader.dispose();
-    }
-  }
-
-  /**
-   * Returns whether a warning is about padding between segments, which some cameras write and which
-   * is harmless.
-   */
-  private static boolean isHarmless(String warning) {
-    return warning.contains("extraneous bytes before marker");
-  }
-
-  private static ImageFormatException failure(String format, Throwable thrown) {
-    Throwable cause = thrown;
-    while (cause.getCause() != null) {
-      cause = cause.getCause();
-    }
-    if (cause instanceof OutOfMemoryError) {
-      // The pixels are a single allocation. If it fails, nothing else is affected.
-      return new ImageFormatException(
-          ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
-    }
-    String reason = cause.getMessage() == null ? "" : ": " + cause.getMessage();
-    String damage = cause instanceof EOFException ? " ends too early" : " is damaged" + reason;
-    return new ImageFormatException(ImageFormatException.Kind.MALFORMED, format + damage, thrown);
   }
 }

@@ -1,18 +1,9 @@
 package io.github.lumbre.image;
 
-import io.github.lumbre.image.png.PngTransparency;
 import io.github.lumbre.image.png.PngWriter;
-import java.awt.image.BufferedImage;
-import java.awt.image.ComponentSampleModel;
-import java.awt.image.DataBufferByte;
-import java.awt.image.DataBufferUShort;
-import java.awt.image.IndexColorModel;
-import java.awt.image.Raster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.Objects;
-import java.util.stream.IntStream;
 
 /**
  * A decoded picture file: the encoded channel values as the file has them, 8 or 16 bits each, row 0
@@ -30,45 +21,14 @@ public final class Pixels {
   private final int height;
   private final byte[] bytes;
   private final short[] shorts;
-  private final int pixelStride;
-  private final int rowStride;
-  private final int red;
-  private final int green;
-  private final int blue;
+  private final int channels;
 
-  /** Offset of alpha in a pixel; -1 without alpha. */
-  private final int alpha;
-
-  /**
-   * The samples of the color that is transparent: one of gray, or three; empty if there is none.
-   */
-  private final int[] key;
-
-  private Pixels(
-      int width, int height, byte[] bytes, short[] shorts, int pixelStride, int[] bandOffsets) {
-    this(width, height, bytes, shorts, pixelStride, bandOffsets, new int[0]);
-  }
-
-  private Pixels(
-      int width,
-      int height,
-      byte[] bytes,
-      short[] shorts,
-      int pixelStride,
-      int[] bandOffsets,
-      int[] key) {
-    this.key = key;
+  private Pixels(int width, int height, int channels, byte[] bytes, short[] shorts) {
     this.width = width;
     this.height = height;
+    this.channels = channels;
     this.bytes = bytes;
     this.shorts = shorts;
-    this.pixelStride = pixelStride;
-    this.rowStride = pixelStride * width;
-    boolean grey = bandOffsets.length < 3;
-    red = bandOffsets[0];
-    green = bandOffsets[grey ? 0 : 1];
-    blue = bandOffsets[grey ? 0 : 2];
-    alpha = bandOffsets.length % 2 == 0 ? bandOffsets[bandOffsets.length - 1] : -1;
   }
 
   /**
@@ -80,62 +40,13 @@ public final class Pixels {
    */
   public static Pixels of(int width, int height, int channels, byte[] values) {
     check(width, height, channels, values.length);
-    return new Pixels(width, height, values, NO_SHORTS, channels, natural(channels));
+    return new Pixels(width, height, channels, values, NO_SHORTS);
   }
 
   /** Returns a picture of 16-bit values; see {@link #of(int, int, int, byte[])}. */
   public static Pixels of(int width, int height, int channels, short[] values) {
     check(width, height, channels, values.length);
-    return new Pixels(width, height, NO_BYTES, values, channels, natural(channels));
-  }
-
-  /**
-   * Returns the values of a decoded picture, without copying them if possible.
-   *
-   * @param transparency of colors of a picture without alpha
-   */
-  static Pixels of(BufferedImage picture, PngTransparency transparency) {
-    Raster raster = picture.getRaster();
-    if (picture.getColorModel() instanceof IndexColorModel palette) {
-      return looked(raster, palette, transparency);
-    }
-    ComponentSampleModel model = (ComponentSampleModel) raster.getSampleModel();
-    boolean wide = raster.getDataBuffer() instanceof DataBufferUShort;
-    Pixels pixels =
-        new Pixels(
-            raster.getWidth(),
-            raster.getHeight(),
-            wide ? NO_BYTES : ((DataBufferByte) raster.getDataBuffer()).getData(),
-            wide ? ((DataBufferUShort) raster.getDataBuffer()).getData() : NO_SHORTS,
-            model.getPixelStride(),
-            model.getBandOffsets(),
-            transparency.key());
-    if (model.getScanlineStride() != pixels.rowStride) {
-      throw new IllegalArgumentException("picture: expected rows without gaps");
-    }
-    return pixels;
-  }
-
-  private static Pixels looked(
-      Raster raster, IndexColorModel palette, PngTransparency transparency) {
-    int width = raster.getWidth();
-    int channels = transparency.isPresent() ? 4 : 3;
-    byte[] rgb = new byte[channels * width * raster.getHeight()];
-    int[] row = new int[width];
-    int i = 0;
-    for (int y = 0; y < raster.getHeight(); y++) {
-      raster.getSamples(0, y, width, 1, 0, row);
-      for (int index : row) {
-        Objects.checkIndex(index, palette.getMapSize());
-        rgb[i++] = (byte) palette.getRed(index);
-        rgb[i++] = (byte) palette.getGreen(index);
-        rgb[i++] = (byte) palette.getBlue(index);
-        if (channels == 4) {
-          rgb[i++] = (byte) transparency.alpha(index);
-        }
-      }
-    }
-    return of(width, raster.getHeight(), channels, rgb);
+    return new Pixels(width, height, channels, NO_BYTES, values);
   }
 
   /** Returns the bytes of a PNG file with the same values: RGB, and alpha if there is any. */
@@ -161,10 +72,6 @@ public final class Pixels {
     }
   }
 
-  private static int[] natural(int channels) {
-    return IntStream.range(0, channels).toArray();
-  }
-
   /** Returns the number of columns. */
   public int width() {
     return width;
@@ -188,7 +95,7 @@ public final class Pixels {
    * @param channel 0 red, 1 green, 2 blue; in a gray picture all are the same
    */
   public int raw(int x, int y, int channel) {
-    return at(x, y, channel == 0 ? red : channel == 1 ? green : blue);
+    return at(x, y, offset(channel));
   }
 
   /**
@@ -198,34 +105,30 @@ public final class Pixels {
    * @param row receives a number for each column
    */
   public void lookUp(int y, int channel, double[] table, double[] row) {
-    int i = y * rowStride + (channel == 0 ? red : channel == 1 ? green : blue);
+    int i = y * width * channels + offset(channel);
     boolean isWide = bytes.length == 0;
-    for (int x = 0; x < width; x++, i += pixelStride) {
+    for (int x = 0; x < width; x++, i += channels) {
       row[x] = table[isWide ? shorts[i] & 0xffff : bytes[i] & 0xff];
     }
   }
 
   /** Returns an encoded alpha from 0 to {@link #max}, which is the result without alpha. */
   public int alpha(int x, int y) {
-    return alpha >= 0 ? at(x, y, alpha) : isKey(x, y) ? 0 : max();
-  }
-
-  private boolean isKey(int x, int y) {
-    for (int i = 0; i < key.length; i++) {
-      if (raw(x, y, i) != key[i]) {
-        return false;
-      }
-    }
-    return key.length > 0;
+    return hasAlpha() ? at(x, y, channels - 1) : max();
   }
 
   /** Returns whether the picture has alpha. */
   public boolean hasAlpha() {
-    return alpha >= 0 || key.length > 0;
+    return channels % 2 == 0;
+  }
+
+  /** Returns the place in a pixel of a color channel, which is the same for all if it is gray. */
+  private int offset(int channel) {
+    return channels < 3 ? 0 : channel;
   }
 
   private int at(int x, int y, int offset) {
-    int i = y * rowStride + x * pixelStride + offset;
+    int i = (y * width + x) * channels + offset;
     return bytes.length == 0 ? shorts[i] & 0xffff : bytes[i] & 0xff;
   }
 

@@ -48,7 +48,7 @@ class UnreadableTexturesTest {
         Arguments.of("an HTML page", bytes("<!DOCTYPE html><html>")),
         Arguments.of("a Git LFS pointer instead of the file", bytes("version https://git-lfs.")),
         Arguments.of("an empty file", new byte[0]),
-        Arguments.of("neither", new byte[] {0, 0, 2, 0, 0}),
+        Arguments.of("none of them", new byte[] {0, 0, 2, 0, 0}),
         Arguments.of("PNG is damaged", damaged),
         Arguments.of("PNG is truncated", Arrays.copyOf(png(), 40)));
   }

@@ -30,7 +30,7 @@ import java.util.stream.Collectors;
 
 /**
  * The formats of picture files: the constants are those that can be written, and {@link #read}
- * reads some more. Only this class names the packages of all formats.
+ * reads some more. Only this class and {@link EncodedFormat} name the packages of all formats.
  */
 public enum ImageFormat {
   /** PNG, for display: 8 or 16 bits per channel; exposure and tone curve are applied. */
@@ -104,12 +104,12 @@ public enum ImageFormat {
     if (PfmReader.startsIn(file)) {
       return PfmReader.read(file, maxPixels);
     }
-    if (startsPicture(file)) {
+    if (EncodedFormat.isIn(file)) {
       return LinearReader.decoded(ImageReader.decode(file, maxPixels));
     }
     throw malformed(
-        "expected a PNG, JPEG, PFM, Radiance HDR or OpenEXR picture, found "
-            + FileContent.describe(file).orElse("none of them"));
+        "expected an OpenEXR, Radiance HDR, PFM, %s picture, found %s"
+            .formatted(EncodedFormat.titles(), FileContent.describe(file).orElse("none of them")));
   }
 
   /** Writes a picture to a channel at position 0 and leaves the channel open. */

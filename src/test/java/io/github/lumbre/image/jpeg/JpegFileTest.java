@@ -172,7 +172,7 @@ class JpegFileTest {
     assertMalformed(
         new JpegFixture().bytes(0xff, 0xfe, 0, 6, 1, 2, 3).unfinished(), "JPEG is truncated");
     assertMalformed(new JpegFixture().bytes(0xff, 0xff, 0xff).unfinished(), "JPEG is truncated");
-    assertMalformed(new JpegFixture().unfinished(), "expected a PNG or JPEG picture");
+    assertMalformed(new JpegFixture().unfinished(), "expected a PNG, JPEG");
   }
 
   @ParameterizedTest

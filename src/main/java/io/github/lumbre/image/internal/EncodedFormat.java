@@ -1,0 +1,82 @@
+package io.github.lumbre.image.internal;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import io.github.lumbre.file.FileContent;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.imageio.JdkDecoder;
+import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.image.tga.TgaFile;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+
+/**
+ * The formats of pictures of encoded values, with 8 or 16 bits per channel, in the order in which a
+ * file is compared with them. {@link ImageFormat} adds those of linear light.
+ */
+public enum EncodedFormat {
+  PNG("PNG", PngFile::startsIn, EncodedFormat::png),
+  JPEG("JPEG", JpegFile::startsIn, EncodedFormat::jpeg),
+  /** Has no signature, so it comes last. */
+  TGA("TGA", TgaFile::isIn, TgaFile::open);
+
+  /** Reads the header of a file. */
+  @FunctionalInterface
+  private interface Opening {
+    EncodedPicture open(byte[] file) throws ImageFormatException;
+  }
+
+  private final String title;
+  private final Predicate<byte[]> recognizer;
+  private final Opening opening;
+
+  EncodedFormat(String title, Predicate<byte[]> recognizer, Opening opening) {
+    this.title = title;
+    this.recognizer = recognizer;
+    this.opening = opening;
+  }
+
+  /**
+   * Reads the header of a file.
+   *
+   * @throws ImageFormatException if it is none of the formats, or damaged, or exceeds the limits of
+   *     all pictures
+   */
+  public static EncodedPicture open(byte[] file) throws ImageFormatException {
+    Optional<EncodedFormat> format = of(file);
+    if (format.isEmpty()) {
+      String found = FileContent.describe(file).orElse("none of them");
+      throw malformed("expected a " + titles() + " picture, found " + found);
+    }
+    return format.get().opening.open(file);
+  }
+
+  /** Returns whether a file is of any of the formats. */
+  static boolean isIn(byte[] file) {
+    return of(file).isPresent();
+  }
+
+  private static Optional<EncodedFormat> of(byte[] file) {
+    return Arrays.stream(values()).filter(format -> format.recognizer.test(file)).findFirst();
+  }
+
+  /** Returns the names of all formats: {@code PNG, JPEG or TGA}. */
+  public static String titles() {
+    String titles = Arrays.stream(values()).map(f -> f.title).collect(Collectors.joining(", "));
+    int last = titles.lastIndexOf(',');
+    return titles.substring(0, last) + " or" + titles.substring(last + 1);
+  }
+
+  private static EncodedPicture png(byte[] file) throws ImageFormatException {
+    PngFile png = PngFile.read(file);
+    return new EncodedPicture(png.width(), png.height(), 1, () -> JdkDecoder.decode(png));
+  }
+
+  private static EncodedPicture jpeg(byte[] file) throws ImageFormatException {
+    JpegFile jpeg = JpegFile.read(file);
+    return new EncodedPicture(jpeg.width(), jpeg.height(), 1, () -> JdkDecoder.decode(jpeg));
+  }
+}
