@@ -144,7 +144,7 @@ public final class FileContent {
     if (begin.startsWith("<")) {
       return Optional.of(markup(begin));
     }
-    if (begin.matches("(?s)(ST)?(C)?(N)?(4)?OFF\\s.*")) {
+    if (begin.matches("(?s)(#[^\\n]*\\n\\s*)*[STCN4n]*OFF[\\s\\d].*")) {
       return Optional.of("OFF");
     }
     if (begin.matches("(?s)solid\\b.*?\\bfacet\\b.*")) {

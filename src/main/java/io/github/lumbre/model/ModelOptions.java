@@ -11,7 +11,7 @@ import java.util.Optional;
  *
  * @param pose the animation and time whose pose is used; empty for the rest pose
  * @param variant the name of the material variant; empty for the default materials
- * @param up the up axis of formats that state none: STL, PLY and OBJ
+ * @param up the up axis of formats that state none: STL, PLY, OBJ and OFF
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
  * @param limits for the model, its textures and its other files
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out

@@ -30,7 +30,7 @@ public final class Models {
   }
 
   /**
-   * Reads a glTF, OBJ, PLY or STL file and the files that it names.
+   * Reads a glTF, OBJ, PLY, STL or OFF file and the files that it names.
    *
    * @throws ModelFormatException if the file is damaged, unsupported or too large
    * @throws IOException if the file cannot be read
@@ -48,7 +48,8 @@ public final class Models {
   }
 
   /**
-   * Reads a model from the bytes of a file that names no other files, such as GLB, PLY and STL.
+   * Reads a model from the bytes of a file that names no other files, such as GLB, PLY, STL and
+   * OFF.
    *
    * @param name of the file; its ending chooses the format
    * @throws ModelFormatException if the file is damaged, unsupported or too large, or names another

@@ -103,6 +103,15 @@ class EmptyModelsTest {
             "points.ply",
             PLY + XYZ + "end_header\n0 0 0\n1 0 0\n2 0 0\n",
             "point clouds are not supported"),
+        of("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", ""),
+        of(
+            "edges.off",
+            "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n",
+            " (line 5: ignored faces of fewer than 3"),
+        of(
+            "flat.off",
+            "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n",
+            " (line 6: dropped triangles of zero area: 1)"),
         of("nothing.stl", "solid\nendsolid\n", ""),
         of(
             "flat.stl",

@@ -45,6 +45,7 @@ class FileKindsTest {
     "q_lit.gltf, a.txt",
     "vc.obj, a.obj.bak",
     "texfile.ply, a.xyz",
+    "cube.off, a.tmp",
     "terminator.glb, a.tmp"
   })
   void modelsOfUnknownEndingsAreRendered(String name, String other) throws IOException {
@@ -121,8 +122,7 @@ class FileKindsTest {
       value = {
         "a.fbx|Kaydara FBX Binary  \\0|FBX; export it to GLB",
         "b.fbx|; FBX 7.3.0 project file|FBX; export it to GLB",
-        "a.off|OFF\\n3 1 0\\n|OFF; export it to GLB",
-        "b.off|COFF\\n3 1 0\\n|OFF; export it to GLB",
+        "a.wrl|#VRML V2.0 utf8\\n|VRML; export it to GLB",
         "a.usdz|PK\\3\\4..........................mesh.usdc|USDZ; export it to GLB",
         "a.usda|#usda 1.0|USD; export it to GLB",
         "a.3mf|PK\\3\\4..........................3D/3dmodel.model|3MF; export it to GLB",
@@ -134,6 +134,7 @@ class FileKindsTest {
         "a.glb.html|<!DOCTYPE html><html>|an HTML page; download the file itself",
         "a.tga|\\0\\0\\2........|another kind of file",
         "a.txt|hello|another kind of file",
+        "a.json|# by hand\\nCOFF\\n3 1 0\\n|OFF; give its name the ending .off",
         "a.json|glTF\\2|GLB; give its name the ending .glb",
         "b.json|{\"asset\": {\"version\": \"2.0\"}}|glTF; give its name the ending .gltf",
         "a.exr|v/1\\1\\2...|an OpenEXR picture; name the scene or model that uses it"
@@ -141,7 +142,8 @@ class FileKindsTest {
   void otherFilesAreNamed(String name, String content, String found) throws IOException {
     Path file = folder.resolve(name);
     Files.write(file, content.translateEscapes().getBytes(StandardCharsets.ISO_8859_1));
-    String message = "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl), found ";
+    String message =
+        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off), found ";
     render(file).assertFailed(ExitCodes.SCENE, name + ": " + message + found);
     Outcome.of("check", file.toString())
         .assertFailed(ExitCodes.SCENE, name + ": " + message + found);
@@ -155,13 +157,14 @@ class FileKindsTest {
         "gltf|a glTF file",
         "obj|an OBJ file",
         "ply|a PLY file",
-        "stl|an STL file"
+        "stl|an STL file",
+        "off|an OFF file"
       })
   void modelsOfWrongContentsAreNamed(String ending, String title) throws IOException {
     for (String[] kind :
         new String[][] {
           {"Kaydara FBX Binary  \0", "FBX; export it to GLB"},
-          {"OFF\n3 1 0\n", "OFF; export it to GLB"},
+          {"xof 0303txt 0032\n", "a DirectX model; export it to GLB"},
           {"\u0089PNG\r\n\u001a\n....", "a PNG picture"},
           {"<!DOCTYPE html><html>", "an HTML page"}
         }) {

@@ -131,6 +131,8 @@ class UploadLimitsTest {
             + "0 1 0\n"
             + "3 0 1 2\n".repeat(10);
     assertRefused(file("a.ply", ply), limits, message);
+    String off = "OFF\n3 10 0\n0 0 0\n1 0 0\n0 1 0\n" + "3 0 1 2\n".repeat(10);
+    assertRefused(file("a.off", off), limits, message);
     String solid =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
             + "endloop\nendfacet\n";

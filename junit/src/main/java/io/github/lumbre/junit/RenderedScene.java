@@ -25,8 +25,8 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(RenderedSceneExtension.class)
 public @interface RenderedScene {
   /**
-   * The path of a JSON scene, or of a glTF, OBJ, PLY or STL model, from the working directory or
-   * from {@code src/test/resources}.
+   * The path of a JSON scene, or of a glTF, OBJ, PLY, STL or OFF model, from the working directory
+   * or from {@code src/test/resources}.
    */
   String value();
 
@@ -39,7 +39,7 @@ public @interface RenderedScene {
   /** For a model: whether it stands on a gray floor. */
   boolean ground() default false;
 
-  /** For STL, PLY and OBJ models: the axis that points up, y or z. */
+  /** For STL, PLY, OBJ and OFF models: the axis that points up, y or z. */
   String up() default "y";
 
   /** Width in pixels; 0 for that of the scene, or 320 for a model. */

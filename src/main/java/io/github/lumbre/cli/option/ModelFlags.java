@@ -107,13 +107,13 @@ public final class ModelFlags {
   @Option(
       names = "--up",
       paramLabel = "y|z",
-      description = "Axis that points up in STL, PLY and OBJ files (y).")
+      description = "Axis that points up in STL, PLY, OBJ and OFF files (y).")
   private Optional<String> up;
 
   @Option(
       names = "--unit",
       paramLabel = "LENGTH",
-      description = "Length of the unit of STL, PLY and OBJ files (1).")
+      description = "Length of the unit of STL, PLY, OBJ and OFF files (1).")
   private Optional<Double> unit;
 
   /**

@@ -6,6 +6,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.gltf.GltfReader;
 import io.github.lumbre.model.obj.ObjModelReader;
+import io.github.lumbre.model.off.OffReader;
 import io.github.lumbre.model.ply.PlyReader;
 import io.github.lumbre.model.stl.StlReader;
 import java.io.IOException;
@@ -23,10 +24,11 @@ public enum ModelFormat {
   GLTF("a glTF file", GltfReader::startsIn, GltfReader::read, "gltf", "glb"),
   OBJ("an OBJ file", ObjModelReader::startsIn, ObjModelReader::read, "obj"),
   PLY("a PLY file", PlyReader::startsIn, PlyReader::read, "ply"),
-  STL("an STL file", StlReader::startsIn, StlReader::read, "stl");
+  STL("an STL file", StlReader::startsIn, StlReader::read, "stl"),
+  OFF("an OFF file", OffReader::startsIn, OffReader::read, "off");
 
   /** The formats for texts in which a line may not break after the dot of an ending. */
-  public static final String TITLES = "glTF, GLB, OBJ, PLY or STL";
+  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL or OFF";
 
   /** The name endings of the formats, for messages: {@code .gltf, .glb}. */
   public static final String ENDINGS =

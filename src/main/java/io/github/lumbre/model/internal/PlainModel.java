@@ -3,6 +3,7 @@ package io.github.lumbre.model.internal;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import java.util.List;
 
 /** What models without materials, cameras and lights have in common. Stateless. */
@@ -25,10 +26,44 @@ public final class PlainModel {
   /**
    * Returns the material of surfaces that have none.
    *
-   * @param isColored whether its vertices have colors, which are its albedo then
+   * @param colors four linear components per vertex, which are the albedo and the opacity; may be
+   *     empty
    */
-  public static ModelMaterial material(boolean isColored) {
-    return isColored ? matte("", "").build() : defaultMaterial();
+  public static ModelMaterial material(float... colors) {
+    if (colors.length == 0) {
+      return defaultMaterial();
+    }
+    return matte("", "")
+        .alphaMode(smallestAlpha(colors) < 1 ? AlphaMode.BLEND : AlphaMode.OPAQUE)
+        .build();
+  }
+
+  private static float smallestAlpha(float... colors) {
+    float smallest = 1;
+    for (int i = 3; i < colors.length; i += 4) {
+      smallest = Math.min(smallest, colors[i]);
+    }
+    return smallest;
+  }
+
+  /**
+   * Sets the alpha of all colors to 1, with a warning, if all are invisible: alpha is not used.
+   *
+   * @param location of the colors in the file, for the warning
+   * @param colors four components each
+   */
+  public static void showInvisible(String location, float[] colors, Warnings warnings) {
+    for (int i = 3; i < colors.length; i += 4) {
+      if (colors[i] > 0) {
+        return;
+      }
+    }
+    if (colors.length > 0) {
+      warnings.add(location, "ignored alpha, which is 0 everywhere");
+    }
+    for (int i = 3; i < colors.length; i += 4) {
+      colors[i] = 1;
+    }
   }
 
   /** Returns a builder of a white diffuse material that is visible from both sides. */

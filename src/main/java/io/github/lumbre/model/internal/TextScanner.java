@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 
 /**
  * Splits the text of a model file into lines and words. Lines end with LF, CR LF or CR. A UTF-8
- * byte order mark is skipped. In OBJ and MTL texts, comments begin with #, and a backslash at the
- * end of a line joins it with the next. Mutable.
+ * byte order mark is skipped. In OBJ, MTL and OFF texts, comments begin with #, and a backslash at
+ * the end of a line joins it with the next. Mutable.
  */
 public final class TextScanner {
   /** Lines between two checks for an interrupt; a power of two. */
@@ -34,7 +34,7 @@ public final class TextScanner {
   private int start;
   private int end;
 
-  /** Scans an OBJ text. */
+  /** Scans an OBJ or OFF text. */
   public TextScanner(byte[] text) {
     this(text, "");
   }

@@ -79,7 +79,7 @@ public final class TriangleList {
   }
 
   /** Returns whether a triangle between three vertices has an area. */
-  static boolean hasArea(double[] positions, int a, int b, int c) {
+  public static boolean hasArea(double[] positions, int a, int b, int c) {
     if (a == b || b == c || c == a) {
       return false;
     }

@@ -2,6 +2,7 @@ package io.github.lumbre.model.obj;
 
 import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Corners;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.internal.Warnings;
@@ -93,7 +94,7 @@ final class ObjColors {
    *
    * @param otherwise gray of corners without a color
    */
-  float[] of(ObjCorners corners, double otherwise) {
+  float[] of(Corners corners, double otherwise) {
     if (rgb.length == 0) {
       return new float[0];
     }

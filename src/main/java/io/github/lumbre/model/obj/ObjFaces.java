@@ -2,6 +2,7 @@ package io.github.lumbre.model.obj;
 
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Corners;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.internal.Warnings;
@@ -261,7 +262,7 @@ final class ObjFaces {
 
   /** Returns a surface's arrays, after {@link #finish}. */
   ObjMesh mesh(ObjSurface surface) {
-    ObjCorners corners = surface.corners();
+    Corners corners = surface.corners();
     return new ObjMesh(
         corners.gather(POSITION, positions, 3),
         hasNormals ? corners.gather(NORMAL, normals, 3) : new double[0],

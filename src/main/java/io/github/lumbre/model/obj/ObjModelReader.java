@@ -286,7 +286,7 @@ public final class ObjModelReader {
                 empty,
                 colors,
                 part.surface().triangles().toArray()),
-            found == null ? PlainModel.material(colors.length > 0) : found,
+            found == null ? PlainModel.material(colors) : found,
             options.toWorld()));
   }
 }

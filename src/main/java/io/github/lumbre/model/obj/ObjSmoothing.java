@@ -1,6 +1,7 @@
 package io.github.lumbre.model.obj;
 
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.Corners;
 import java.util.Arrays;
 
 /**
@@ -9,7 +10,7 @@ import java.util.Arrays;
  */
 final class ObjSmoothing {
   /** Pairs of vertex and group. */
-  private final ObjCorners pairs = new ObjCorners();
+  private final Corners pairs = new Corners();
 
   private int group;
   private int count;

@@ -1,10 +1,11 @@
 package io.github.lumbre.model.obj;
 
+import io.github.lumbre.model.internal.Corners;
 import io.github.lumbre.model.internal.TriangleList;
 
 /** The triangles of one part of an OBJ file. Mutable. */
 final class ObjSurface {
-  private final ObjCorners corners = new ObjCorners();
+  private final Corners corners = new Corners();
   private final TriangleList triangles;
 
   /**
@@ -14,7 +15,7 @@ final class ObjSurface {
     triangles = new TriangleList(expected);
   }
 
-  ObjCorners corners() {
+  Corners corners() {
     return corners;
   }
 

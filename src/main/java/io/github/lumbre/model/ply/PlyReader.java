@@ -129,8 +129,9 @@ public final class PlyReader {
       warnings.add("", "dropped triangles of zero area: " + dropped);
     }
     vertices.repair(triangles, broken > 0, warnings);
-    ModelMaterial material = material();
     ModelGeometry mesh = vertices.geometry(triangles.toArray());
+    PlainModel.showInvisible("element vertex", mesh.colors(), warnings);
+    ModelMaterial material = PlainModel.material(mesh.colors());
     PlyTextures textures = textures(mesh, folder);
     List<ModelPart> parts =
         textures.isPresent()
@@ -170,23 +171,6 @@ public final class PlyReader {
       warnings.add("", "ignored the colors, since there is a texture");
     }
     return textures;
-  }
-
-  private ModelMaterial material() {
-    if (vertices.isInvisible()) {
-      warnings.add("element vertex", "ignored alpha, which is 0 everywhere");
-      vertices.makeOpaque();
-    }
-    ModelGeometry geometry = vertices.geometry(new int[0]);
-    if (geometry.colors().length == 0) {
-      return PlainModel.defaultMaterial();
-    }
-    return PlainModel.matte("", "")
-        .alphaMode(
-            vertices.hasTransparency()
-                ? ModelMaterial.AlphaMode.BLEND
-                : ModelMaterial.AlphaMode.OPAQUE)
-        .build();
   }
 
   private void readOther(PlyElement element) throws ModelFormatException {

@@ -268,33 +268,6 @@ final class PlyVertices {
     return new ModelGeometry(positions, normals, none, uvs, none, colors, indices);
   }
 
-  /** Returns whether a vertex is not opaque. */
-  boolean hasTransparency() {
-    for (int i = 3; i < colors.length; i += 4) {
-      if (colors[i] < 1) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /** Returns whether all vertices have a color and are invisible, as if alpha were unused. */
-  boolean isInvisible() {
-    for (int i = 3; i < colors.length; i += 4) {
-      if (colors[i] > 0) {
-        return false;
-      }
-    }
-    return colors.length > 0;
-  }
-
-  /** Sets the alpha of all vertices to 1. */
-  void makeOpaque() {
-    for (int i = 3; i < colors.length; i += 4) {
-      colors[i] = 1;
-    }
-  }
-
   private static ModelFormatException error(String message) {
     return new ModelFormatException(ModelFormatException.Kind.MALFORMED, "element vertex", message);
   }

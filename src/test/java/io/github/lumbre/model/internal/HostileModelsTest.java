@@ -32,7 +32,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Every changed STL, PLY, OBJ and MTL file is read as a consistent model, or is refused. */
+/** Every changed STL, PLY, OBJ, MTL and OFF file is read as a consistent model, or is refused. */
 class HostileModelsTest {
   private static final int QUICK = 500;
   private static final int MANY = 100_000;
@@ -129,6 +129,37 @@ class HostileModelsTest {
       map_d -imfchan m a.png
       """;
 
+  private static final String OFF =
+      """
+      # A comment.
+      STCNOFF 5 3 8
+      0 0 0 0 0 1 255 0 0 255 0 0
+      1 0 0 0 0 1 0 255 0 128 1 0
+      1 1 0 0 0 1 0 0 255 255 1 1
+      0 1 .5 0 1 0 .5 1 0 0 1
+      0.5 0.5 1 1 0 0 1 1 1 1 0 .5
+      3 0 1 2
+      4 0 1 2 3 255 0 0
+      3 2 3 4 0.5 0.25 1 1
+      """;
+
+  private static final String PAINTED_OFF =
+      """
+      STOFF
+      4 3 0
+      0 0 0 0 0
+      1 0 0 1 0
+      1 1 0 1 1
+      0 1 .5 0 1
+      3 0 1 2 255 0 0
+      4 0 1 2 3 0 128 255 128
+      3 2 3 0
+      """;
+
+  private static final String[] OFF_WORDS = {
+    "OFF", "COFF", "NOFF", "STOFF", "4OFF", "OFF5", "BINARY", "#", "\n3 0 1 2", "4"
+  };
+
   private static final byte[] PNG = Pixels.of(1, 1, 3, new byte[] {1, 2, 3}).toPng();
 
   private static final String[] OBJ_WORDS = {
@@ -211,7 +242,8 @@ class HostileModelsTest {
     PLY_LITTLE,
     PLY_BIG,
     OBJ_TEXT,
-    MTL_TEXT
+    MTL_TEXT,
+    OFF_TEXT
   }
 
   private static byte[] bytes(String text) {
@@ -262,6 +294,8 @@ class HostileModelsTest {
       case PLY_BIG -> new byte[][] {mutator.changed(binaryPly(ByteOrder.BIG_ENDIAN), 400), mtl};
       case OBJ_TEXT -> new byte[][] {mutator.changedWords(OBJ, OBJ_WORDS), mtl};
       case MTL_TEXT -> new byte[][] {bytes(OBJ), mutator.changedWords(MTL, MTL_WORDS)};
+      case OFF_TEXT ->
+          new byte[][] {mutator.changedWords(seed % 2 == 0 ? OFF : PAINTED_OFF, OFF_WORDS), mtl};
     };
   }
 
@@ -286,6 +320,7 @@ class HostileModelsTest {
       case STL_TEXT, STL_BINARY -> "a.stl";
       case PLY_TEXT, PLY_LITTLE, PLY_BIG -> "a.ply";
       case OBJ_TEXT, MTL_TEXT -> "a.obj";
+      case OFF_TEXT -> "a.off";
     };
   }
 

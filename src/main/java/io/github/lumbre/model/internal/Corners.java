@@ -1,9 +1,12 @@
-package io.github.lumbre.model.obj;
+package io.github.lumbre.model.internal;
 
 import java.util.Arrays;
 
-/** Numbers a mesh's distinct corners (position, uv, normal) in order of occurrence. Mutable. */
-final class ObjCorners {
+/**
+ * Numbers a mesh's distinct corners in order of occurrence: three indices each, usually of a
+ * position, of texture coordinates and of a normal. Mutable.
+ */
+public final class Corners {
   private static final int FREE = -1;
 
   /** Random per run, so that no file can be crafted to cause hash collisions. */
@@ -14,7 +17,7 @@ final class ObjCorners {
   private int count;
 
   /** Returns the number of a corner; assigns the next one at its first occurrence. */
-  int number(int position, int uv, int normal) {
+  public int number(int position, int uv, int normal) {
     int slot = slot(position, uv, normal);
     if (slots[slot] != FREE) {
       return slots[slot];
@@ -67,10 +70,22 @@ final class ObjCorners {
    * Returns the values of all corners, in the order of their numbers.
    *
    * @param list index to use: 0, 1 or 2 for position, texture coordinates or normal
-   * @param values the indexed elements, {@code size} numbers each
+   * @param values the indexed elements, {@code size} numbers each; may be empty
    */
-  double[] gather(int list, double[] values, int size) {
+  public double[] gather(int list, double[] values, int size) {
+    if (values.length == 0) {
+      return values;
+    }
     double[] gathered = new double[Math.multiplyExact(size, count)];
+    for (int i = 0; i < count; i++) {
+      System.arraycopy(values, size * corners[3 * i + list], gathered, size * i, size);
+    }
+    return gathered;
+  }
+
+  /** Returns the values of all corners, as {@link #gather(int, double[], int)} does. */
+  public float[] gather(int list, float[] values, int size) {
+    float[] gathered = new float[Math.multiplyExact(size, count)];
     for (int i = 0; i < count; i++) {
       System.arraycopy(values, size * corners[3 * i + list], gathered, size * i, size);
     }

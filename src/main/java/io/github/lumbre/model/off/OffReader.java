@@ -1,0 +1,148 @@
+package io.github.lumbre.model.off;
+
+import io.github.lumbre.file.FileContent;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.ModelPart;
+import io.github.lumbre.model.internal.PlainModel;
+import io.github.lumbre.model.internal.Tally;
+import io.github.lumbre.model.internal.TextScanner;
+import io.github.lumbre.model.internal.TriangleList;
+import io.github.lumbre.model.internal.Warnings;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Reads OFF texts (Geomview manual, "OFF: Object File Format"), with normals, colors and texture
+ * coordinates of vertices, and colors of faces. Polygons become triangle fans. Colors of vertices
+ * win over those of faces. Not reusable.
+ */
+public final class OffReader {
+  /** The fewest bytes of a triangle: {@code 3 0 1 2} with a line end. */
+  private static final int TRIANGLE_BYTES = 8;
+
+  /** The memory of a corner that shares its vertex with no other. */
+  private static final long PAINTED_BYTES = 100;
+
+  private static final int MOST_COLORS = 4;
+
+  private final TextScanner scanner;
+  private final int size;
+  private final ModelOptions options;
+  private final Warnings warnings = new Warnings();
+  private final Tally tally = new Tally();
+  private final OffHeader header;
+  private final OffVertices vertices;
+  private final OffColors colors;
+  private final TriangleList triangles;
+
+  /** The number of the face of each triangle. */
+  private int[] faces;
+
+  private OffReader(byte[] file, ModelOptions options) throws ModelFormatException {
+    this.options = options;
+    size = file.length;
+    scanner = new TextScanner(file);
+    header = OffHeader.read(scanner, size);
+    vertices = new OffVertices(header, options.limits());
+    colors = new OffColors(header.faces());
+    int expected = Math.min(header.faces(), size / TRIANGLE_BYTES);
+    ModelLimits.requireTriangles("", expected, options.limits());
+    ModelLimits.requireMemory("", 16L * expected, options.limits());
+    triangles = new TriangleList(expected);
+    faces = new int[expected];
+  }
+
+  /** Returns whether a file begins like an OFF file. */
+  public static boolean startsIn(byte[] start, long size) {
+    return FileContent.describe(start).equals(Optional.of("OFF"));
+  }
+
+  /** Returns the triangles of an OFF text. */
+  public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException {
+    return new OffReader(file, options).read();
+  }
+
+  private Model read() throws ModelFormatException {
+    vertices.read(scanner, tally);
+    for (int i = 0; i < header.faces(); i++) {
+      if (!scanner.nextWordOfText()) {
+        throw scanner.error("expected " + header.faces() + " faces, found " + i);
+      }
+      readFace(i);
+      scanner.endLine();
+    }
+    if (scanner.nextWordOfText()) {
+      warnings.add(scanner.location(), "ignored what follows the last face");
+    }
+    tally.addTo(warnings);
+    return PlainModel.of(List.of(part()), warnings.all());
+  }
+
+  private void readFace(int face) throws ModelFormatException {
+    int corners = (int) scanner.integer(0, size);
+    if (corners < 3) {
+      tally.add(Tally.NARROW, scanner.location());
+      return;
+    }
+    int first = vertex();
+    int previous = vertex();
+    for (int i = 2; i < corners; i++) {
+      int next = vertex();
+      add(face, first, previous, next);
+      previous = next;
+    }
+    double[] color = new double[MOST_COLORS + 1];
+    int found = 0;
+    while (found < color.length && scanner.nextWord()) {
+      color[found++] = scanner.numberOrNan();
+    }
+    if (found > 0) {
+      colors.put(face, color, 0, found, scanner, tally);
+    }
+  }
+
+  private int vertex() throws ModelFormatException {
+    if (!scanner.nextWord()) {
+      throw scanner.error("expected a vertex, found the end of the line");
+    }
+    return (int) scanner.integer(0, header.vertices() - 1L);
+  }
+
+  private void add(int face, int a, int b, int c) throws ModelFormatException {
+    if (!vertices.areFinite(a, b, c)) {
+      tally.add(Tally.BROKEN, scanner.location());
+      return;
+    }
+    if (!TriangleList.hasArea(vertices.positions(), a, b, c)) {
+      tally.add("dropped triangles of zero area", scanner.location());
+      return;
+    }
+    int count = triangles.count();
+    if (count == ModelLimits.MAX_COUNT) {
+      scanner.require("triangles", count, count + 1L);
+    }
+    if (count == faces.length) {
+      faces = Arrays.copyOf(faces, (int) Math.min(2L * count + 4, ModelLimits.MAX_COUNT));
+    }
+    faces[count] = face;
+    triangles.add(a, b, c);
+  }
+
+  private ModelPart part() throws ModelFormatException {
+    vertices.repair(warnings);
+    int[] indices = triangles.toArray();
+    boolean isPainted = colors.isPresent() && !vertices.hasColors();
+    ModelLimits.requireMemory("", isPainted ? PAINTED_BYTES * indices.length : 0, options.limits());
+    ModelGeometry mesh =
+        isPainted ? vertices.geometry(indices, faces, colors) : vertices.geometry(indices);
+    PlainModel.showInvisible("", mesh.colors(), warnings);
+    return new ModelPart("", "", mesh, PlainModel.material(mesh.colors()), options.toWorld());
+  }
+}
