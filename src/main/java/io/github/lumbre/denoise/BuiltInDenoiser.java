@@ -48,8 +48,8 @@ public final class BuiltInDenoiser {
     this.workers = workers;
     features = new Features(noisy);
     result = new float[noisy.light().mean().length];
-    errorsInRow = units(noisy.width());
-    errors = new double[Math.multiplyExact(noisy.height(), errorsInRow)];
+    errorsInRow = units(features.right());
+    errors = new double[Math.multiplyExact(features.bottom(), errorsInRow)];
   }
 
   /**
@@ -88,10 +88,10 @@ public final class BuiltInDenoiser {
 
   private Denoised denoise(int tile) throws InterruptedException {
     int[] counts = counts(tile);
-    int across = units(units(noisy.width()) * TileFilter.UNIT / counts[0]) * TileFilter.UNIT;
-    int down = units(units(noisy.height()) * TileFilter.UNIT / counts[1]) * TileFilter.UNIT;
-    for (int top = 0; top < noisy.height(); top += down) {
-      for (int left = 0; left < noisy.width(); left += across) {
+    int across = units(units(features.right()) * TileFilter.UNIT / counts[0]) * TileFilter.UNIT;
+    int down = units(units(features.bottom()) * TileFilter.UNIT / counts[1]) * TileFilter.UNIT;
+    for (int top = 0; top < features.bottom(); top += down) {
+      for (int left = 0; left < features.right(); left += across) {
         filter(left, top, across, down);
       }
     }
@@ -131,12 +131,12 @@ public final class BuiltInDenoiser {
 
   /** Returns the numbers of tiles beside and below each other with the least work. */
   private int[] counts(int tile) {
-    int[] best = {units(noisy.width()), units(noisy.height())};
+    int[] best = {units(features.right()), units(features.bottom())};
     double least = Double.POSITIVE_INFINITY;
-    for (int x = 1; x <= units(noisy.width()); x++) {
-      for (int y = 1; y <= units(noisy.height()); y++) {
-        double width = side(noisy.width(), x);
-        double height = side(noisy.height(), y);
+    for (int x = 1; x <= units(features.right()); x++) {
+      for (int y = 1; y <= units(features.bottom()); y++) {
+        double width = side(features.right(), x);
+        double height = side(features.bottom(), y);
         double work = x * width * y * height;
         if (width * height <= tile && work < least) {
           least = work;
@@ -153,32 +153,35 @@ public final class BuiltInDenoiser {
   }
 
   private void filter(int left, int top, int across, int down) throws InterruptedException {
-    int allAcross = units(noisy.width()) * TileFilter.UNIT;
-    int allDown = units(noisy.height()) * TileFilter.UNIT;
+    int allAcross = units(features.right()) * TileFilter.UNIT;
+    int allDown = units(features.bottom()) * TileFilter.UNIT;
     int x = Math.max(0, left - MARGIN);
     int y = Math.max(0, top - MARGIN);
     int width = Math.min(allAcross, left + across + MARGIN) - x;
     int height = Math.min(allDown, top + down + MARGIN) - y;
     FilterLevel level = new TileFilter(features, workers, x, y, width, height).filtered();
-    int right = Math.min(noisy.width(), left + across);
+    int start = Math.max(features.left(), left);
+    int end = Math.min(features.right(), left + across);
+    int upper = Math.max(features.top(), top);
+    int lower = Math.min(features.bottom(), top + down);
     workers.compute(
-        Math.min(down, noisy.height() - top),
-        (first, end, convolution) -> {
-          for (int row = top + first; row < top + end; row++) {
-            int from = (row - y) * level.width + left - x;
-            write(level, from, row, left, right);
+        Math.max(0, lower - upper),
+        (first, last, convolution) -> {
+          for (int row = upper + first; row < upper + last; row++) {
+            write(level, (row - y) * width - x, row, start, end);
           }
         });
   }
 
-  /** Writes the pixels of a row; the first is at an index of the level. */
-  private void write(FilterLevel level, int from, int row, int left, int right) {
+  /** Writes the pixels of a row from a column to another; column 0 is at an index of the level. */
+  private void write(FilterLevel level, int zero, int row, int start, int end) {
     boolean isNoiseKnown = noisy.light().isNoiseKnown();
     float[][] planes = level.filtered;
-    for (int column = left; column < right; column++) {
-      int at = from + column - left;
+    for (int column = start; column < end; column++) {
+      int at = zero + column;
+      int pixel = (row - features.top()) * noisy.width() + column - features.left();
       for (int c = 0; c < 3; c++) {
-        int i = 3 * (row * noisy.width() + column) + c;
+        int i = 3 * pixel + c;
         float value = features.mixed(i, level.mix[at], planes[c][at], planes[3 + c][at]);
         if (isNoiseKnown) {
           double noise = features.mixed(i, level.mix[at], planes[6 + c][at], planes[9 + c][at]);

@@ -4,8 +4,9 @@ import io.github.lumbre.math.internal.Elementary;
 import java.util.Arrays;
 
 /**
- * What the network sees of a picture, row by row. Rows and columns beyond the picture repeat its
- * border.
+ * What the network sees of a picture, row by row. Rows and columns are counted from a pixel whose
+ * column and row in the full frame are multiples of {@link TileFilter#UNIT}, so that a crop is
+ * filtered as the whole is; beyond the picture, its border is repeated.
  */
 final class Features {
   /** Added to the albedo by which light is divided. */
@@ -22,6 +23,8 @@ final class Features {
 
   private final int width;
   private final int height;
+  private final int left;
+  private final int top;
   private final float[] light;
   private final float[] noise;
   private final float[] albedo;
@@ -36,6 +39,8 @@ final class Features {
     NoisyPicture.Halves none = new NoisyPicture.Halves(NONE, NONE);
     width = picture.width();
     height = picture.height();
+    left = picture.left() % TileFilter.UNIT;
+    top = picture.top() % TileFilter.UNIT;
     light = picture.light().mean();
     noise = picture.light().noise();
     albedo = picture.albedo().orElse(none).mean();
@@ -51,6 +56,26 @@ final class Features {
 
   int height() {
     return height;
+  }
+
+  /** Returns the number of the picture's first column. */
+  int left() {
+    return left;
+  }
+
+  /** Returns the number of the picture's first row. */
+  int top() {
+    return top;
+  }
+
+  /** Returns the number after the picture's last column. */
+  int right() {
+    return left + width;
+  }
+
+  /** Returns the number after the picture's last row. */
+  int bottom() {
+    return top + height;
   }
 
   /** Returns the number of planes of light that are filtered. */
@@ -77,10 +102,10 @@ final class Features {
     return (float) Math.max(1e-4, Math.min(1e5, factor));
   }
 
-  private double blockSum(int left, int top, int across, int down) {
+  private double blockSum(int first, int upper, int across, int down) {
     double sum = 0;
-    for (int y = top; y < top + down; y++) {
-      for (int i = 3 * (y * width + left); i < 3 * (y * width + left + across); i++) {
+    for (int y = upper; y < upper + down; y++) {
+      for (int i = 3 * (y * width + first); i < 3 * (y * width + first + across); i++) {
         sum += limited(light[i]);
       }
     }
@@ -93,8 +118,8 @@ final class Features {
 
   /** Returns the index of a pixel's first value. */
   private int index(int x, int y) {
-    int column = Math.max(0, Math.min(width - 1, x));
-    return 3 * (Math.max(0, Math.min(height - 1, y)) * width + column);
+    int column = Math.max(0, Math.min(width - 1, x - left));
+    return 3 * (Math.max(0, Math.min(height - 1, y - top)) * width + column);
   }
 
   private float divisor(int index) {
@@ -108,14 +133,14 @@ final class Features {
   /**
    * Writes the features of a row of a tile.
    *
-   * @param left the tile's first column in the picture
-   * @param y the row in the picture
+   * @param first the tile's first column
+   * @param y the tile's row
    * @param row the row in the maps
    */
-  void write(int left, int y, Maps maps, int row) {
+  void write(int first, int y, Maps maps, int row) {
     int at = maps.at(row);
     for (int x = 0; x < maps.width(); x++) {
-      int i = index(left + x, y);
+      int i = index(first + x, y);
       float deviation = 0;
       float brightness = 0;
       for (int c = 0; c < 3; c++) {
@@ -155,13 +180,13 @@ final class Features {
    * Writes light of some pixels of a row: scaled; the same divided by albedo; then the same two of
    * the noise, if it is known.
    *
-   * @param left the first column in the picture
-   * @param y the row in the picture
+   * @param first the first column
+   * @param y the row
    * @param rows one array for each plane
    */
-  void writeLight(int left, int y, float[][] rows, int count) {
+  void writeLight(int first, int y, float[][] rows, int count) {
     for (int x = 0; x < count; x++) {
-      int i = index(left + x, y);
+      int i = index(first + x, y);
       for (int c = 0; c < 3; c++) {
         float divisor = divisor(i + c);
         float value = limited(light[i + c]) * scale;

@@ -15,6 +15,8 @@ import java.util.Optional;
  *
  * @param width in pixels, at least 1
  * @param height in pixels, at least 1
+ * @param left column of its first pixel in the full frame; 0 if it is not a crop
+ * @param top row of its first pixel in the full frame
  * @param light mean light of the samples, at least 0, not divided by alpha, and its noise
  * @param albedo {@link Layer#DENOISING_ALBEDO}; empty if it is not known
  * @param normal {@link Layer#DENOISING_NORMAL}; empty if it is not known
@@ -25,6 +27,8 @@ import java.util.Optional;
 public record NoisyPicture(
     int width,
     int height,
+    int left,
+    int top,
     Halves light,
     Optional<Halves> albedo,
     Optional<Halves> normal,
@@ -59,6 +63,18 @@ public record NoisyPicture(
     }
   }
 
+  /** Makes a picture that is not a crop, as the canonical constructor does. */
+  public NoisyPicture(
+      int width,
+      int height,
+      Halves light,
+      Optional<Halves> albedo,
+      Optional<Halves> normal,
+      float[] alpha,
+      int replaced) {
+    this(width, height, 0, 0, light, albedo, normal, alpha, replaced);
+  }
+
   private static void require(String name, float[] values, int expected) {
     if (values.length != expected) {
       throw new IllegalArgumentException(
@@ -85,6 +101,8 @@ public record NoisyPicture(
     return new NoisyPicture(
         width,
         height,
+        film.window().x(),
+        film.window().y(),
         new Halves(light, known(film.developNoise())),
         guide(film, Layer.DENOISING_ALBEDO),
         guide(film, Layer.DENOISING_NORMAL),

@@ -16,7 +16,8 @@ final class TileFilter {
   private final int height;
 
   /**
-   * @param left the tile's first column in the picture, a multiple of {@link #UNIT}
+   * @param left the tile's first column, counted as {@link Features} does, a multiple of {@link
+   *     #UNIT}
    * @param top the first row, a multiple of {@link #UNIT}
    * @param width a multiple of {@link #UNIT}; beyond the picture, its border is repeated
    * @param height a multiple of {@link #UNIT}

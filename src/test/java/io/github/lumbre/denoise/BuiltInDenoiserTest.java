@@ -226,6 +226,41 @@ class BuiltInDenoiserTest {
   }
 
   /**
+   * A crop is filtered by the levels' grid of the full frame. All blocks of 8x8 pixels of this
+   * picture are alike, so that any crop has the exposure of the whole.
+   */
+  @Test
+  void cropsAreFilteredAsTheWhole() throws InterruptedException {
+    int whole = 2 * BuiltInDenoiser.MARGIN + 96;
+    int left = 13;
+    int part = whole - 24;
+    float[] expected = BuiltInDenoiser.denoise(periodic(whole, 0), 2).image().rgb();
+    float[] found = BuiltInDenoiser.denoise(periodic(part, left), 2).image().rgb();
+    for (int x = BuiltInDenoiser.MARGIN + left; x < left + part - BuiltInDenoiser.MARGIN; x++) {
+      for (int y = 0; y < 16; y++) {
+        int of = 3 * (y * whole + x);
+        int at = 3 * (y * part + x - left);
+        assertThat(found[at]).isCloseTo(expected[of], within(1e-5f));
+      }
+    }
+  }
+
+  /** Returns 16 rows of a picture that repeats itself, from a column on. */
+  private static NoisyPicture periodic(int width, int left) {
+    float[] mean = new float[3 * width * 16];
+    float[] noise = new float[mean.length];
+    for (int i = 0; i < mean.length; i++) {
+      int pixel = i / 3;
+      int cell = pixel / width % 8 * 8 + (pixel % width + left) % 8;
+      mean[i] = (cell * 37 % 64 + 1) / 64f;
+      noise[i] = (cell * 23 % 64 - 32) / 256f;
+    }
+    NoisyPicture.Halves light = new NoisyPicture.Halves(mean, noise);
+    return new NoisyPicture(
+        width, 16, left, 0, light, Optional.empty(), Optional.empty(), new float[0], 0);
+  }
+
+  /**
    * The same bits on every machine, with and without compilers: the hash is that of any of them.
    */
   @Test
