@@ -18,9 +18,6 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
   /** No layers. */
   public static final FilmLayers NONE = new FilmLayers(Set.of(), 0);
 
-  /** The layers that are means over the samples that hit a surface. */
-  private static final Set<Layer> OF_HITS = Layer.setOf(Layer.POSITION, Layer.DEPTH, Layer.UV);
-
   public FilmLayers {
     EnumSet<Layer> sorted = EnumSet.noneOf(Layer.class);
     sorted.addAll(kinds);
@@ -67,12 +64,15 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
 
   /** Returns whether a film counts the samples that hit a surface. */
   boolean countsHits() {
-    return !Collections.disjoint(kinds, OF_HITS);
+    return kinds.stream().anyMatch(FilmLayers::isOfHits);
   }
 
   /** Returns whether a layer is a mean over the samples that hit a surface. */
   static boolean isOfHits(Layer layer) {
-    return OF_HITS.contains(layer);
+    return switch (layer) {
+      case POSITION, DEPTH, UV -> true;
+      default -> false;
+    };
   }
 
   /**

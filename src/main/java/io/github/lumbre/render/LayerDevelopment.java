@@ -81,27 +81,32 @@ final class LayerDevelopment {
    * negative if they are not known. See {@link PixelHalves#relativeSquaredError}.
    */
   private double variance(int channel, int pixel) {
-    double noise = noise(channel, pixel);
+    double noise = noise(halves(pixel), channel);
     return Double.isNaN(noise) ? -1 : noise * noise;
   }
 
   /** Returns the noise of the light, three values for each pixel. */
   float[] noise() {
     float[] values = new float[Math.multiplyExact(3, pixels)];
-    for (int i = 0; i < values.length; i++) {
-      values[i] = (float) noise(i % 3, i / 3);
+    for (int pixel = 0; pixel < pixels; pixel++) {
+      Optional<PixelHalves> halves = halves(pixel);
+      for (int channel = 0; channel < 3; channel++) {
+        values[3 * pixel + channel] = (float) noise(halves, channel);
+      }
     }
     return values;
   }
 
-  private double noise(int channel, int pixel) {
+  private Optional<PixelHalves> halves(int pixel) {
     Crop window = film.window();
-    Optional<PixelHalves> halves =
-        film.halves(window.x() + pixel % window.width(), window.y() + pixel / window.width());
-    return halves.map(both -> noise(both, channel)).orElse(Double.NaN);
+    return film.halves(window.x() + pixel % window.width(), window.y() + pixel / window.width());
   }
 
-  private static double noise(PixelHalves halves, int channel) {
+  private static double noise(Optional<PixelHalves> both, int channel) {
+    if (both.isEmpty()) {
+      return Double.NaN;
+    }
+    PixelHalves halves = both.get();
     double difference =
         switch (channel) {
           case 0 -> halves.first().r() - halves.second().r();
@@ -123,10 +128,13 @@ final class LayerDevelopment {
       throw new IllegalArgumentException(layer + ": expected a layer for denoisers");
     }
     float[] values = new float[Math.multiplyExact(3, pixels)];
-    for (int i = 0; i < values.length; i++) {
-      int samples = film.samples(i / 3);
-      boolean isKnown = samples > 1 && sums.hasFirstMean(layer, i / 3);
-      values[i] = isKnown ? (float) noise(layer, i % 3, i / 3, samples) : Float.NaN;
+    for (int pixel = 0; pixel < pixels; pixel++) {
+      int samples = film.samples(pixel);
+      boolean isKnown = samples > 1 && sums.hasFirstMean(layer, pixel);
+      for (int channel = 0; channel < 3; channel++) {
+        values[3 * pixel + channel] =
+            isKnown ? (float) noise(layer, channel, pixel, samples) : Float.NaN;
+      }
     }
     return values;
   }

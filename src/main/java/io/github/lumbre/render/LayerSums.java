@@ -34,6 +34,12 @@ final class LayerSums {
 
   private final List<Layer> guides;
 
+  /** For each layer, the number of sums of its kind before it. */
+  private final int[] offsets = new int[Layer.values().length];
+
+  /** For each guide, the number of guides before it. */
+  private final int[] guideOrder = new int[Layer.values().length];
+
   private final int narrowCount, wideCount;
   private final long[] narrowSums;
   private final ExactSums wideSums;
@@ -49,8 +55,9 @@ final class LayerSums {
     narrow = with(LayerGrid.UNIT, LayerGrid.GUIDE).toArray(Layer[]::new);
     wide = with(LayerGrid.WIDE).toArray(Layer[]::new);
     guides = with(LayerGrid.GUIDE);
-    narrowCount = Arrays.stream(narrow).mapToInt(layers::channels).sum();
-    wideCount = Arrays.stream(wide).mapToInt(layers::channels).sum();
+    guides.forEach(guide -> guideOrder[guide.ordinal()] = guides.indexOf(guide));
+    narrowCount = setOffsets(narrow);
+    wideCount = setOffsets(wide);
     narrowSums = new long[Math.multiplyExact(pixels, narrowCount)];
     wideSums = new ExactSums(Math.multiplyExact(pixels, wideCount));
     means = new long[Math.multiplyExact(pixels, guides.size())];
@@ -66,6 +73,16 @@ final class LayerSums {
       }
     }
     return with;
+  }
+
+  /** Sets the offsets of layers that follow each other. Returns the number of their sums. */
+  private int setOffsets(Layer[] sequence) {
+    int offset = 0;
+    for (Layer layer : sequence) {
+      offsets[layer.ordinal()] = offset;
+      offset += layers.channels(layer);
+    }
+    return offset;
   }
 
   FilmLayers layers() {
@@ -145,7 +162,7 @@ final class LayerSums {
   /** Stores the means of all samples of a pixel so far. */
   private void setMeans(int pixel, int count) {
     for (int guide = 0; guide < guides.size(); guide++) {
-      int first = pixel * narrowCount + offset(guides.get(guide), narrow);
+      int first = pixel * narrowCount + offsets[guides.get(guide).ordinal()];
       long packed = 1;
       for (int i = 0; i < 3; i++) {
         double mean = narrowSums[first + i] * UNIT / count;
@@ -153,15 +170,6 @@ final class LayerSums {
       }
       means[pixel * guides.size() + guide] = packed;
     }
-  }
-
-  /** Returns the number of sums before the sums of a layer. */
-  private int offset(Layer layer, Layer[] among) {
-    int offset = 0;
-    for (int i = 0; among[i] != layer; i++) {
-      offset += layers.channels(among[i]);
-    }
-    return offset;
   }
 
   /** Copies all values of other layers of the same kind and size. */
@@ -180,29 +188,29 @@ final class LayerSums {
    */
   double sum(Layer layer, int channel, int pixel) {
     if (LayerGrid.of(layer) == LayerGrid.WIDE) {
-      return wideSums.get(pixel * wideCount + offset(layer, wide) + channel);
+      return wideSums.get(pixel * wideCount + offsets[layer.ordinal()] + channel);
     }
-    return narrowSums[pixel * narrowCount + offset(layer, narrow) + channel] * UNIT;
+    return narrowSums[pixel * narrowCount + offsets[layer.ordinal()] + channel] * UNIT;
   }
 
   /** Returns the whole part of a sum of 128 bits. */
   long whole(Layer layer, int channel, int pixel) {
-    return wideSums.whole(pixel * wideCount + offset(layer, wide) + channel);
+    return wideSums.whole(pixel * wideCount + offsets[layer.ordinal()] + channel);
   }
 
   /** Returns the fraction of a sum of 128 bits, in units of 2^-64. */
   long fraction(Layer layer, int channel, int pixel) {
-    return wideSums.fraction(pixel * wideCount + offset(layer, wide) + channel);
+    return wideSums.fraction(pixel * wideCount + offsets[layer.ordinal()] + channel);
   }
 
-  /** Returns whether the mean of the first half of a pixel's samples is known. */
+  /** Returns whether a guide's mean of the first half of a pixel's samples is known. */
   boolean hasFirstMean(Layer layer, int pixel) {
-    return means[pixel * guides.size() + guides.indexOf(layer)] != NO_MEAN;
+    return means[pixel * guides.size() + guideOrder[layer.ordinal()]] != NO_MEAN;
   }
 
-  /** Returns a component of the mean of the first half of a pixel's samples, to 2^-20. */
+  /** Returns a component of a guide's mean of the first half of a pixel's samples, to 2^-20. */
   double firstMean(Layer layer, int channel, int pixel) {
-    long packed = means[pixel * guides.size() + guides.indexOf(layer)];
+    long packed = means[pixel * guides.size() + guideOrder[layer.ordinal()]];
     long bits = packed >>> MEAN_BITS * (2 - channel) & MEAN_MASK;
     return 2.0 * bits / MEAN_MASK - 1;
   }
