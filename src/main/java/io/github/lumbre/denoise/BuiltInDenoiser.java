@@ -109,11 +109,11 @@ public final class BuiltInDenoiser {
   /** Returns the result with its light given back, and not farther than the noise allows. */
   private float[] corrected() throws InterruptedException {
     float[] corrected = new float[result.length];
-    LostLight lost = new LostLight(features, noisy.light().noise(), result);
     int values = 3 * noisy.width();
     workers.compute(
         noisy.height(),
         (first, end, convolution) -> {
+          LostLight lost = new LostLight(features, noisy.light().noise(), result);
           double[] variances = new double[values];
           float[] row = new float[values];
           for (int y = first; y < end; y++) {

@@ -1,10 +1,12 @@
 package io.github.lumbre.denoise;
 
+import java.util.Arrays;
+
 /**
  * Gives back light that filtering lost: kernels that spare few bright pixels among many dark ones
  * make sparse light too dark. The mean of a neighborhood shows this where it differs from the mean
  * of the result by more than its noise explains; how much of the difference is given back follows
- * from both (James &amp; Stein 1961).
+ * from both (James &amp; Stein 1961). Mutable; rows that follow each other share work.
  */
 final class LostLight {
   private static final int RADIUS = 12;
@@ -22,11 +24,19 @@ final class LostLight {
   private final float[] noise;
   private final int width;
 
+  /** The light of the rows of a neighborhood, each at its number modulo their count. */
+  private final float[][] lights;
+
+  /** The numbers of these rows; -1 for none. */
+  private final int[] lightRows = new int[2 * RADIUS + 1];
+
   LostLight(Features picture, float[] noise, float[] filtered) {
     this.picture = picture;
     this.noise = noise;
     this.filtered = filtered;
     width = picture.width();
+    lights = new float[lightRows.length][3 * width];
+    Arrays.fill(lightRows, -1);
   }
 
   /** Writes a row of the result with its light given back, three values for each pixel. */
@@ -37,13 +47,7 @@ final class LostLight {
     double[] variances = new double[3 * width];
     double[] means = new double[3 * width];
     for (int near = first; near < end; near++) {
-      int start = 3 * near * width;
-      for (int i = 0; i < 3 * width; i++) {
-        double error = noise[start + i];
-        differences[i] += picture.light(start + i) - (double) filtered[start + i];
-        variances[i] += error * error;
-        means[i] += filtered[start + i];
-      }
+      addRow(light(near), 3 * near * width, differences, variances, means);
     }
     double[] difference = new double[3];
     double[] mean = new double[3];
@@ -65,6 +69,29 @@ final class LostLight {
         double value = filtered[3 * (y * width + x) + c];
         row[3 * x + c] = (float) (value * (1 + Math.max(LEAST, Math.min(MOST, gain))));
       }
+    }
+  }
+
+  /** Returns the light of a row of the picture. */
+  private float[] light(int y) {
+    int slot = y % lights.length;
+    if (lightRows[slot] != y) {
+      lightRows[slot] = y;
+      for (int i = 0; i < 3 * width; i++) {
+        lights[slot][i] = picture.light(3 * y * width + i);
+      }
+    }
+    return lights[slot];
+  }
+
+  /** Adds a row to the sums of its columns; its noise and its result begin at an index. */
+  private void addRow(
+      float[] light, int start, double[] differences, double[] variances, double[] means) {
+    for (int i = 0; i < light.length; i++) {
+      double error = noise[start + i];
+      differences[i] += light[i] - (double) filtered[start + i];
+      variances[i] += error * error;
+      means[i] += filtered[start + i];
     }
   }
 
