@@ -13,13 +13,13 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /**
- * Decodes picture files from untrusted sources: PNG, JPEG and TGA as they are, all formats as
+ * Decodes picture files from untrusted sources: PNG, JPEG, WebP and TGA as they are, all formats as
  * linear light. The content decides, not the name.
  *
  * <p>The header is read first. A picture that exceeds the limits, or is larger than its data can
  * hold, is rejected before memory is allocated for it. All color types and bit depths of PNG are
- * supported, JPEG with 8 bits per channel, and TGA, packed or not. Values are returned as the file
- * has them: color profiles, gamma and orientation are ignored.
+ * supported, JPEG with 8 bits per channel, still WebP pictures of all kinds, and TGA, packed or
+ * not. Values are returned as the file has them: color profiles, gamma and orientation are ignored.
  */
 public final class ImageReader {
   /** The largest number of pixels of a picture: 2^28. */

@@ -36,7 +36,7 @@ class UnreadableTexturesTest {
     byte[] damaged = png();
     damaged[45] ^= 1;
     return Stream.of(
-        Arguments.of("a WebP picture", bytes("RIFF\0\0\0\0WEBPVP8 ")),
+        Arguments.of("WebP has no VP8 key frame", bytes("RIFF\0\0\0\0WEBPVP8 ")),
         Arguments.of("a KTX picture", bytes("\u00abKTX 20\u00bb\r\n\u001a\n")),
         Arguments.of("a Basis Universal picture", bytes("sB\u0013\0")),
         Arguments.of("a GIF picture", bytes("GIF89a")),

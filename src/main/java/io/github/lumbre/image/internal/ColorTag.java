@@ -1,8 +1,10 @@
 package io.github.lumbre.image.internal;
 
+import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.image.webp.WebpFile;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -13,7 +15,7 @@ import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 
 /**
- * Finds the color space that a PNG or JPEG file states if it is not sRGB, because {@link
+ * Finds the color space that a PNG, JPEG or WebP file states if it is not sRGB, because {@link
  * ImageReader} ignores it. Only the description of an ICC profile is decoded. Sources: PNG
  * specification, third edition, sec. 11.3.2; ICC.1:2022, sec. 7 and B.4.
  */
@@ -46,8 +48,12 @@ public final class ColorTag {
       if (PngFile.startsIn(file)) {
         return ofPng(ByteBuffer.wrap(file));
       }
+      if (WebpFile.startsIn(file)) {
+        byte[] profile = WebpFile.profile(file);
+        return profile.length == 0 ? Optional.empty() : profile(profile);
+      }
       return JpegFile.startsIn(file) ? ofJpeg(ByteBuffer.wrap(file)) : Optional.empty();
-    } catch (IndexOutOfBoundsException e) {
+    } catch (IndexOutOfBoundsException | ImageFormatException e) {
       // The file is damaged. Decoding reports that.
       return Optional.empty();
     }

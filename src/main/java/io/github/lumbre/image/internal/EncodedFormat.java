@@ -8,6 +8,7 @@ import io.github.lumbre.image.imageio.JdkDecoder;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.tga.TgaFile;
+import io.github.lumbre.image.webp.WebpFile;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -20,6 +21,7 @@ import java.util.stream.Collectors;
 public enum EncodedFormat {
   PNG("PNG", PngFile::startsIn, EncodedFormat::png),
   JPEG("JPEG", JpegFile::startsIn, EncodedFormat::jpeg),
+  WEBP("WebP", WebpFile::startsIn, WebpFile::open),
   /** Has no signature, so it comes last. */
   TGA("TGA", TgaFile::isIn, TgaFile::open);
 
@@ -63,7 +65,7 @@ public enum EncodedFormat {
     return Arrays.stream(values()).filter(format -> format.recognizer.test(file)).findFirst();
   }
 
-  /** Returns the names of all formats: {@code PNG, JPEG or TGA}. */
+  /** Returns the names of all formats: {@code PNG, JPEG, WebP or TGA}. */
   public static String titles() {
     String titles = Arrays.stream(values()).map(f -> f.title).collect(Collectors.joining(", "));
     int last = titles.lastIndexOf(',');

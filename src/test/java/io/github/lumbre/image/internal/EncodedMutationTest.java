@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.tga.TgaFixture;
+import io.github.lumbre.image.webp.WebpSamples;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.FileMutator;
 import java.lang.management.ManagementFactory;
@@ -28,7 +29,8 @@ class EncodedMutationTest {
   private static final long UNCOUNTED = 8_000_000;
 
   private enum Form {
-    TGA(30, TgaFixture.files());
+    TGA(30, TgaFixture.files()),
+    WEBP(60, WebpSamples.files());
 
     private final int header;
     private final List<byte[]> files;

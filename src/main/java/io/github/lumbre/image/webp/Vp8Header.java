@@ -1,0 +1,137 @@
+package io.github.lumbre.image.webp;
+
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import io.github.lumbre.image.ImageFormatException;
+
+/**
+ * The header of a VP8 key frame (RFC 6386, sec. 9 and 19.2).
+ *
+ * @param modes the data of the modes, after the header
+ * @param residuals the data of the coefficients, in 1, 2, 4 or 8 parts that alternate by row
+ * @param segmentProbabilities of the nodes of a segment number; empty if there are no numbers
+ * @param quantizers of the four segments
+ * @param filters of the four segments
+ * @param tokens the probabilities of tokens
+ * @param skipping the probability that a macroblock has coefficients; -1 if all may have them
+ */
+record Vp8Header(
+    BoolDecoder modes,
+    BoolDecoder[] residuals,
+    int[] segmentProbabilities,
+    Vp8Quantizer[] quantizers,
+    Vp8Filters filters,
+    int[] tokens,
+    int skipping) {
+  static final int SEGMENTS = 4;
+
+  /** The bytes before the coded header: of a frame, and of a key frame. */
+  private static final int TAG_BYTES = 10;
+
+  /** The settings that may differ between segments, and the probabilities of segment numbers. */
+  private record Segments(
+      boolean present, boolean absolute, int[] quantizers, int[] filters, int[] probabilities) {
+    static Segments read(BoolDecoder bits) throws ImageFormatException {
+      int[] quantizers = new int[SEGMENTS];
+      int[] filters = new int[SEGMENTS];
+      int[] probabilities = {};
+      boolean absolute = false;
+      boolean present = bits.flag();
+      if (present) {
+        boolean hasNumbers = bits.flag();
+        if (bits.flag()) {
+          absolute = bits.flag();
+          for (int i = 0; i < SEGMENTS; i++) {
+            quantizers[i] = bits.optional(7);
+          }
+          for (int i = 0; i < SEGMENTS; i++) {
+            filters[i] = bits.optional(6);
+          }
+        }
+        if (hasNumbers) {
+          probabilities = new int[SEGMENTS - 1];
+          for (int i = 0; i < probabilities.length; i++) {
+            probabilities[i] = bits.flag() ? bits.unsigned(8) : 255;
+          }
+        }
+      }
+      return new Segments(present, absolute, quantizers, filters, probabilities);
+    }
+
+    int value(int[] values, int segment, int base) {
+      return !present ? base : absolute ? values[segment] : base + values[segment];
+    }
+  }
+
+  /**
+   * Reads the header of a frame.
+   *
+   * @param from the position of the frame
+   * @param end the position after it
+   */
+  static Vp8Header read(byte[] file, int from, int end) throws ImageFormatException {
+    int start = from + TAG_BYTES;
+    int first = start + (WebpFile.unsigned24(file, from) >> 5);
+    if (first > end) {
+      throw malformed("VP8 is truncated");
+    }
+    BoolDecoder bits = new BoolDecoder(file, start, first);
+    bits.unsigned(2); // The color space, of which there is one, and a promise about clamping.
+    Segments segments = Segments.read(bits);
+    Vp8Filters filters = filters(bits, segments);
+    BoolDecoder[] residuals = residuals(file, first, end, 1 << bits.unsigned(2));
+    int index = bits.unsigned(7);
+    Vp8Quantizer.Offsets offsets = Vp8Quantizer.Offsets.read(bits);
+    Vp8Quantizer[] quantizers = new Vp8Quantizer[SEGMENTS];
+    for (int i = 0; i < SEGMENTS; i++) {
+      quantizers[i] = Vp8Quantizer.of(segments.value(segments.quantizers, i, index), offsets);
+    }
+    bits.flag(); // Whether later frames keep the probabilities.
+    int[] tokens = Vp8Tables.TOKEN_PROBABILITIES.clone();
+    for (int i = 0; i < tokens.length; i++) {
+      tokens[i] = bits.bit(Vp8Tables.REPLACEMENTS[i]) == 1 ? bits.unsigned(8) : tokens[i];
+    }
+    int skipping = bits.flag() ? bits.unsigned(8) : -1;
+    return new Vp8Header(
+        bits, residuals, segments.probabilities, quantizers, filters, tokens, skipping);
+  }
+
+  private static Vp8Filters filters(BoolDecoder bits, Segments segments)
+      throws ImageFormatException {
+    boolean isSimple = bits.flag();
+    int level = bits.unsigned(6);
+    int sharpness = bits.unsigned(3);
+    int[] offsets = new int[8]; // Of four kinds of reference frames, and of four modes.
+    if (bits.flag() && bits.flag()) {
+      for (int i = 0; i < offsets.length; i++) {
+        offsets[i] = bits.optional(6);
+      }
+    }
+    int[] levels = new int[2 * SEGMENTS];
+    for (int i = 0; i < SEGMENTS && level > 0; i++) {
+      int base = segments.value(segments.filters, i, level) + offsets[0];
+      levels[2 * i] = Math.max(0, Math.min(63, base));
+      levels[2 * i + 1] = Math.max(0, Math.min(63, base + offsets[4]));
+    }
+    return new Vp8Filters(isSimple, sharpness, levels);
+  }
+
+  private static BoolDecoder[] residuals(byte[] file, int from, int end, int count)
+      throws ImageFormatException {
+    BoolDecoder[] parts = new BoolDecoder[count];
+    int sizes = from;
+    int start = from + 3 * (count - 1);
+    if (start > end) {
+      throw malformed("VP8 is truncated");
+    }
+    for (int i = 0; i < count; i++, sizes += 3) {
+      int size = i == count - 1 ? end - start : WebpFile.unsigned24(file, sizes);
+      if (size > end - start) {
+        throw malformed("VP8 is truncated");
+      }
+      parts[i] = new BoolDecoder(file, start, start + size);
+      start += size;
+    }
+    return parts;
+  }
+}
