@@ -164,6 +164,7 @@ final class CheckBundle {
     checkContent(stem + "-javadoc.jar", "index.html", "lumbre/cli/");
     for (String kind : List.of(".jar", "-cli.jar")) {
       checkContent(stem + kind, "META-INF/LICENSE", "-INF/native-image/none");
+      checkContent(stem + kind, "META-INF/NOTICE", "-INF/native-image/none");
     }
   }
 

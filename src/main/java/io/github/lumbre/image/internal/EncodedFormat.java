@@ -6,6 +6,7 @@ import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.imageio.JdkDecoder;
 import io.github.lumbre.image.jpeg.JpegFile;
+import io.github.lumbre.image.ktx.KtxFile;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.tga.TgaFile;
 import io.github.lumbre.image.webp.WebpFile;
@@ -22,6 +23,7 @@ public enum EncodedFormat {
   PNG("PNG", PngFile::startsIn, EncodedFormat::png),
   JPEG("JPEG", JpegFile::startsIn, EncodedFormat::jpeg),
   WEBP("WebP", WebpFile::startsIn, WebpFile::open),
+  KTX("KTX 2", KtxFile::startsIn, KtxFile::open),
   /** Has no signature, so it comes last. */
   TGA("TGA", TgaFile::isIn, TgaFile::open);
 
@@ -65,7 +67,7 @@ public enum EncodedFormat {
     return Arrays.stream(values()).filter(format -> format.recognizer.test(file)).findFirst();
   }
 
-  /** Returns the names of all formats: {@code PNG, JPEG, WebP or TGA}. */
+  /** Returns the names of all formats: {@code PNG, JPEG, WebP, KTX 2 or TGA}. */
   public static String titles() {
     String titles = Arrays.stream(values()).map(f -> f.title).collect(Collectors.joining(", "));
     int last = titles.lastIndexOf(',');

@@ -4,6 +4,7 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
 import java.nio.ByteBuffer;
 
@@ -69,11 +70,12 @@ public final class KtxFile {
    * @throws ImageFormatException if the picture is not of a supported kind, exceeds the limits or
    *     is larger than its data can hold
    */
-  public static KtxFile read(byte[] file) throws ImageFormatException {
+  public static EncodedPicture open(byte[] file) throws ImageFormatException {
     if (ByteBuffer.wrap(file).getLong() != SIGNATURE) {
       throw malformed("KTX has version 1, expected version 2");
     }
-    return new KtxFile(new KtxInput(file, 0, file.length, "the header"));
+    KtxFile ktx = new KtxFile(new KtxInput(file, 0, file.length, "the header"));
+    return new EncodedPicture(ktx.width, ktx.height, ktx.bytesPerPixel(), ktx::decode);
   }
 
   private void requireOnePicture(KtxInput in) throws ImageFormatException {
@@ -94,18 +96,7 @@ public final class KtxFile {
     }
   }
 
-  /** Returns the number of columns. */
-  public int width() {
-    return width;
-  }
-
-  /** Returns the number of rows. */
-  public int height() {
-    return height;
-  }
-
-  /** Returns the memory that decoding takes, without a few megabytes. */
-  public int bytesPerPixel() {
+  private int bytesPerPixel() {
     int decompressed = compression.hasOwnBytes() ? Math.max(1, coding.stored()) : 0;
     return coding.channels() + decompressed;
   }
@@ -117,14 +108,7 @@ public final class KtxFile {
         : Math.multiplyExact(coding.stored(), width * height);
   }
 
-  /**
-   * Decodes the picture. The caller checks that its {@link #bytesPerPixel} are available.
-   *
-   * @throws ImageFormatException if the data are damaged
-   * @throws java.util.concurrent.CancellationException if the calling thread is interrupted; the
-   *     interrupt status stays set
-   */
-  public Pixels decode() throws ImageFormatException {
+  private Pixels decode() throws ImageFormatException {
     TexelBlocks target = new TexelBlocks(width, height, coding.channels(), metadata);
     switch (coding) {
       case ETC1S, ETC1S_ALPHA -> Etc1sPicture.decode(level, global, levels, target);

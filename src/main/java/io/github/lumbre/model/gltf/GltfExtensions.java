@@ -68,7 +68,6 @@ final class GltfExtensions {
 
   private static final Map<String, String> ADVICE =
       Map.of(
-          "KHR_texture_basisu", CONVERT,
           "EXT_texture_webp", CONVERT,
           "EXT_texture_avif", CONVERT,
           "MSFT_texture_dds", CONVERT,
@@ -109,6 +108,7 @@ final class GltfExtensions {
 
   private static boolean isSupported(String name) {
     return SUPPORTED.contains(name)
+        || GltfTextures.PICTURES.contains(name)
         || INVISIBLE.contains(name)
         || name.startsWith("KHR_") && MaterialParameter.gltfObjects().contains(name);
   }

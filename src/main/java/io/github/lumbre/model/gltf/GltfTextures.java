@@ -1,5 +1,7 @@
 package io.github.lumbre.model.gltf;
 
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -9,6 +11,7 @@ import io.github.lumbre.model.internal.ModelTexture.Wrap;
 import io.github.lumbre.model.internal.UvTransform;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +20,9 @@ import java.util.OptionalInt;
 
 /** The textures, samplers and images of a glTF file (glTF 2.0, section 3.8). Mutable. */
 final class GltfTextures {
+  /** Extensions that give a texture a picture in another format, the preferred one first. */
+  static final List<String> PICTURES = List.of("KHR_texture_basisu");
+
   private static final int NEAREST = 9728;
   private static final int CLAMP_TO_EDGE = 33071;
   private static final int MIRRORED_REPEAT = 33648;
@@ -54,18 +60,18 @@ final class GltfTextures {
     if (transform.isPresent()) {
       uvSet = transform.get().whole("texCoord", uvSet, 0, Integer.MAX_VALUE);
     }
-    OptionalInt source = texture.index("source", document.size("images"));
-    if (uvSet > 1 || source.isEmpty()) {
+    List<Integer> sources = sources(texture);
+    if (uvSet > 1 || sources.isEmpty()) {
       String what =
           uvSet > 1
               ? "TEXCOORD_" + uvSet + " is not supported"
-              : "expected a PNG or JPEG picture, found " + unknownSource(texture);
+              : "expected a picture, found " + unknownSource(texture);
       document
           .warnings()
           .add("a texture is left out", info.location(), what + "; the texture is left out");
       return Optional.empty();
     }
-    Optional<ModelImage> image = usable(source.getAsInt());
+    Optional<ModelImage> image = usable(sources);
     if (image.isEmpty()) {
       return Optional.empty();
     }
@@ -75,6 +81,41 @@ final class GltfTextures {
             image.get(),
             (int) uvSet,
             transform.isPresent() ? transform(transform.get()) : UvTransform.IDENTITY));
+  }
+
+  /** Returns the indices of the images of a texture, the preferred one first. */
+  private List<Integer> sources(GltfJson texture) throws ModelFormatException {
+    int images = document.size("images");
+    List<Integer> sources = new ArrayList<>();
+    for (String name : PICTURES) {
+      Optional<GltfJson> extension = texture.extension(name);
+      if (extension.isPresent()) {
+        extension.get().index("source", images).ifPresent(sources::add);
+      }
+    }
+    texture.index("source", images).ifPresent(sources::add);
+    return sources;
+  }
+
+  /** Returns the first of some images that can be read; if there is none, the last. */
+  private Optional<ModelImage> usable(List<Integer> sources)
+      throws ModelFormatException, IOException {
+    for (int source : sources.subList(0, sources.size() - 1)) {
+      Optional<ModelImage> image = usable(source);
+      if (image.isPresent() && isIntact(image.get())) {
+        return image;
+      }
+    }
+    return usable(sources.get(sources.size() - 1));
+  }
+
+  private static boolean isIntact(ModelImage image) {
+    try {
+      ImageReader.requireIntact(image.encoded());
+      return true;
+    } catch (ImageFormatException e) {
+      return false;
+    }
   }
 
   /** Returns the extensions that give a texture a picture in another format. */

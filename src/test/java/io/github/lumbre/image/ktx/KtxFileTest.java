@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageFormatException.Kind;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.ktx.KtxSamples.Sample;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
@@ -35,7 +36,7 @@ class KtxFileTest {
   }
 
   private static Pixels decode(byte[] file) throws ImageFormatException {
-    return KtxFile.read(file).decode();
+    return KtxFile.open(file).decoder().decode();
   }
 
   private static byte[] rgba(Pixels pixels) {
@@ -64,8 +65,8 @@ class KtxFileTest {
   void valuesAreThoseOfTheTranscoder(Sample sample)
       throws ImageFormatException, NoSuchAlgorithmException {
     assertThat(KtxFile.startsIn(sample.file())).isTrue();
-    KtxFile file = KtxFile.read(sample.file());
-    Pixels pixels = file.decode();
+    EncodedPicture file = KtxFile.open(sample.file());
+    Pixels pixels = file.decoder().decode();
     assertThat(List.of(file.width(), file.height(), pixels.width(), pixels.height()))
         .isEqualTo(List.of(sample.width(), sample.height(), sample.width(), sample.height()));
     assertThat(pixels.hasAlpha()).isEqualTo(sample.hasAlpha());

@@ -1,0 +1,73 @@
+package io.github.lumbre.model.gltf;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.ktx.KtxSamples;
+import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelTexture;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests which of its pictures a texture of glTF has. */
+class GltfPicturesTest {
+  private static final String MATERIAL =
+      "{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}}";
+  private static final byte[] PNG = Pixels.of(1, 1, 1, new byte[] {7}).toPng();
+
+  private final GltfFile file = new GltfFile();
+
+  private Model model(byte[] picture, String texture) throws ModelFormatException, IOException {
+    file.triangle(", 'material': 0");
+    file.add("nodes", "{'mesh': 0}");
+    file.add("materials", MATERIAL);
+    file.add("images", "{'mimeType': 'image/ktx2', 'bufferView': " + file.view(picture, "") + "}");
+    file.add("images", "{'mimeType': 'image/png', 'bufferView': " + file.view(PNG, "") + "}");
+    file.add("textures", texture);
+    return file.read();
+  }
+
+  private static Optional<byte[]> encoded(Model model) {
+    Optional<ModelTexture> texture =
+        model.parts().get(0).material().input(MaterialParameter.BASE_COLOR).texture();
+    return texture.map(found -> found.image().encoded());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false, false", "false, true", "true, false", "true, true"})
+  void picturesOfBasisUniversalArePreferred(boolean isRequired, boolean hasOther)
+      throws ModelFormatException, IOException {
+    byte[] ktx = KtxSamples.file("ETC1S of gray");
+    file.set("extensionsUsed", "['KHR_texture_basisu']");
+    if (isRequired) {
+      file.set("extensionsRequired", "['KHR_texture_basisu']");
+    }
+    String other = hasOther ? ", 'source': 1" : "";
+    Model model = model(ktx, "{'extensions': {'KHR_texture_basisu': {'source': 0}}" + other + "}");
+    assertThat(model.warnings()).isEmpty();
+    assertThat(encoded(model)).contains(ktx);
+    assertThat(ImageReader.decode(ktx).width()).isEqualTo(40);
+  }
+
+  @Test
+  void otherPictureReplacesOneThatCannotBeRead() throws ModelFormatException, IOException {
+    byte[] damaged = Arrays.copyOf(KtxSamples.file("UASTC"), 200);
+    Model model =
+        model(damaged, "{'extensions': {'KHR_texture_basisu': {'source': 0}}, 'source': 1}");
+    assertThat(encoded(model)).contains(PNG);
+  }
+
+  @Test
+  void damagedPictureWithoutAnotherIsLeftToItsUse() throws ModelFormatException, IOException {
+    byte[] damaged = Arrays.copyOf(KtxSamples.file("UASTC"), 200);
+    Model model = model(damaged, "{'extensions': {'KHR_texture_basisu': {'source': 0}}}");
+    assertThat(encoded(model)).contains(damaged);
+  }
+}
