@@ -12,10 +12,11 @@ import java.util.TreeSet;
 /**
  * A channel of an OpenEXR file.
  *
+ * @param isLinear whether equal steps of values look equal, so that lossy compressions keep them
  * @param use the components that the channel provides: a sum of {@link #RED}, {@link #GREEN},
  *     {@link #BLUE} and {@link #ALPHA}; 0 if it is skipped
  */
-record ExrChannel(String name, Type type, int use) {
+record ExrChannel(String name, Type type, boolean isLinear, int use) {
   static final int RED = 1;
   static final int GREEN = 2;
   static final int BLUE = 4;
@@ -67,27 +68,41 @@ record ExrChannel(String name, Type type, int use) {
     Set<String> names = new TreeSet<>();
     for (String name = ExrHeader.text(list); !name.isEmpty(); name = ExrHeader.text(list)) {
       int type = list.getInt();
-      list.getInt();
+      boolean isLinear = list.getInt() << Byte.SIZE * 3 != 0;
       if (type < 0 || type >= Type.values().length) {
         throw malformed("OpenEXR: expected channels of uint, half or float, found type " + type);
       }
-      if (list.getInt() != 1 || list.getInt() != 1) {
-        throw malformed("OpenEXR: expected channels without subsampling");
+      int stepX = list.getInt();
+      int stepY = list.getInt();
+      if (stepX != 1 || stepY != 1) {
+        throw malformed(
+            "OpenEXR: expected channels without subsampling, found "
+                + "one that has a value for every %d columns and %d lines; save the picture as RGB"
+                    .formatted(stepX, stepY));
       }
       if (!names.add(name) || channels.size() == MAX_CHANNELS) {
         throw malformed("OpenEXR: expected different channels, at most " + MAX_CHANNELS);
       }
-      channels.add(new ExrChannel(name, Type.values()[type], 0));
+      channels.add(new ExrChannel(name, Type.values()[type], isLinear, 0));
     }
     return channels;
   }
 
-  /** Returns channels with their uses in the only picture that they have. */
+  /**
+   * Returns channels with their uses in the only picture that they have: a gray one if there is one
+   * channel besides alpha, whatever its name.
+   */
   static List<ExrChannel> used(List<ExrChannel> channels) throws ImageFormatException {
     Set<String> names = new TreeSet<>();
     channels.forEach(channel -> names.add(channel.name));
+    List<ExrChannel> others = channels.stream().filter(c -> !c.component().equals("A")).toList();
+    if (others.size() <= 1 && !channels.isEmpty()) {
+      ExrChannel gray = others.isEmpty() ? channels.get(0) : others.get(0);
+      return channels.stream().map(c -> c.usedIn(prefix(gray.name), gray.name)).toList();
+    }
     String layer = layer(names);
-    return channels.stream().map(channel -> channel.usedIn(layer, names)).toList();
+    String gray = hasRgb(layer, names) ? "" : layer + "Y";
+    return channels.stream().map(channel -> channel.usedIn(layer, gray)).toList();
   }
 
   /** Returns the name of the channel's layer; empty if it has none. */
@@ -127,18 +142,25 @@ record ExrChannel(String name, Type type, int use) {
     }
     Set<String> layers = new TreeSet<>();
     for (String name : names) {
-      String prefix = name.substring(0, name.lastIndexOf('.') + 1);
-      if (hasColor(prefix, names)) {
-        layers.add(prefix);
+      if (hasColor(prefix(name), names)) {
+        layers.add(prefix(name));
       }
     }
     if (layers.size() > 1) {
       throw malformed("OpenEXR: expected one layer of colors, found " + layers.size());
     }
     if (layers.isEmpty()) {
-      throw malformed("OpenEXR: expected the channels R, G and B, or Y");
+      boolean hasChroma = names.containsAll(Set.of("Y", "RY", "BY"));
+      throw malformed(
+          "OpenEXR: expected the channels R, G and B, or one gray channel, found "
+              + (hasChroma ? "luminance and chroma (Y, RY, BY)" : names.size() + " channels")
+              + "; save the picture as RGB");
     }
     return layers.iterator().next();
+  }
+
+  private static String prefix(String name) {
+    return name.substring(0, name.lastIndexOf('.') + 1);
   }
 
   private static boolean hasColor(String layer, Set<String> names) {
@@ -149,20 +171,23 @@ record ExrChannel(String name, Type type, int use) {
     return names.containsAll(Set.of(layer + "R", layer + "G", layer + "B"));
   }
 
-  private ExrChannel usedIn(String layer, Set<String> names) {
-    boolean hasRgb = hasRgb(layer, names);
-    int newUse = 0;
-    if (name.startsWith(layer)) {
+  /**
+   * @param layer the prefix of the channels of the picture
+   * @param gray the name of its gray channel; empty if it has R, G and B
+   */
+  private ExrChannel usedIn(String layer, String gray) {
+    boolean hasRgb = gray.isEmpty();
+    int newUse = name.equals(gray) ? COLOR : 0;
+    if (newUse == 0 && name.startsWith(layer)) {
       newUse =
           switch (name.substring(layer.length())) {
             case "R" -> hasRgb ? RED : 0;
             case "G" -> hasRgb ? GREEN : 0;
             case "B" -> hasRgb ? BLUE : 0;
             case "A" -> ALPHA;
-            case "Y" -> hasRgb ? 0 : COLOR;
             default -> 0;
           };
     }
-    return new ExrChannel(name, type, newUse);
+    return new ExrChannel(name, type, isLinear, newUse);
   }
 }

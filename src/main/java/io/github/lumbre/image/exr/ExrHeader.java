@@ -141,7 +141,7 @@ record ExrHeader(
             ? ""
             : StandardCharsets.US_ASCII.decode(attribute.value.duplicate()).toString();
     if (type.startsWith("deep")) {
-      throw malformed("OpenEXR: deep pictures are not supported");
+      throw malformed("OpenEXR: expected flat pixels, found deep ones; save the picture flattened");
     }
     return type;
   }

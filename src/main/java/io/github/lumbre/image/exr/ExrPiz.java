@@ -25,13 +25,12 @@ final class ExrPiz {
   private final int height;
   private final short[] values;
 
-  ExrPiz(byte[] packed, List<ExrChannel> channels, int width, int height) {
-    in = ByteBuffer.wrap(packed).order(ByteOrder.LITTLE_ENDIAN);
-    this.channels = channels;
-    this.width = width;
-    this.height = height;
-    int shortsPerPixel = channels.stream().mapToInt(c -> c.type().bytes() / 2).sum();
-    values = new short[shortsPerPixel * width * height];
+  ExrPiz(byte[] packed, ExrBlock block) {
+    in = ExrBytes.little(packed);
+    channels = block.channels();
+    width = block.width();
+    height = block.height();
+    values = new short[block.bytes() / Short.BYTES];
   }
 
   /** Returns the bytes of the block: for each line, the bytes of one channel after the other. */
@@ -40,7 +39,7 @@ final class ExrPiz {
     int max = readTable(table);
     int length = in.getInt();
     if (length != in.remaining()) {
-      throw malformed("OpenEXR is damaged: a block is too short or too long");
+      throw ExrBytes.wrongSize();
     }
     new ExrHuffman(in).decode(values);
     int start = 0;

@@ -1,6 +1,7 @@
 package io.github.lumbre.image.exr;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
+import static io.github.lumbre.image.exr.ExrBytes.little;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
@@ -13,7 +14,6 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
@@ -25,22 +25,20 @@ import java.util.zip.DataFormatException;
 
 /**
  * Reads OpenEXR files ("OpenEXR File Layout", openexr.com): scan lines and tiles, of which the
- * full-size level is read; of several parts, the first; no compression, RLE, ZIPS, ZIP or PIZ. The
- * channels are R, G and B, or the gray Y, and perhaps A, of the picture or of its only layer. The
- * picture has the size of the display window; pixels outside the data window are 0.
+ * full-size level is read; of several parts, the first; every {@link ExrCompression}. The channels
+ * are R, G and B, or a gray one, and perhaps A, of the picture or of its only layer. The picture
+ * has the size of the display window; pixels outside the data window are 0.
  */
 public final class ExrReader {
   private static final int MAGIC = 20000630;
   private static final int VERSION = 2;
   private static final int TILES = 0x200;
   private static final int LONG_NAMES = 0x400;
+  private static final int DEEP = 0x800;
   private static final int PARTS = 0x1000;
 
-  /**
-   * The largest number of bytes that one byte of deflated data can inflate to (zlib technical
-   * notes).
-   */
-  private static final long MAX_INFLATION = 1032;
+  /** The memory that unpacking takes, in sizes of an unpacked block. */
+  private static final int BLOCK_COPIES = 4;
 
   private final ByteBuffer in;
   private final ExrHeader header;
@@ -63,7 +61,11 @@ public final class ExrReader {
     in.getInt();
     int version = in.getInt();
     if ((version & ~(LONG_NAMES | TILES | PARTS)) != VERSION) {
-      throw malformed("OpenEXR: expected version 2 without deep data");
+      throw malformed(
+          "OpenEXR: expected version 2, found "
+              + (version == (version & (LONG_NAMES | PARTS) | DEEP | VERSION)
+                  ? "deep pixels; save the picture flattened"
+                  : "version and flags 0x" + Integer.toHexString(version)));
     }
     hasParts = (version & PARTS) != 0;
     header = ExrHeader.read(in, (version & TILES) != 0, isPicture);
@@ -72,10 +74,9 @@ public final class ExrReader {
     }
     long pixels = (long) header.width() * header.height();
     if (in.remaining() < Long.BYTES * header.blocksOfAllLevels()
-        || header.bytesPerPixel() * pixels > MAX_INFLATION * in.remaining()) {
+        || header.bytesPerPixel() * pixels > header.compression().maxInflation() * in.remaining()) {
       throw malformed("OpenEXR ends too early");
     }
-    checkBlockSize();
   }
 
   public static boolean startsIn(byte[] file) {
@@ -111,13 +112,24 @@ public final class ExrReader {
     }
   }
 
-  private void checkBlockSize() throws ImageFormatException {
-    long width = Math.min(header.blockWidth(), header.width());
-    long height = Math.min(header.blockHeight(), header.height());
-    if (width * height * header.bytesPerPixel() > Integer.MAX_VALUE - 8) {
+  /**
+   * Checks the memory for the picture and for a block, whose sides count as multiples of those that
+   * compressions divide it into.
+   *
+   * @param values of each pixel
+   */
+  private void checkMemory(int values) throws ImageFormatException {
+    long width = ExrDct.squares(Math.min(header.blockWidth(), header.width()));
+    long height = ExrDct.squares(Math.min(header.blockHeight(), header.height()));
+    long block = width * height * ExrDct.SIZE * header.bytesPerPixel();
+    if (block > Integer.MAX_VALUE - 8) {
       throw new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE, "OpenEXR: a block has more than 2 GiB");
     }
+    Window display = header.display();
+    long picture = (long) Float.BYTES * values * display.width() * display.height();
+    PictureLimits.checkBytes(
+        display.width(), display.height(), picture + BLOCK_COPIES * block, Limits.NONE);
   }
 
   private LinearPicture readPicture(long maxPixels)
@@ -125,6 +137,7 @@ public final class ExrReader {
     int width = header.display().width();
     int height = header.display().height();
     PictureLimits.checkPixels(width, height, maxPixels);
+    checkMemory(header.hasAlpha() ? 4 : 3);
     float[] rgb = LinearReader.raster(width, height, 3);
     float[] alpha = header.hasAlpha() ? LinearReader.raster(width, height, 1) : new float[0];
     readBlocks(
@@ -160,7 +173,7 @@ public final class ExrReader {
           "OpenEXR: expected at most %d values in all channels, found %d channels of %d pixels"
               .formatted(LayeredImage.MAX_VALUES, channels.size(), pixels));
     }
-    PictureLimits.checkMemory(width, height, channels.size() * Float.BYTES, Limits.NONE);
+    checkMemory(channels.size());
     Map<String, List<ExrChannel>> byLayer = new TreeMap<>();
     for (ExrChannel channel : channels) {
       byLayer.computeIfAbsent(channel.layer(), name -> new ArrayList<>()).add(channel);
@@ -267,7 +280,8 @@ public final class ExrReader {
     int height = Math.min(header.blockHeight(), header.height() - top);
     byte[] data = new byte[Math.max(0, Math.min(in.getInt(), in.remaining()))];
     in.get(data);
-    ByteBuffer raw = little(header.compression().unpacked(data, header, width, height));
+    ExrBlock block = new ExrBlock(header.channels(), width, height);
+    ByteBuffer raw = little(header.compression().unpacked(data, block));
     for (int y = top; y < top + height; y++) {
       for (int channel = 0; channel < header.channels().size(); channel++) {
         int bytes = header.channels().get(channel).type().bytes();
@@ -297,9 +311,5 @@ public final class ExrReader {
     }
     raw.position(raw.position() + (int) (from - column) * bytes);
     rows.put(raw, channel, (int) (row * display.width() + from), (int) (to - from));
-  }
-
-  private static ByteBuffer little(byte[] bytes) {
-    return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
   }
 }

@@ -45,7 +45,15 @@ public final class PictureLimits {
   /** Checks that a picture fits into the heap, and the memory that the limits allow. */
   public static void checkMemory(int width, int height, int bytesPerPixel, Limits limits)
       throws ImageFormatException {
-    long bytes = (long) bytesPerPixel * width * height;
+    checkBytes(width, height, (long) bytesPerPixel * width * height, limits);
+  }
+
+  /**
+   * Checks that what reading a picture allocates fits into the heap, and the memory that the limits
+   * allow.
+   */
+  public static void checkBytes(int width, int height, long bytes, Limits limits)
+      throws ImageFormatException {
     Optional<String> excess = Limits.excess("bytes of memory", limits.heap(), bytes);
     if (excess.isPresent()) {
       throw new ImageFormatException(

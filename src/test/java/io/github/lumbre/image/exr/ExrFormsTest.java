@@ -116,18 +116,41 @@ class ExrFormsTest {
     ExrBuilder layers = new ExrBuilder(4, 2, 0).rgb("a.", (x, y) -> 0).rgb("b.", (x, y) -> 0);
     assertRefused(layers.file(), "expected one layer of colors, found 2");
     ExrBuilder depth = new ExrBuilder(4, 2, 0).channel("Z", FLOAT, (x, y) -> 0);
-    assertRefused(depth.file(), "expected the channels R, G and B, or Y");
+    depth.channel("id", UINT, (x, y) -> 0);
+    assertRefused(depth.file(), "R, G and B, or one gray channel, found 2 channels");
     ExrBuilder chroma = new ExrBuilder(4, 2, 0).channel("Y", FLOAT, (x, y) -> 0);
     chroma.channel("RY", FLOAT, (x, y) -> 0).channel("BY", FLOAT, (x, y) -> 0);
-    assertRefused(chroma.file(), "expected the channels R, G and B, or Y");
+    assertRefused(chroma.file(), "found luminance and chroma (Y, RY, BY); save the picture as RGB");
   }
 
   @ParameterizedTest
-  @CsvSource({"6, B44", "7, B44A", "8, DWAA", "9, DWAB", "10, code 10", "-1, code -1"})
-  void lossyCompressionsAreRefused(int code, String name) {
+  @ValueSource(strings = {"R", "Y", "Z", "A", "height", "disp.V", "depth.Z"})
+  void oneChannelIsGray(String name) throws ImageFormatException {
+    ExrBuilder gray = new ExrBuilder(4, 2, 3).channel(name, FLOAT, (x, y) -> x + y);
+    Image image = LinearReader.decode(gray.file());
+    assertThat(image.pixel(3, 1)).isEqualTo(Rgb.grey(4));
+    assertThat(image.hasAlpha()).isFalse();
+    String alpha = name.substring(0, name.lastIndexOf('.') + 1) + "A";
+    if (!name.equals("A")) {
+      gray.channel(alpha, HALF, (x, y) -> .5);
+      assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(8));
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"10, HTJ2K256", "11, HTJ2K32", "12, code 12", "-1, code -1"})
+  void otherCompressionsAreRefused(int code, String name) {
     assertRefused(
         new ExrBuilder(4, 2, code).rgb("", (x, y) -> 0).file(),
-        "expected no compression, RLE, ZIPS, ZIP or PIZ, found " + name);
+        "expected no compression, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA or DWAB, found "
+            + name);
+  }
+
+  @Test
+  void deepPicturesAreRefused() {
+    byte[] deep = new ExrBuilder(4, 2, 0).rgb("", (x, y) -> 0).file();
+    deep[5] = 8;
+    assertRefused(deep, "expected version 2, found deep pixels; save the picture flattened");
   }
 
   private static byte[] resource(String name) throws IOException {

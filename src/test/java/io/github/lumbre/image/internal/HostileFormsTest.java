@@ -35,6 +35,12 @@ class HostileFormsTest {
             .rgb("", HostileFormsTest::value)
             .fileBefore(new ExrBuilder(3, 3, 0).rgb("", (x, y) -> 0))),
     PIZ(800, resource("piz.exr")),
+    PXR24(900, resource("pxr24.exr")),
+    B44(900, resource("b44.exr")),
+    B44A(900, resource("b44a.exr")),
+    DWAA(1000, resource("dwaa.exr")),
+    DWAB(1000, resource("dwab.exr")),
+    DWAA_TILES(1000, resource("dwaa-tiles.exr")),
     RADIANCE_OLD(60, radiance(4, 9, 8, 7, 136, 1, 1, 1, 4, 6, 0, 0, 136)),
     RADIANCE_NEW(60, radiance(9, 2, 2, 0, 9, 137, 5, 4, 1, 2, 3, 4, 133, 7, 137, 8, 137, 136));
 

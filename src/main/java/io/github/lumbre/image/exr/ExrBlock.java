@@ -1,0 +1,22 @@
+package io.github.lumbre.image.exr;
+
+import java.util.List;
+
+/**
+ * The pixels that are packed together. When they are unpacked, each line has the values of one
+ * channel after the other.
+ *
+ * @param width in pixels
+ * @param height in lines
+ */
+record ExrBlock(List<ExrChannel> channels, int width, int height) {
+  /** Returns the number of bytes of a line. */
+  int lineBytes() {
+    return width * channels.stream().mapToInt(channel -> channel.type().bytes()).sum();
+  }
+
+  /** Returns the number of bytes of all lines. */
+  int bytes() {
+    return height * lineBytes();
+  }
+}
