@@ -106,7 +106,7 @@ class CompareCommandTest {
     Outcome.of("compare", directory + "/none.png", half)
         .assertFailed(ExitCodes.USAGE, "none.png: does not exist");
     Path text = Files.writeString(directory.resolve("text.png"), "no picture");
-    Outcome.of("compare", text.toString(), half).assertFailed(ExitCodes.ASSET, "expected a PNG");
+    Outcome.of("compare", text.toString(), half).assertFailed(ExitCodes.ASSET, "expected an OpenEXR, Radiance HDR");
     byte[] file = Files.readAllBytes(Path.of(more));
     Arrays.fill(file, file.length - 4, file.length, (byte) 0xff);
     Path nan = Files.write(directory.resolve("nan.pfm"), file);
