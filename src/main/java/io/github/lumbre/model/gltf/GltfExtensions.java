@@ -68,7 +68,6 @@ final class GltfExtensions {
 
   private static final Map<String, String> ADVICE =
       Map.of(
-          "EXT_texture_webp", CONVERT,
           "EXT_texture_avif", CONVERT,
           "MSFT_texture_dds", CONVERT,
           "KHR_materials_pbrSpecularGlossiness",

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.ktx.KtxSamples;
+import io.github.lumbre.image.webp.WebpSamples;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.Model;
@@ -41,19 +42,30 @@ class GltfPicturesTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"false, false", "false, true", "true, false", "true, true"})
-  void picturesOfBasisUniversalArePreferred(boolean isRequired, boolean hasOther)
+  @CsvSource({
+    "KHR_texture_basisu, false, false",
+    "KHR_texture_basisu, false, true",
+    "KHR_texture_basisu, true, false",
+    "KHR_texture_basisu, true, true",
+    "EXT_texture_webp, false, true",
+    "EXT_texture_webp, true, false"
+  })
+  void picturesOfExtensionsArePreferred(String extension, boolean isRequired, boolean hasOther)
       throws ModelFormatException, IOException {
-    byte[] ktx = KtxSamples.file("ETC1S of gray");
-    file.set("extensionsUsed", "['KHR_texture_basisu']");
+    byte[] picture =
+        extension.startsWith("KHR")
+            ? KtxSamples.file("ETC1S of gray")
+            : WebpSamples.file("alpha-levels");
+    file.set("extensionsUsed", "['" + extension + "']");
     if (isRequired) {
-      file.set("extensionsRequired", "['KHR_texture_basisu']");
+      file.set("extensionsRequired", "['" + extension + "']");
     }
     String other = hasOther ? ", 'source': 1" : "";
-    Model model = model(ktx, "{'extensions': {'KHR_texture_basisu': {'source': 0}}" + other + "}");
+    Model model =
+        model(picture, "{'extensions': {'" + extension + "': {'source': 0}}" + other + "}");
     assertThat(model.warnings()).isEmpty();
-    assertThat(encoded(model)).contains(ktx);
-    assertThat(ImageReader.decode(ktx).width()).isEqualTo(40);
+    assertThat(encoded(model)).contains(picture);
+    assertThat(ImageReader.decode(picture).width()).isEqualTo(40);
   }
 
   @Test
