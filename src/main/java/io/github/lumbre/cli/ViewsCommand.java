@@ -66,7 +66,7 @@ import picocli.CommandLine.Spec;
     description =
         "Writes front.png, back.png, left.png, right.png, top.png, bottom.png, iso.png and"
             + " views.png into a folder. Each picture has the bits of 'lumbre render MODEL --view"
-            + " NAME' with the same flags.",
+            + " NAME' with the same flags and samples.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"},
@@ -101,7 +101,7 @@ final class ViewsCommand implements Callable<Integer> {
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
-      description = "Samples per pixel (8; with --no-denoise 100).")
+      description = "Samples per pixel (2; with --no-denoise 100).")
   private Optional<Integer> samples;
 
   @Option(
@@ -205,7 +205,7 @@ final class ViewsCommand implements Callable<Integer> {
   private RenderSettings overridden(RenderSettings settings) {
     RenderSettings.Builder builder = settings.toBuilder();
     if (denoising.isPresent()) {
-      builder.samples(Denoising.MODEL_SAMPLES).set(Setting.LAYERS, Layer.FOR_DENOISING);
+      builder.samples(Denoising.VIEW_SAMPLES).set(Setting.LAYERS, Layer.FOR_DENOISING);
     }
     samples.ifPresent(builder::samples);
     size.ifPresent(s -> builder.size(s.width(), s.height()));

@@ -207,7 +207,7 @@ class DenoisedModelsTest {
   @Test
   void denoisedViewsNeedFewSamples() {
     String views = "views T/sample.glb --size 24x18 -o T/v";
-    assertThat(runs(views)).contains(" 8 samples per pixel, denoised");
+    assertThat(runs(views)).contains(" 2 samples per pixel, denoised");
     assertThat(runs(views + "2 --no-denoise")).contains(" 100 samples per pixel, ");
   }
 

@@ -30,6 +30,9 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
    */
   public static final int MODEL_SAMPLES = 8;
 
+  /** The same for each of the seven standard views: in all, little more than for one picture. */
+  public static final int VIEW_SAMPLES = 2;
+
   private static final String HOW_TO_RECORD =
       ". 'lumbre render --layers denoise' records the layers in an .exr picture or a checkpoint";
 
