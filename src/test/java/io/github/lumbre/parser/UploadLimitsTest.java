@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.ModelReader;
 import java.awt.image.BufferedImage;
@@ -17,12 +18,15 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.List;
 import java.util.Random;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Limits stop scenes and models before they cost memory or time. */
 class UploadLimitsTest {
@@ -208,9 +212,16 @@ class UploadLimitsTest {
     png.write(ByteBuffer.allocate(4).putInt((int) crc.getValue()).array());
   }
 
-  @Test
-  void texelsOfPicturesInModelsAndScenes() throws IOException {
-    file("bomb.png", bomb(8000));
+  static List<byte[]> bombs() throws IOException {
+    byte[] ktx = KtxSamples.file("ETC1S of one color");
+    ByteBuffer.wrap(ktx).order(ByteOrder.LITTLE_ENDIAN).putInt(20, 8000).putInt(24, 8000);
+    return List.of(bomb(8000), ktx);
+  }
+
+  @ParameterizedTest
+  @MethodSource("bombs")
+  void texelsOfPicturesInModelsAndScenes(byte[] bomb) throws IOException {
+    file("bomb.png", bomb);
     file("a.mtl", "newmtl a\nmap_Kd bomb.png\n");
     Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
     Limits limits = Limits.NONE.withTexels(1 << 20);

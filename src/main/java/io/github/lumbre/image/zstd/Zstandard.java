@@ -26,6 +26,8 @@ public final class Zstandard {
 
   private final ZstdInput in;
   private final ZstdOutput out;
+  private final Literals literals = new Literals();
+  private final Sequences sequences = new Sequences();
 
   private Zstandard(ZstdInput in, ZstdOutput out) {
     this.in = in;
@@ -58,13 +60,12 @@ public final class Zstandard {
       throw in.malformed("expected a frame, found %08x".formatted(magic));
     }
     boolean hasChecksum = readHeader();
-    CompressedBlock compressed = new CompressedBlock(out);
     boolean isLast;
     do {
       Interrupts.check();
       int header = (int) in.number(3);
       isLast = (header & 1) != 0;
-      readBlock(header >> 1 & 3, header >> 3, compressed);
+      readBlock(header >> 1 & 3, header >> 3);
     } while (!isLast);
     in.skip(hasChecksum ? CHECKSUM_BYTES : 0);
   }
@@ -86,16 +87,21 @@ public final class Zstandard {
     return (descriptor & CHECKSUM) != 0;
   }
 
-  private void readBlock(int type, int size, CompressedBlock compressed)
-      throws ImageFormatException {
+  private void readBlock(int type, int size) throws ImageFormatException {
     if (size > MAX_BLOCK) {
       throw in.malformed("expected a block of at most " + MAX_BLOCK + " bytes, found " + size);
     }
     switch (type) {
       case RAW -> out.copy(in.bytes(), in.skip(size), size);
       case RUN -> out.fill((byte) in.unsignedByte(), size);
-      case COMPRESSED -> compressed.decode(in.part(size));
+      case COMPRESSED -> readCompressed(in.part(size));
       default -> throw in.malformed("expected a block of type 0, 1 or 2, found 3");
     }
+  }
+
+  private void readCompressed(ZstdInput block) throws ImageFormatException {
+    literals.read(block);
+    sequences.decode(block, literals, out);
+    literals.copyRest(out);
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.image.tga.TgaFixture;
 import io.github.lumbre.image.webp.WebpSamples;
 import io.github.lumbre.testing.Effort;
@@ -30,7 +31,8 @@ class EncodedMutationTest {
 
   private enum Form {
     TGA(30, TgaFixture.files()),
-    WEBP(60, WebpSamples.files());
+    WEBP(60, WebpSamples.files()),
+    KTX(300, KtxSamples.all().stream().map(KtxSamples.Sample::file));
 
     private final int header;
     private final List<byte[]> files;

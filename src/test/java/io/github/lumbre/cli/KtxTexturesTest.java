@@ -1,0 +1,86 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.ktx.KtxSamples;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** KTX 2 files are pictures wherever PNG files are, with the same result. */
+class KtxTexturesTest {
+  private static final String OBJ =
+      "mtllib %s.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+          + "f 1/1 2/2 3/3\n";
+  private static final String SCENE =
+      """
+      {"mainCameraId": 7,
+       "assets": [{"assetType": "Texture", "id": 1, "file": "%s"}],
+       "objects": [{"type": "Camera", "id": 7, "cameraType": "Pinhole"},
+                   {"type": "Light", "lightType": "Dome", "intensity": 1, "textureId": 1}]}
+      """;
+  private static final String GLTF =
+      """
+      {"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+       "meshes": [{"primitives":
+         [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+       "materials": [{"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}}],
+       "images": [{"uri": "%s"}], "textures": [{%s}],
+       "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3},
+                     {"bufferView": 0, "componentType": 5126, "type": "VEC2", "count": 3}],
+       "bufferViews": [{"buffer": 0, "byteLength": 36}],
+       "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,%s"}]}
+      """;
+  private static final String CORNERS = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+
+  @TempDir private Path folder;
+
+  private byte[] rendered(String name) throws IOException {
+    Path picture = folder.resolve(name + ".out.png");
+    Outcome outcome =
+        Outcome.of(
+            "render",
+            folder.resolve(name).toString(),
+            "-s",
+            "4",
+            "--size",
+            "24x18",
+            "--quiet",
+            "--no-denoise",
+            "-o",
+            picture.toString());
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    assertThat(outcome.err()).isEmpty();
+    return ImageReader.decode(Files.readAllBytes(picture)).toPng();
+  }
+
+  private void write(String name, String text) throws IOException {
+    Files.writeString(folder.resolve(name), text, StandardCharsets.US_ASCII);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"ETC1S", "UASTC with Zstandard"})
+  void picturesAreThoseOfPng(String sample) throws IOException {
+    byte[] ktx = KtxSamples.file(sample);
+    Files.write(folder.resolve("a.ktx2"), ktx);
+    Files.write(folder.resolve("b.png"), ImageReader.decode(ktx).toPng());
+    for (String name : new String[] {"a.ktx2", "b.png"}) {
+      String stem = name.substring(0, 1);
+      write(stem + ".obj", OBJ.formatted(stem));
+      write(stem + ".mtl", "newmtl m\nKd 1 1 1\nmap_Kd " + name + "\n");
+      write(stem + ".json", SCENE.formatted(name));
+    }
+    String source = "\"extensions\": {\"KHR_texture_basisu\": {\"source\": 0}}";
+    write("a.gltf", GLTF.formatted("a.ktx2", source, CORNERS));
+    write("b.gltf", GLTF.formatted("b.png", "\"source\": 0", CORNERS));
+    for (String ending : new String[] {".obj", ".json", ".gltf"}) {
+      assertThat(rendered("a" + ending)).as(ending).isEqualTo(rendered("b" + ending));
+    }
+  }
+}
