@@ -75,8 +75,7 @@ final class BoolDecoder {
 
   /** Returns a number of some bits that are followed by its sign. */
   int signed(int bits) throws ImageFormatException {
-    int magnitude = unsigned(bits);
-    return withSign(magnitude);
+    return withSign(unsigned(bits));
   }
 
   /** Returns a number with the sign that is read. */
@@ -87,5 +86,14 @@ final class BoolDecoder {
   /** Returns a signed number if a flag before it is set, otherwise 0. */
   int optional(int bits) throws ImageFormatException {
     return flag() ? signed(bits) : 0;
+  }
+
+  /** Returns some numbers, each of which is {@link #optional}. */
+  int[] optionals(int count, int bits) throws ImageFormatException {
+    int[] numbers = new int[count];
+    for (int i = 0; i < count; i++) {
+      numbers[i] = optional(bits);
+    }
+    return numbers;
   }
 }

@@ -32,7 +32,7 @@ final class LosslessPixels {
   private int cacheBits;
   private PrefixCodes[] groups = {};
   private int[] blocks = {0};
-  private int blockBits = Integer.SIZE - 1;
+  private int blockBits;
 
   LosslessPixels(LosslessBits bits, int width, int height) {
     this.bits = bits;
@@ -88,6 +88,7 @@ final class LosslessPixels {
     groups = new PrefixCodes[count];
     long entries = 0;
     for (int i = 0; i < count; i++) {
+      Interrupts.check();
       PrefixCodes codes = PrefixCodes.read(bits, cache.length);
       if (used[i]) {
         groups[i] = codes;

@@ -7,8 +7,9 @@ package io.github.lumbre.image.webp;
  * @param limit of the difference across the edge above which it is no artifact
  * @param interior the limit of the differences beside the edge
  * @param variance the difference beside the edge above which only p0 and q0 are changed
+ * @param isOuter whether the edge is one of a macroblock
  */
-record Vp8Edge(int limit, int interior, int variance) {
+record Vp8Edge(int limit, int interior, int variance, boolean isOuter) {
   /** Changes p0 and q0, with the simple filter. */
   void smoothSimply(Vp8Plane plane, int at, int step) {
     if (isArtifact(plane, at, step)) {
@@ -21,9 +22,8 @@ record Vp8Edge(int limit, int interior, int variance) {
    *
    * @param at the position of q0
    * @param step the distance of neighboring positions
-   * @param isOuter whether the edge is one of a macroblock
    */
-  void smooth(Vp8Plane plane, int at, int step, boolean isOuter) {
+  void smooth(Vp8Plane plane, int at, int step) {
     if (!isArtifact(plane, at, step) || !isSmooth(plane, at, step)) {
       return;
     }

@@ -47,41 +47,37 @@ record Vp8Filters(boolean isSimple, int sharpness, int[] levels) {
       interior = Math.min(level >> (sharpness > 4 ? 2 : 1), 9 - sharpness);
     }
     interior = Math.max(1, interior);
-    int limit = 2 * level + interior;
-    Vp8Edge inner = new Vp8Edge(2 * limit + 1, interior, level < 15 ? 0 : level < 40 ? 1 : 2);
-    Vp8Edge outer = new Vp8Edge(2 * limit + 9, interior, inner.variance());
+    int limit = 2 * (2 * level + interior) + 1;
+    int variance = level < 15 ? 0 : level < 40 ? 1 : 2;
+    Vp8Edge outer = new Vp8Edge(limit + 8, interior, variance, true);
+    Vp8Edge inner = new Vp8Edge(limit, interior, variance, false);
     for (int p = 0; p < (isSimple ? 1 : planes.length); p++) {
       Vp8Plane plane = planes[p];
       int side = p == 0 ? MACROBLOCK : MACROBLOCK / 2;
       int at = plane.at(column * side, row * side);
-      if (column > 0) {
-        smoothEdge(plane, at, plane.stride(), 1, side, outer, true);
+      for (int i = column > 0 ? 0 : 4; i < (hasInner ? side : 4); i += 4) {
+        smoothEdge(plane, at + i, plane.stride(), 1, side, i == 0 ? outer : inner);
       }
-      for (int i = 4; i < side && hasInner; i += 4) {
-        smoothEdge(plane, at + i, plane.stride(), 1, side, inner, false);
-      }
-      if (row > 0) {
-        smoothEdge(plane, at, 1, plane.stride(), side, outer, true);
-      }
-      for (int i = 4; i < side && hasInner; i += 4) {
-        smoothEdge(plane, at + i * plane.stride(), 1, plane.stride(), side, inner, false);
+      for (int i = row > 0 ? 0 : 4; i < (hasInner ? side : 4); i += 4) {
+        int start = at + i * plane.stride();
+        smoothEdge(plane, start, 1, plane.stride(), side, i == 0 ? outer : inner);
       }
     }
   }
 
   /**
+   * Smooths an edge.
+   *
    * @param at the position of the first sample after the edge
    * @param along the distance of two samples along the edge
    * @param across the distance of two samples across it
    */
-  private void smoothEdge(
-      Vp8Plane plane, int at, int along, int across, int count, Vp8Edge edge, boolean isOuter) {
+  private void smoothEdge(Vp8Plane plane, int at, int along, int across, int count, Vp8Edge edge) {
     for (int i = 0; i < count; i++) {
-      int sample = at + i * along;
       if (isSimple) {
-        edge.smoothSimply(plane, sample, across);
+        edge.smoothSimply(plane, at + i * along, across);
       } else {
-        edge.smooth(plane, sample, across, isOuter);
+        edge.smooth(plane, at + i * along, across);
       }
     }
   }

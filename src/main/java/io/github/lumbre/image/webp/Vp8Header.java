@@ -32,32 +32,20 @@ record Vp8Header(
   private record Segments(
       boolean present, boolean absolute, int[] quantizers, int[] filters, int[] probabilities) {
     static Segments read(BoolDecoder bits) throws ImageFormatException {
-      int[] quantizers = new int[SEGMENTS];
-      int[] filters = new int[SEGMENTS];
-      int[] probabilities = {};
-      boolean absolute = false;
       boolean present = bits.flag();
-      if (present) {
-        boolean hasNumbers = bits.flag();
-        if (bits.flag()) {
-          absolute = bits.flag();
-          for (int i = 0; i < SEGMENTS; i++) {
-            quantizers[i] = bits.optional(7);
-          }
-          for (int i = 0; i < SEGMENTS; i++) {
-            filters[i] = bits.optional(6);
-          }
-        }
-        if (hasNumbers) {
-          probabilities = new int[SEGMENTS - 1];
-          for (int i = 0; i < probabilities.length; i++) {
-            probabilities[i] = bits.flag() ? bits.unsigned(8) : 255;
-          }
-        }
+      boolean hasNumbers = present && bits.flag();
+      boolean hasValues = present && bits.flag();
+      boolean absolute = hasValues && bits.flag();
+      int[] quantizers = hasValues ? bits.optionals(SEGMENTS, 7) : new int[SEGMENTS];
+      int[] filters = hasValues ? bits.optionals(SEGMENTS, 6) : new int[SEGMENTS];
+      int[] probabilities = new int[hasNumbers ? SEGMENTS - 1 : 0];
+      for (int i = 0; i < probabilities.length; i++) {
+        probabilities[i] = bits.flag() ? bits.unsigned(8) : 255;
       }
       return new Segments(present, absolute, quantizers, filters, probabilities);
     }
 
+    /** Returns the value of a segment. */
     int value(int[] values, int segment, int base) {
       return !present ? base : absolute ? values[segment] : base + values[segment];
     }
@@ -80,12 +68,7 @@ record Vp8Header(
     Segments segments = Segments.read(bits);
     Vp8Filters filters = filters(bits, segments);
     BoolDecoder[] residuals = residuals(file, first, end, 1 << bits.unsigned(2));
-    int index = bits.unsigned(7);
-    Vp8Quantizer.Offsets offsets = Vp8Quantizer.Offsets.read(bits);
-    Vp8Quantizer[] quantizers = new Vp8Quantizer[SEGMENTS];
-    for (int i = 0; i < SEGMENTS; i++) {
-      quantizers[i] = Vp8Quantizer.of(segments.value(segments.quantizers, i, index), offsets);
-    }
+    Vp8Quantizer[] quantizers = quantizers(bits, segments);
     bits.flag(); // Whether later frames keep the probabilities.
     int[] tokens = Vp8Tables.TOKEN_PROBABILITIES.clone();
     for (int i = 0; i < tokens.length; i++) {
@@ -96,17 +79,24 @@ record Vp8Header(
         bits, residuals, segments.probabilities, quantizers, filters, tokens, skipping);
   }
 
+  private static Vp8Quantizer[] quantizers(BoolDecoder bits, Segments segments)
+      throws ImageFormatException {
+    int index = bits.unsigned(7);
+    int[] offsets = bits.optionals(5, 4);
+    Vp8Quantizer[] quantizers = new Vp8Quantizer[SEGMENTS];
+    for (int i = 0; i < SEGMENTS; i++) {
+      quantizers[i] = Vp8Quantizer.of(segments.value(segments.quantizers, i, index), offsets);
+    }
+    return quantizers;
+  }
+
   private static Vp8Filters filters(BoolDecoder bits, Segments segments)
       throws ImageFormatException {
     boolean isSimple = bits.flag();
     int level = bits.unsigned(6);
     int sharpness = bits.unsigned(3);
-    int[] offsets = new int[8]; // Of four kinds of reference frames, and of four modes.
-    if (bits.flag() && bits.flag()) {
-      for (int i = 0; i < offsets.length; i++) {
-        offsets[i] = bits.optional(6);
-      }
-    }
+    // Of four kinds of reference frames, and of four modes.
+    int[] offsets = bits.flag() && bits.flag() ? bits.optionals(8, 6) : new int[8];
     int[] levels = new int[2 * SEGMENTS];
     for (int i = 0; i < SEGMENTS && level > 0; i++) {
       int base = segments.value(segments.filters, i, level) + offsets[0];
