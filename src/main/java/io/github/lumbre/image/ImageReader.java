@@ -4,7 +4,6 @@ import io.github.lumbre.image.internal.ColorTag;
 import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.LinearReader;
-import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.limit.Limits;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -13,8 +12,8 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /**
- * Decodes picture files from untrusted sources: PNG, JPEG, WebP and TGA as they are, all formats as
- * linear light. The content decides, not the name.
+ * Decodes picture files from untrusted sources: PNG, JPEG, WebP, KTX 2, BMP, GIF, TIFF and TGA as
+ * they are, all formats as linear light. The content decides, not the name.
  *
  * <p>The header is read first. A picture that exceeds the limits, or is larger than its data can
  * hold, is rejected before memory is allocated for it. All color types and bit depths of PNG are
@@ -31,16 +30,6 @@ public final class ImageReader {
   private ImageReader() {}
 
   /**
-   * Checks the structure of a file without decoding the picture.
-   *
-   * @throws ImageFormatException if it is not the beginning of a file of a supported format, or the
-   *     picture is too large
-   */
-  public static void requireIntact(byte[] file) throws ImageFormatException {
-    EncodedFormat.open(file);
-  }
-
-  /**
    * Returns the picture in a file's bytes.
    *
    * @throws ImageFormatException if they are not an intact file of a supported format, or the
@@ -49,20 +38,17 @@ public final class ImageReader {
    *     kilobytes; the interrupt status stays set
    */
   public static Pixels decode(byte[] file) throws ImageFormatException {
-    return decode(file, MAX_PIXELS);
+    return decode(file, Limits.NONE);
   }
 
   /**
    * Returns the picture in a file's bytes; see {@link #decode(byte[])}.
    *
-   * @param maxPixels a limit below {@link #MAX_PIXELS}, checked before the picture is decoded
+   * @param limits whose texels, memory and formats are checked before the picture is decoded
    */
-  public static Pixels decode(byte[] file, long maxPixels) throws ImageFormatException {
+  public static Pixels decode(byte[] file, Limits limits) throws ImageFormatException {
     Objects.requireNonNull(file, "file");
-    EncodedPicture picture = EncodedFormat.open(file);
-    PictureLimits.checkPixels(picture.width(), picture.height(), maxPixels);
-    PictureLimits.checkMemory(
-        picture.width(), picture.height(), picture.bytesPerPixel(), Limits.NONE);
+    EncodedPicture picture = EncodedFormat.open(file, limits);
     try {
       return picture.decoder().decode();
     } catch (OutOfMemoryError e) {

@@ -17,6 +17,8 @@ import java.util.Optional;
  * @param memory heap bytes for the scene, and again for the film; at least 1. What is read is
  *     estimated from counts, so it is a bound of the order of magnitude
  * @param time of reading, and again of rendering, more than 0
+ * @param legacyPictures whether BMP, GIF and TIFF pictures are read; they are decoded by parts of
+ *     Java that are seldom used, and so less tested than those for PNG and JPEG
  */
 public record Limits(
     long bytes,
@@ -25,7 +27,8 @@ public record Limits(
     long triangles,
     long samples,
     long memory,
-    Duration time) {
+    Duration time,
+    boolean legacyPictures) {
   /** A time that no process reaches: 200 years. */
   public static final Duration NO_TIME_LIMIT = Duration.ofDays(200 * 365L);
 
@@ -38,14 +41,16 @@ public record Limits(
           Long.MAX_VALUE,
           Long.MAX_VALUE,
           Long.MAX_VALUE,
-          NO_TIME_LIMIT);
+          NO_TIME_LIMIT,
+          true);
 
   /**
    * For a picture of an upload: 64 MiB of files, 2^22 pixels, 2^26 texels, 2 million triangles, 256
-   * samples per pixel, 512 MiB of memory, 20 seconds.
+   * samples per pixel, 512 MiB of memory, 20 seconds, no BMP, GIF and TIFF pictures.
    */
   public static final Limits UPLOADS =
-      new Limits(64L << 20, 1L << 22, 1L << 26, 2_000_000, 256, 512L << 20, Duration.ofSeconds(20));
+      new Limits(
+          64L << 20, 1L << 22, 1L << 26, 2_000_000, 256, 512L << 20, Duration.ofSeconds(20), false);
 
   public Limits {
     requireAtLeast(1, bytes, "bytes");
@@ -70,37 +75,42 @@ public record Limits(
 
   /** Returns these limits with another {@link #bytes}. */
   public Limits withBytes(long value) {
-    return new Limits(value, pixels, texels, triangles, samples, memory, time);
+    return new Limits(value, pixels, texels, triangles, samples, memory, time, legacyPictures);
   }
 
   /** Returns these limits with another {@link #pixels}. */
   public Limits withPixels(long value) {
-    return new Limits(bytes, value, texels, triangles, samples, memory, time);
+    return new Limits(bytes, value, texels, triangles, samples, memory, time, legacyPictures);
   }
 
   /** Returns these limits with another {@link #texels}. */
   public Limits withTexels(long value) {
-    return new Limits(bytes, pixels, value, triangles, samples, memory, time);
+    return new Limits(bytes, pixels, value, triangles, samples, memory, time, legacyPictures);
   }
 
   /** Returns these limits with another {@link #triangles}. */
   public Limits withTriangles(long value) {
-    return new Limits(bytes, pixels, texels, value, samples, memory, time);
+    return new Limits(bytes, pixels, texels, value, samples, memory, time, legacyPictures);
   }
 
   /** Returns these limits with another {@link #samples}. */
   public Limits withSamples(long value) {
-    return new Limits(bytes, pixels, texels, triangles, value, memory, time);
+    return new Limits(bytes, pixels, texels, triangles, value, memory, time, legacyPictures);
   }
 
   /** Returns these limits with another {@link #memory}. */
   public Limits withMemory(long value) {
-    return new Limits(bytes, pixels, texels, triangles, samples, value, time);
+    return new Limits(bytes, pixels, texels, triangles, samples, value, time, legacyPictures);
   }
 
   /** Returns these limits with another {@link #time}. */
   public Limits withTime(Duration value) {
-    return new Limits(bytes, pixels, texels, triangles, samples, memory, value);
+    return new Limits(bytes, pixels, texels, triangles, samples, memory, value, legacyPictures);
+  }
+
+  /** Returns these limits with another {@link #legacyPictures}. */
+  public Limits withLegacyPictures(boolean value) {
+    return new Limits(bytes, pixels, texels, triangles, samples, memory, time, value);
   }
 
   /** Returns whether the bytes of files are limited, as in {@link #UPLOADS}. */

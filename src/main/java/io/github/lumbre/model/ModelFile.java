@@ -2,6 +2,7 @@ package io.github.lumbre.model;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.light.Light;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelMaterial;
@@ -39,7 +40,7 @@ public final class ModelFile implements SceneContent {
     this.content = content;
     this.files = new TreeMap<>(files);
     this.options = options;
-    local = new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Long.MAX_VALUE, false);
+    local = new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Limits.NONE, false);
     local.decode();
     this.model = model.warning(local.warnings());
     movable = false;

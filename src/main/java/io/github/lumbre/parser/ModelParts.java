@@ -98,8 +98,7 @@ final class ModelParts {
     ModelPlace place = placement.place;
     model.warnings().forEach(place::warn);
     Transform toWorld = placement.toWorld.times(ModelScene.TO_LEFT_HANDED);
-    ModelScene scene =
-        new ModelScene(model, toWorld, kernel, allowance.texelsLeft(), placement.isShared);
+    ModelScene scene = new ModelScene(model, toWorld, kernel, allowance.left(), placement.isShared);
     try {
       for (ModelSurface surface : scene.surfaces()) {
         add(surface, placement);

@@ -75,7 +75,7 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
   }
 
   private Pixels decoded(AssetData.Content content) throws ImageFormatException {
-    Pixels pixels = ImageReader.decode(content.bytes(), allowance.texelsLeft());
+    Pixels pixels = ImageReader.decode(content.bytes(), allowance.left());
     allowance.addTexels((long) pixels.width() * pixels.height());
     warnOfBomb(content, pixels);
     warnOfColorSpace(content);

@@ -62,7 +62,7 @@ public final class JdkDecoder {
       Pixels pixels = decoding.from(reader);
       for (String complaint : complaints) {
         if (!isHarmless(complaint)) {
-          throw malformed(format + " is damaged: " + complaint);
+          throw malformed(format + " is damaged" + reason(complaint));
         }
       }
       return pixels;
@@ -76,7 +76,7 @@ public final class JdkDecoder {
     }
   }
 
-  private static ImageReader reader(String format) {
+  static ImageReader reader(String format) {
     Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName(format);
     while (readers.hasNext()) {
       ImageReader reader = readers.next();
@@ -95,6 +95,11 @@ public final class JdkDecoder {
     return warning.contains("extraneous bytes before marker");
   }
 
+  /** Returns a decoder's words for a message; empty if they are about Java's classes. */
+  private static String reason(String words) {
+    return words == null || words.contains("Exception") ? "" : ": " + words;
+  }
+
   private static ImageFormatException failure(String format, Throwable thrown) {
     Throwable cause = thrown;
     while (cause.getCause() != null) {
@@ -105,7 +110,8 @@ public final class JdkDecoder {
       return new ImageFormatException(
           ImageFormatException.Kind.TOO_LARGE, "the picture does not fit into memory", thrown);
     }
-    String reason = cause.getMessage() == null ? "" : ": " + cause.getMessage();
+    // The messages of other exceptions are about Java's classes.
+    String reason = cause instanceof IOException ? reason(cause.getMessage()) : "";
     String damage = cause instanceof EOFException ? " ends too early" : " is damaged" + reason;
     return new ImageFormatException(ImageFormatException.Kind.MALFORMED, format + damage, thrown);
   }

@@ -21,8 +21,9 @@ final class RasterPixels {
   private RasterPixels() {}
 
   /**
-   * Returns the values of a picture of gray, gray and alpha, RGB, RGBA or of a palette. Values of
-   * less than 8 bits are scaled to 8 bits, and of 9 to 15 bits to 16 bits.
+   * Returns the values of a picture of gray or RGB, with or without alpha, or of a palette. Values
+   * of less than 8 bits are scaled to 8 bits, and of 9 to 15 bits to 16 bits. Bands beyond color
+   * and alpha are left out.
    *
    * @param transparency of colors of a picture without alpha
    */
@@ -32,9 +33,20 @@ final class RasterPixels {
       return looked(raster, palette, transparency);
     }
     int[] key = transparency.key();
-    return key.length == 0 && raster.getSampleModel() instanceof ComponentSampleModel model
+    int bands =
+        picture.getColorModel().hasAlpha()
+            ? raster.getNumBands()
+            : picture.getColorModel().getNumColorComponents();
+    return key.length == 0
+            && bands == raster.getNumBands()
+            && raster.getSampleModel() instanceof ComponentSampleModel model
         ? stored(raster, model)
-        : scaled(raster, key);
+        : scaled(raster, bands, key);
+  }
+
+  /** Returns the values of a picture without its palette and without the bands beyond color. */
+  static Pixels withoutAlpha(BufferedImage picture) {
+    return scaled(picture.getRaster(), picture.getColorModel().getNumColorComponents(), new int[0]);
   }
 
   /** Returns the values of a picture, in its own array if possible. */
@@ -55,7 +67,7 @@ final class RasterPixels {
         return Pixels.of(raster.getWidth(), raster.getHeight(), bands, values);
       }
     }
-    return scaled(raster, new int[0]);
+    return scaled(raster, bands, new int[0]);
   }
 
   private static boolean isNatural(int[] offsets) {
@@ -84,12 +96,13 @@ final class RasterPixels {
   /**
    * Returns the values of a picture as 8 or 16 bits.
    *
+   * @param used the number of bands that are color or alpha
    * @param key the samples of the color that is transparent; empty if there is none
    */
-  private static Pixels scaled(Raster raster, int[] key) {
+  private static Pixels scaled(Raster raster, int used, int[] key) {
     int width = raster.getWidth();
     int bands = raster.getNumBands();
-    int channels = key.length == 0 ? bands : bands + 1;
+    int channels = key.length == 0 ? used : used + 1;
     boolean isWide = raster.getSampleModel().getSampleSize(0) > Byte.SIZE;
     int size = Math.multiplyExact(channels, width * raster.getHeight());
     byte[] bytes = new byte[isWide ? 0 : size];
@@ -101,8 +114,8 @@ final class RasterPixels {
       raster.getPixels(0, y, width, 1, row);
       for (int x = 0; x < width; x++) {
         for (int c = 0; c < channels; c++, to++) {
-          int value = c < bands ? scaled(raster, c, row[bands * x + c], most) : most;
-          value = c == bands && isKey(row, bands * x, key) ? 0 : value;
+          int value = c < used ? scaled(raster, c, row[bands * x + c], most) : most;
+          value = c == used && isKey(row, bands * x, key) ? 0 : value;
           if (isWide) {
             shorts[to] = (short) value;
           } else {

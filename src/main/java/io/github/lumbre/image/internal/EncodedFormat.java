@@ -4,14 +4,20 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.imageio.BmpFile;
+import io.github.lumbre.image.imageio.GifFile;
 import io.github.lumbre.image.imageio.JdkDecoder;
+import io.github.lumbre.image.imageio.TiffFile;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.ktx.KtxFile;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.tga.TgaFile;
 import io.github.lumbre.image.webp.WebpFile;
+import io.github.lumbre.limit.Limits;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
@@ -24,6 +30,9 @@ public enum EncodedFormat {
   JPEG("JPEG", JpegFile::startsIn, EncodedFormat::jpeg),
   WEBP("WebP", WebpFile::startsIn, WebpFile::open),
   KTX("KTX 2", KtxFile::startsIn, KtxFile::open),
+  BMP("BMP", BmpFile::startsIn, BmpFile::open),
+  GIF("GIF", GifFile::startsIn, GifFile::open),
+  TIFF("TIFF", TiffFile::startsIn, TiffFile::open),
   /** Has no signature, so it comes last. */
   TGA("TGA", TgaFile::isIn, TgaFile::open);
 
@@ -43,19 +52,32 @@ public enum EncodedFormat {
     this.opening = opening;
   }
 
+  private static final Set<EncodedFormat> LEGACY = EnumSet.of(BMP, GIF, TIFF);
+
   /**
    * Reads the header of a file.
    *
-   * @throws ImageFormatException if it is none of the formats, or damaged, or exceeds the limits of
-   *     all pictures
+   * @param limits of the size of the picture, and of its format
+   * @throws ImageFormatException if it is none of the formats, or damaged, or exceeds the limits
    */
-  public static EncodedPicture open(byte[] file) throws ImageFormatException {
+  public static EncodedPicture open(byte[] file, Limits limits) throws ImageFormatException {
     Optional<EncodedFormat> format = of(file);
     if (format.isEmpty()) {
       String found = FileContent.describe(file).orElse("none of them");
       throw malformed("expected a " + titles() + " picture, found " + found);
     }
-    return format.get().opening.open(file);
+    if (LEGACY.contains(format.get()) && !limits.legacyPictures()) {
+      throw malformed(
+          "found a "
+              + format.get().title
+              + " picture, which these limits refuse; save it as a PNG or JPEG, or call"
+              + " Limits.withLegacyPictures(true)");
+    }
+    EncodedPicture picture = format.get().opening.open(file);
+    int width = picture.width();
+    PictureLimits.checkPixels(width, picture.height(), limits.texels());
+    PictureLimits.checkMemory(width, picture.height(), picture.bytesPerPixel(), limits);
+    return picture;
   }
 
   /** Returns whether a file is of any of the formats. */

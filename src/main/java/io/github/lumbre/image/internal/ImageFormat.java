@@ -17,6 +17,7 @@ import io.github.lumbre.image.pfm.PfmReader;
 import io.github.lumbre.image.pfm.PfmWriter;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.png.PngWriter;
+import io.github.lumbre.limit.Limits;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.SeekableByteChannel;
@@ -105,7 +106,7 @@ public enum ImageFormat {
       return PfmReader.read(file, maxPixels);
     }
     if (EncodedFormat.isIn(file)) {
-      return LinearReader.decoded(ImageReader.decode(file, maxPixels));
+      return LinearReader.decoded(ImageReader.decode(file, Limits.NONE.withTexels(maxPixels)));
     }
     throw malformed(
         "expected an OpenEXR, Radiance HDR, PFM, %s picture, found %s"

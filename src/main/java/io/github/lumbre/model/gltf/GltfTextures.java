@@ -1,7 +1,8 @@
 package io.github.lumbre.model.gltf;
 
 import io.github.lumbre.image.ImageFormatException;
-import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.internal.EncodedFormat;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -111,7 +112,7 @@ final class GltfTextures {
 
   private static boolean isIntact(ModelImage image) {
     try {
-      ImageReader.requireIntact(image.encoded());
+      EncodedFormat.open(image.encoded(), Limits.NONE);
       return true;
     } catch (ImageFormatException e) {
       return false;

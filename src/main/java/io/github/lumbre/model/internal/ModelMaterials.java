@@ -5,6 +5,7 @@ import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.material.Channel;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MaterialParameter;
@@ -32,7 +33,7 @@ import java.util.Optional;
 /** Makes the materials of a model; each picture is decoded once. */
 final class ModelMaterials {
   private final double unit;
-  private final long maxTexels;
+  private final Limits limits;
   private long texels;
   private final Warnings warnings;
 
@@ -43,26 +44,26 @@ final class ModelMaterials {
 
   /**
    * @param toWorld from the model's world space to the scene's
-   * @param maxTexels the largest number of texels of all pictures
+   * @param limits of all pictures
    */
-  ModelMaterials(Transform toWorld, long maxTexels) {
-    this(toWorld, maxTexels, Collections.synchronizedMap(new IdentityHashMap<>()), new Warnings());
+  ModelMaterials(Transform toWorld, Limits limits) {
+    this(toWorld, limits, Collections.synchronizedMap(new IdentityHashMap<>()), new Warnings());
   }
 
   private ModelMaterials(
       Transform toWorld,
-      long maxTexels,
+      Limits limits,
       Map<ModelImage, Optional<Pixels>> pictures,
       Warnings warnings) {
     unit = toWorld.vector(Vec3.X).length();
-    this.maxTexels = maxTexels;
+    this.limits = limits;
     this.pictures = pictures;
     this.warnings = warnings;
   }
 
   /** Returns the materials of the model at another place, with the same textures. */
   ModelMaterials at(Transform toWorld) {
-    return new ModelMaterials(toWorld, maxTexels, pictures, warnings);
+    return new ModelMaterials(toWorld, limits, pictures, warnings);
   }
 
   /**
@@ -279,7 +280,8 @@ final class ModelMaterials {
 
   private Optional<Pixels> decoded(ModelImage image) throws ModelFormatException {
     try {
-      Pixels pixels = ImageReader.decode(image.encoded(), maxTexels - texels);
+      Pixels pixels =
+          ImageReader.decode(image.encoded(), limits.withTexels(limits.texels() - texels));
       texels += (long) pixels.width() * pixels.height();
       return Optional.of(pixels);
     } catch (ImageFormatException e) {

@@ -12,6 +12,7 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -62,16 +63,16 @@ public final class ModelScene {
   /**
    * @param toWorld from the model's world space to the scene's, invertible
    * @param kernel traversal kernel of shared meshes
-   * @param maxTexels the largest number of texels of all pictures
+   * @param limits of all pictures
    * @param sharesAll whether all meshes have hierarchies in their local space, also those that the
    *     model places once
    */
   public ModelScene(
-      Model model, Transform toWorld, Kernel kernel, long maxTexels, boolean sharesAll) {
+      Model model, Transform toWorld, Kernel kernel, Limits limits, boolean sharesAll) {
     this.model = Objects.requireNonNull(model, "model");
     this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
     this.kernel = Objects.requireNonNull(kernel, "kernel");
-    materials = new ModelMaterials(toWorld, maxTexels);
+    materials = new ModelMaterials(toWorld, limits);
     meshes = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());
     this.sharesAll = sharesAll;

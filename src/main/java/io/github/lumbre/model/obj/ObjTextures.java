@@ -3,6 +3,7 @@ package io.github.lumbre.model.obj;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -45,7 +46,7 @@ public final class ObjTextures {
     bytes += encoded.length;
     ModelLimits.requireMemory(map.location(), bytes, limits);
     try {
-      ImageReader.requireIntact(encoded);
+      EncodedFormat.open(encoded, limits);
     } catch (ImageFormatException e) {
       throw new ModelFormatException(
           e.kind() == ImageFormatException.Kind.TOO_LARGE ? Kind.TOO_LARGE : Kind.ASSET,
@@ -80,7 +81,7 @@ public final class ObjTextures {
   boolean isHeightMap(MtlMap map) throws ModelFormatException, IOException {
     Pixels pixels;
     try {
-      pixels = ImageReader.decode(image(map).encoded(), limits.texels());
+      pixels = ImageReader.decode(image(map).encoded(), limits);
     } catch (ImageFormatException e) {
       return false;
     }

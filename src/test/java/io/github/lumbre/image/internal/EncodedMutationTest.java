@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.imageio.LegacyFixture;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.image.tga.TgaFixture;
 import io.github.lumbre.image.webp.WebpSamples;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.FileMutator;
 import java.lang.management.ManagementFactory;
@@ -23,7 +25,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class EncodedMutationTest {
   private static final int QUICK = 2000;
   private static final int MANY = 100_000;
-  private static final long MAX_PIXELS = 1 << 20;
+  private static final Limits LIMITS = Limits.NONE.withTexels(1 << 20);
   private static final long MAX_SECONDS = 2;
 
   /** Bytes of classes that are loaded, of messages and of Java's decoders. */
@@ -32,7 +34,10 @@ class EncodedMutationTest {
   private enum Form {
     TGA(30, TgaFixture.files()),
     WEBP(60, WebpSamples.files()),
-    KTX(300, KtxSamples.all().stream().map(KtxSamples.Sample::file));
+    KTX(300, KtxSamples.all().stream().map(KtxSamples.Sample::file)),
+    BMP(140, LegacyFixture.bmps()),
+    GIF(40, LegacyFixture.gifs()),
+    TIFF(300, LegacyFixture.tiffs());
 
     private final int header;
     private final List<byte[]> files;
@@ -78,8 +83,7 @@ class EncodedMutationTest {
     long start = threads.getCurrentThreadCpuTime();
     long counted = 0;
     try {
-      EncodedPicture picture = EncodedFormat.open(file);
-      PictureLimits.checkPixels(picture.width(), picture.height(), MAX_PIXELS);
+      EncodedPicture picture = EncodedFormat.open(file, LIMITS);
       counted = (long) picture.bytesPerPixel() * picture.width() * picture.height();
       Pixels pixels = picture.decoder().decode();
       assertThat(pixels.width()).isEqualTo(picture.width());

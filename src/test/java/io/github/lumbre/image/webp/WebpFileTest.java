@@ -7,6 +7,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageFormatException.Kind;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.limit.Limits;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -135,7 +136,7 @@ class WebpFileTest {
   void largePicturesOfFewBytesAreRefusedByTheirSize() {
     byte[] file = WebpSamples.file("lossless-pixel");
     ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN).putInt(FRAME + 1, 0xfffffff);
-    assertThatThrownBy(() -> ImageReader.decode(file, 1 << 26))
+    assertThatThrownBy(() -> ImageReader.decode(file, Limits.UPLOADS))
         .isInstanceOfSatisfying(
             ImageFormatException.class, e -> assertThat(e.kind()).isEqualTo(Kind.TOO_LARGE))
         .hasMessage("the picture has 16384x16384 pixels, expected at most 67108864 in total");

@@ -8,6 +8,7 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
@@ -60,7 +61,7 @@ class GltfFrontTest {
   private static ModelSurface surface(GltfFile file, boolean shared)
       throws ModelFormatException, IOException {
     ModelScene scene =
-        new ModelScene(file.read(), ModelScene.TO_LEFT_HANDED, Kernel.AUTO, 1, shared);
+        new ModelScene(file.read(), ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Limits.NONE, shared);
     return scene.surfaces().get(0);
   }
 
@@ -143,7 +144,7 @@ class GltfFrontTest {
           "'POSITION': " + positions + ", 'NORMAL': " + normals,
           ", 'indices': " + file.ints("SCALAR", 0, 1, 2, 0, 2, 3));
       ModelScene scene =
-          new ModelScene(file.read(), Transform.IDENTITY, Kernel.AUTO, 1, i % 3 == 0);
+          new ModelScene(file.read(), Transform.IDENTITY, Kernel.AUTO, Limits.NONE, i % 3 == 0);
       Vec3 middle = across.plus(up).times(.5);
       Shape card = scene.surfaces().get(0).shape();
       SurfaceHit hit = hit(card, new Ray(middle.plus(front), front.negated()));

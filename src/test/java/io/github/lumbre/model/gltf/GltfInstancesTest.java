@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.Model;
@@ -58,7 +59,8 @@ class GltfInstancesTest {
     Model model = withCopies("'TRANSLATION': " + file.floats("VEC3", places), "").read();
     assertThat(model.parts()).hasSize(MANY);
     assertThat(model.parts().stream().map(ModelPart::geometry).distinct()).hasSize(1);
-    ModelScene scene = new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, 1, false);
+    ModelScene scene =
+        new ModelScene(model, ModelScene.TO_LEFT_HANDED, Kernel.AUTO, Limits.NONE, false);
     List<ModelSurface> surfaces = scene.surfaces();
     assertThat(surfaces).hasSize(MANY);
     assertThat(surfaces).allMatch(surface -> surface.shape() instanceof MeshInstance);

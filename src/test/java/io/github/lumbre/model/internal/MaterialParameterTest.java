@@ -12,6 +12,7 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.Channel;
 import io.github.lumbre.material.MaterialParameter;
@@ -210,7 +211,7 @@ class MaterialParameterTest {
     ModelMaterial read = model.parts().get(0).material();
     assertThat(read.uses(parameter)).isTrue();
     MetallicRoughness material =
-        (MetallicRoughness) new ModelMaterials(Transform.IDENTITY, 1000).of(read, true);
+        (MetallicRoughness) new ModelMaterials(Transform.IDENTITY, Limits.NONE).of(read, true);
     Rgb expected = factor(parameter).times(parameter.gltfUnit());
     if (parameter.kind() == Kind.COLOR && parameter.isTextured()) {
       expected = expected.times(texel(ImageTexture.Role.COLOR));
@@ -233,7 +234,7 @@ class MaterialParameterTest {
       boolean isMap = statement.startsWith("map");
       MetallicRoughness material =
           (MetallicRoughness)
-              new ModelMaterials(Transform.IDENTITY, 1000).of(file.part().material(), true);
+              new ModelMaterials(Transform.IDENTITY, Limits.NONE).of(file.part().material(), true);
       Rgb texel =
           parameter.kind() == Kind.COLOR
               ? texel(ImageTexture.Role.COLOR)
