@@ -30,7 +30,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
    */
   public static final int MODEL_SAMPLES = 8;
 
-  /** The same for each of the seven standard views: in all, little more than for one picture. */
+  /** The same for each picture of all standard views: fewer, because seven are waited for. */
   public static final int VIEW_SAMPLES = 2;
 
   private static final String HOW_TO_RECORD =
