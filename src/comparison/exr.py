@@ -1,4 +1,4 @@
-"""Writes the lossy OpenEXR files of ExrLossyTest with OpenEXR's own package, and prints hashes of the values that it reads.
+"""Writes lossy OpenEXR files with OpenEXR's own package, and prints hashes of the values that it reads from those of ExrLossyTest.
 
 A hash is that of all channels in the order of their names, each as 32-bit floats line by line.
 """
@@ -59,3 +59,6 @@ for file, options in FILES.items():
 
 BLACK = {name: np.zeros((512, 2048), "f2") for name in "RGB"}
 OpenEXR.File({"compression": OpenEXR.DWAB_COMPRESSION}, BLACK).write(sys.argv[1] + "/black.exr")
+
+HEIGHT = np.where(np.mgrid[0:32, 0:64][1] < 32, 0.25, 0.75).astype("f2")
+OpenEXR.File({"compression": OpenEXR.DWAB_COMPRESSION}, {"height": HEIGHT}).write(sys.argv[1] + "/height.exr")

@@ -38,6 +38,14 @@ class CompareCommandTest {
   }
 
   @Test
+  void lossyAndGrayOpenExrIsCompared() {
+    String gray = "src/test/resources/io/github/lumbre/image/exr/height.exr";
+    Outcome same = Outcome.of("compare", gray, gray);
+    assertThat(same.exitCode()).isZero();
+    assertThat(same.out()).contains("64x32 pixels: no difference");
+  }
+
+  @Test
   void figuresAreTold() {
     Outcome outcome = Outcome.of("compare", more, half);
     assertThat(outcome.exitCode()).isZero();
@@ -106,7 +114,8 @@ class CompareCommandTest {
     Outcome.of("compare", directory + "/none.png", half)
         .assertFailed(ExitCodes.USAGE, "none.png: does not exist");
     Path text = Files.writeString(directory.resolve("text.png"), "no picture");
-    Outcome.of("compare", text.toString(), half).assertFailed(ExitCodes.ASSET, "expected an OpenEXR, Radiance HDR");
+    Outcome.of("compare", text.toString(), half)
+        .assertFailed(ExitCodes.ASSET, "expected an OpenEXR, Radiance HDR");
     byte[] file = Files.readAllBytes(Path.of(more));
     Arrays.fill(file, file.length - 4, file.length, (byte) 0xff);
     Path nan = Files.write(directory.resolve("nan.pfm"), file);

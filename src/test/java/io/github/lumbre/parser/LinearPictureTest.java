@@ -2,12 +2,15 @@ package io.github.lumbre.parser;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.exr.ExrBuilder;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.Texture;
 import java.nio.ByteBuffer;
@@ -122,6 +125,34 @@ class LinearPictureTest {
     assertThatThrownBy(() -> new SceneParser().parse(model, lit))
         .hasMessage("vc.obj: sky: expected finite colors, found NaN at pixel " + place);
     assertThat(new SceneParser().lenient().parse(model, lit).warnings()).hasSize(1);
+  }
+
+  /** The picture is 0.25 to the left, 0.75 to the right, compressed with DWAB. */
+  @Test
+  void oneChannelIsGrayInSkiesTexturesAndNormalMaps() throws Exception {
+    byte[] exr = ExrBuilder.class.getResourceAsStream("height.exr").readAllBytes();
+    String scene =
+        """
+        {"mainCameraId": 1,
+         "assets": [{"id": 2, "assetType": "Texture", "base64PNG": "%s"},
+           {"id": 3, "assetType": "Material", "materialType": "Diffuse", "colorTextureId": 2,
+            "normalTextureId": 2}],
+         "objects": [%s %s {"id": 1, "type": "Camera", "cameraType": "Pinhole"}]}
+        """
+            .formatted(Base64.getEncoder().encodeToString(exr), SKY, BALL);
+    SceneFile file =
+        new SceneParser().parse(scene.getBytes(StandardCharsets.UTF_8), Path.of("s.json"));
+    NormalMapped bumpy = (NormalMapped) file.scene().primitives().get(0).material();
+    Matte matte = (Matte) bumpy.material();
+    Texture<Rgb> radiance = file.scene().environments().get(0).radiance();
+    for (Texture<Rgb> texture : List.of(radiance, matte.albedo(), bumpy.map().normals())) {
+      for (double u : new double[] {.2, .8}) {
+        Rgb gray = texture.at(u, .5);
+        assertThat(gray).isEqualTo(Rgb.grey(gray.r()));
+        assertThat(gray.r()).isCloseTo(u < .5 ? .25 : .75, within(.002));
+      }
+    }
+    assertThat(file.warnings()).isEmpty();
   }
 
   /** Returns a scene whose sky and only material have an OpenEXR picture of one pixel. */

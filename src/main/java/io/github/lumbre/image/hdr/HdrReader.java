@@ -110,7 +110,8 @@ public final class HdrReader {
     switch (name) {
       case "FORMAT" -> {
         if (!value.equals("32-bit_rle_rgbe")) {
-          throw error("expected the format 32-bit_rle_rgbe");
+          String found = value.equals("32-bit_rle_xyze") ? "XYZE" : "another one";
+          throw error("expected the format 32-bit_rle_rgbe, found " + found + "; save it as RGBE");
         }
       }
       case "EXPOSURE" -> divide(new String[] {value, value, value});

@@ -108,7 +108,7 @@ class HdrReaderTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "FORMAT=32-bit_rle_xyze;;-Y 1 +X 1|line 2: expected the format 32-bit_rle_rgbe",
+        "FORMAT=32-bit_rle_xyze;;-Y 1 +X 1|line 2: expected the format 32-bit_rle_rgbe, found XYZE",
         "EXPOSURE=0;;-Y 1 +X 1|line 2: expected positive numbers",
         "EXPOSURE=;;-Y 1 +X 1|line 2: expected numbers",
         "COLORCORR=1 2;;-Y 1 +X 1|line 2: expected numbers",
