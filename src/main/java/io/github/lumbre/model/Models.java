@@ -30,7 +30,7 @@ public final class Models {
   }
 
   /**
-   * Reads a glTF, OBJ, PLY, STL or OFF file and the files that it names.
+   * Reads a glTF, OBJ, PLY, STL, OFF or 3MF file and the files that it names.
    *
    * @throws ModelFormatException if the file is damaged, unsupported or too large
    * @throws IOException if the file cannot be read

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 
-/** Reads objects that are model files: glTF, OBJ, PLY, STL and OFF. */
+/** Reads objects that are model files: glTF, OBJ, PLY, STL, OFF and 3MF. */
 final class ModelObjects {
   private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
   private static final Map<String, Up> UPS = new LinkedHashMap<>();

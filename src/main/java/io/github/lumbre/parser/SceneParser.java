@@ -150,7 +150,7 @@ public final class SceneParser {
    * size; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or 4:3.
    * The model may lack pictures.
    *
-   * @param model path of a glTF, OBJ, PLY, STL or OFF file
+   * @param model path of a glTF, OBJ, PLY, STL, OFF or 3MF file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
@@ -163,7 +163,7 @@ public final class SceneParser {
    * is read from files, except a picture of a sky that the stage names.
    *
    * @param name of the model without folders; its ending chooses the format
-   * @param model bytes of a GLB, PLY, STL or OFF file, or of a glTF or OBJ file that names no
+   * @param model bytes of a GLB, PLY, STL, OFF or 3MF file, or of a glTF or OBJ file that names no
    *     others
    * @throws SceneFormatException if the model cannot be used; it lists the errors
    * @throws IOException if the calling thread is interrupted
@@ -190,7 +190,7 @@ public final class SceneParser {
    * hierarchies and textures; their pictures have the bits of {@link #parse(Path, Stage)} with
    * {@link Stage#seenFrom}.
    *
-   * @param model path of a glTF, OBJ, PLY, STL or OFF file
+   * @param model path of a glTF, OBJ, PLY, STL, OFF or 3MF file
    * @param views at least one
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.model.threemf.ThreeMfSample;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -41,6 +42,10 @@ class EmptyModelsTest {
   }
 
   private static Arguments of(String name, String content, String reason) {
+    return of(name, content.getBytes(StandardCharsets.UTF_8), reason);
+  }
+
+  private static Arguments of(String name, byte[] content, String reason) {
     return Arguments.of(name, content, reason);
   }
 
@@ -112,6 +117,11 @@ class EmptyModelsTest {
             "flat.off",
             "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n",
             " (line 6: dropped triangles of zero area: 1)"),
+        of("nothing.3mf", ThreeMfSample.ofItems("", ""), ""),
+        of(
+            "support.3mf",
+            ThreeMfSample.ofItems("<object id=\"1\" type=\"support\"/>", "<item objectid=\"1\"/>"),
+            " (3D/root.model object 1: an object of type support is left out)"),
         of("nothing.stl", "solid\nendsolid\n", ""),
         of(
             "flat.stl",
@@ -122,10 +132,10 @@ class EmptyModelsTest {
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("models")
-  void modelsThatShowNothingAreRefused(String name, String content, String reason)
+  void modelsThatShowNothingAreRefused(String name, byte[] content, String reason)
       throws IOException {
     Path model = folder.resolve(name);
-    Files.write(model, content.getBytes(StandardCharsets.UTF_8));
+    Files.write(model, content);
     String picture = folder.resolve("x.png").toString();
     for (String[] command :
         new String[][] {
@@ -145,9 +155,9 @@ class EmptyModelsTest {
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("models")
-  void scenesRefuseThemUnlessTheyShine(String name, String content, String reason)
+  void scenesRefuseThemUnlessTheyShine(String name, byte[] content, String reason)
       throws IOException {
-    Files.write(folder.resolve(name), content.getBytes(StandardCharsets.UTF_8));
+    Files.write(folder.resolve(name), content);
     String scene =
         """
         {"mainCameraId": 1, "renderOptions": {"width": 8, "height": 8}, "objects": [

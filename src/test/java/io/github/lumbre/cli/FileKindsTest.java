@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.model.threemf.ThreeMfSample;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -75,6 +76,20 @@ class FileKindsTest {
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
   }
 
+  @Test
+  void archivesOfModelsAreRecognized() throws IOException {
+    Path file = Files.write(folder.resolve("part"), ThreeMfSample.square());
+    Outcome outcome = render(file);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
+    Path json = Files.write(folder.resolve("a.json"), ThreeMfSample.square());
+    render(json).assertFailed(ExitCodes.SCENE, "found 3MF; give its name the ending .3mf");
+    byte[] start =
+        "PK\3\4..........................word/document.xml".getBytes(StandardCharsets.US_ASCII);
+    Path other = Files.write(folder.resolve("b.3mf"), start);
+    render(other)
+        .assertFailed(ExitCodes.ASSET, "expected a 3MF file, found a ZIP archive; unpack it");
+  }
+
   private Outcome onStandardInput(byte[] content, String... command) {
     InputStream before = System.in;
     System.setIn(new ByteArrayInputStream(content));
@@ -125,7 +140,6 @@ class FileKindsTest {
         "a.wrl|#VRML V2.0 utf8\\n|VRML; export it to GLB",
         "a.usdz|PK\\3\\4..........................mesh.usdc|USDZ; export it to GLB",
         "a.usda|#usda 1.0|USD; export it to GLB",
-        "a.3mf|PK\\3\\4..........................3D/3dmodel.model|3MF; export it to GLB",
         "a.zip|PK\\3\\4..........................car.obj|a ZIP archive; unpack it",
         "a.dae|<?xml version='1.0'?><COLLADA>|COLLADA; export it to GLB",
         "a.blend|BLENDER-v300|a Blender file; export it to GLB",
@@ -143,7 +157,7 @@ class FileKindsTest {
     Path file = folder.resolve(name);
     Files.write(file, content.translateEscapes().getBytes(StandardCharsets.ISO_8859_1));
     String message =
-        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off), found ";
+        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off, .3mf), found ";
     render(file).assertFailed(ExitCodes.SCENE, name + ": " + message + found);
     Outcome.of("check", file.toString())
         .assertFailed(ExitCodes.SCENE, name + ": " + message + found);
@@ -158,7 +172,8 @@ class FileKindsTest {
         "obj|an OBJ file",
         "ply|a PLY file",
         "stl|an STL file",
-        "off|an OFF file"
+        "off|an OFF file",
+        "3mf|a 3MF file"
       })
   void modelsOfWrongContentsAreNamed(String ending, String title) throws IOException {
     for (String[] kind :

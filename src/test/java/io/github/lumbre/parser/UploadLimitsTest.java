@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.threemf.ThreeMfSample;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -114,6 +115,20 @@ class UploadLimitsTest {
     assertRefused(scene, Limits.NONE.withBytes(10), "expected at most 10 bytes, found 15");
   }
 
+  private static final String VERTICES =
+      "<vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
+          + "<vertex x=\"0\" y=\"1\" z=\"0\"/>";
+
+  @Test
+  void archivesThatUnfoldTooFarAreRefused() throws IOException {
+    String spaces = " ".repeat(60 << 20);
+    byte[] bomb = ThreeMfSample.ofItems(spaces, "");
+    assertRefused(file("a.3mf", bomb), Limits.NONE, "bytes in an archive of");
+    byte[] small = ThreeMfSample.ofItems(" ".repeat(1 << 19), "");
+    Limits limits = Limits.NONE.withBytes(1 << 19);
+    assertRefused(file("a.3mf", small), limits, "expected at most 524288 bytes in all files");
+  }
+
   @Test
   void trianglesOfEveryFormat() throws IOException {
     String message = "expected at most 9 triangles, found 10";
@@ -137,6 +152,14 @@ class UploadLimitsTest {
     assertRefused(file("a.ply", ply), limits, message);
     String off = "OFF\n3 10 0\n0 0 0\n1 0 0\n0 1 0\n" + "3 0 1 2\n".repeat(10);
     assertRefused(file("a.off", off), limits, message);
+    String item = "<item objectid=\"1\"/>";
+    String object =
+        "<object id=\"1\"><mesh><vertices>"
+            + VERTICES
+            + "</vertices><triangles>"
+            + "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>".repeat(5)
+            + "</triangles></mesh></object>";
+    assertRefused(file("a.3mf", ThreeMfSample.ofItems(object, item + item)), limits, message);
     String solid =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
             + "endloop\nendfacet\n";

@@ -1,7 +1,7 @@
 package io.github.lumbre.model.internal;
 
 /** Parses simple decimal numbers fast, with the same bits as Double.parseDouble. Stateless. */
-final class Decimals {
+public final class Decimals {
   /** The largest exponent of a power of ten that a double represents exactly. */
   private static final int MAX_EXACT_POWER = 22;
 
@@ -25,7 +25,7 @@ final class Decimals {
    * @param start index of the first character
    * @param end index after the last character
    */
-  static double exact(byte[] text, int start, int end) {
+  public static double exact(byte[] text, int start, int end) {
     boolean negative = start < end && text[start] == '-';
     int i = negative ? start + 1 : start;
     long digits = 0;

@@ -9,6 +9,7 @@ import io.github.lumbre.model.obj.ObjModelReader;
 import io.github.lumbre.model.off.OffReader;
 import io.github.lumbre.model.ply.PlyReader;
 import io.github.lumbre.model.stl.StlReader;
+import io.github.lumbre.model.threemf.ThreeMfReader;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
@@ -25,10 +26,11 @@ public enum ModelFormat {
   OBJ("an OBJ file", ObjModelReader::startsIn, ObjModelReader::read, "obj"),
   PLY("a PLY file", PlyReader::startsIn, PlyReader::read, "ply"),
   STL("an STL file", StlReader::startsIn, StlReader::read, "stl"),
-  OFF("an OFF file", OffReader::startsIn, OffReader::read, "off");
+  OFF("an OFF file", OffReader::startsIn, OffReader::read, "off"),
+  THREE_MF("a 3MF file", ThreeMfReader::startsIn, ThreeMfReader::read, "3mf");
 
   /** The formats for texts in which a line may not break after the dot of an ending. */
-  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL or OFF";
+  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL, OFF or 3MF";
 
   /** The name endings of the formats, for messages: {@code .gltf, .glb}. */
   public static final String ENDINGS =
@@ -101,7 +103,7 @@ public enum ModelFormat {
   }
 
   private String withAdvice(byte[] file) {
-    String content = this != GLTF ? name() : file[0] == 'g' ? "GLB" : "glTF";
+    String content = this != GLTF ? title.split(" ")[1] : file[0] == 'g' ? "GLB" : "glTF";
     return content + "; give its name the ending ." + content.toLowerCase(Locale.ROOT);
   }
 

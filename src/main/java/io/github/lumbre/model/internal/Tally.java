@@ -8,6 +8,9 @@ public final class Tally {
   /** What meshes of numbers that are not finite lack. */
   public static final String BROKEN = "left out faces with a vertex that is not a finite number";
 
+  /** What is left out of meshes since it has no surface. */
+  public static final String FLAT = "dropped triangles of zero area";
+
   public static final String NARROW = "ignored faces of fewer than 3 corners";
 
   private final Map<String, Counter> counters = new LinkedHashMap<>();

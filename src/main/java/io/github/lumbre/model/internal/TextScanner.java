@@ -62,6 +62,16 @@ public final class TextScanner {
   }
 
   /**
+   * Returns a scanner of a text within a line of another one.
+   *
+   * @param file name of the file for messages
+   * @param line number of the line in the file
+   */
+  public static TextScanner within(byte[] text, String file, int line) {
+    return new TextScanner(text, file, false, 0, line);
+  }
+
+  /**
    * Returns a scanner of the end of a text without comments and joined lines.
    *
    * @param from offset of the first byte

@@ -3,6 +3,7 @@ package io.github.lumbre.model.internal;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
+import java.util.function.Supplier;
 
 /** A growing list of triangles: three vertex numbers each. Mutable. */
 public final class TriangleList {
@@ -28,6 +29,39 @@ public final class TriangleList {
     size += 3;
   }
 
+  /**
+   * Adds a triangle, unless it has no area or a vertex that is not finite.
+   *
+   * @param positions three coordinates per vertex
+   * @param tally counts triangles that are left out
+   * @param place of the triangle in the file
+   * @return whether it is added
+   */
+  public boolean addSound(
+      double[] positions, int a, int b, int c, Tally tally, Supplier<String> place) {
+    if (!Double.isFinite(sum(positions, a) + sum(positions, b) + sum(positions, c))) {
+      tally.add(Tally.BROKEN, place.get());
+      return false;
+    }
+    if (!hasArea(positions, a, b, c)) {
+      tally.add(Tally.FLAT, place.get());
+      return false;
+    }
+    add(a, b, c);
+    return true;
+  }
+
+  private static double sum(double[] positions, int vertex) {
+    return positions[3 * vertex] + positions[3 * vertex + 1] + positions[3 * vertex + 2];
+  }
+
+  /** Replaces coordinates that are not finite by 0; no triangle may use them. */
+  public static void clearBroken(double[] positions) {
+    for (int i = 0; i < positions.length; i++) {
+      positions[i] = Double.isFinite(positions[i]) ? positions[i] : 0;
+    }
+  }
+
   /** Returns a vertex number of the list of all corners. */
   public int vertex(int corner) {
     return indices[corner];
@@ -47,11 +81,8 @@ public final class TriangleList {
   public int removeBroken(double[] positions) {
     return removeUnless(
         i -> {
-          double sum = 0;
-          for (int k = 0; k < 9; k++) {
-            sum += positions[3 * indices[i + k / 3] + k % 3];
-          }
-          return Double.isFinite(sum);
+          double ofTwo = sum(positions, indices[i]) + sum(positions, indices[i + 1]);
+          return Double.isFinite(ofTwo + sum(positions, indices[i + 2]));
         });
   }
 
@@ -79,7 +110,7 @@ public final class TriangleList {
   }
 
   /** Returns whether a triangle between three vertices has an area. */
-  public static boolean hasArea(double[] positions, int a, int b, int c) {
+  static boolean hasArea(double[] positions, int a, int b, int c) {
     if (a == b || b == c || c == a) {
       return false;
     }

@@ -116,14 +116,6 @@ public final class OffReader {
   }
 
   private void add(int face, int a, int b, int c) throws ModelFormatException {
-    if (!vertices.areFinite(a, b, c)) {
-      tally.add(Tally.BROKEN, scanner.location());
-      return;
-    }
-    if (!TriangleList.hasArea(vertices.positions(), a, b, c)) {
-      tally.add("dropped triangles of zero area", scanner.location());
-      return;
-    }
     int count = triangles.count();
     if (count == ModelLimits.MAX_COUNT) {
       scanner.require("triangles", count, count + 1L);
@@ -132,7 +124,7 @@ public final class OffReader {
       faces = Arrays.copyOf(faces, (int) Math.min(2L * count + 4, ModelLimits.MAX_COUNT));
     }
     faces[count] = face;
-    triangles.add(a, b, c);
+    triangles.addSound(vertices.positions(), a, b, c, tally, scanner::location);
   }
 
   private ModelPart part() throws ModelFormatException {

@@ -7,6 +7,7 @@ import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.TextScanner;
+import io.github.lumbre.model.internal.TriangleList;
 import io.github.lumbre.model.internal.Warnings;
 import java.util.Arrays;
 
@@ -81,15 +82,6 @@ final class OffVertices {
     return positions;
   }
 
-  /** Returns whether the positions of three vertices are finite. */
-  boolean areFinite(int... three) {
-    double sum = 0;
-    for (int vertex : three) {
-      sum += positions[3 * vertex] + positions[3 * vertex + 1] + positions[3 * vertex + 2];
-    }
-    return !Double.isNaN(sum);
-  }
-
   /** Returns whether a vertex has a color. */
   boolean hasColors() {
     return colors.isPresent();
@@ -97,9 +89,7 @@ final class OffVertices {
 
   /** Replaces positions that are not finite by 0, which no triangle uses, and drops normals. */
   void repair(Warnings warnings) {
-    for (int i = 0; i < positions.length; i++) {
-      positions[i] = Double.isNaN(positions[i]) ? 0 : positions[i];
-    }
+    TriangleList.clearBroken(positions);
     if (Arrays.stream(normals).anyMatch(Double::isNaN)) {
       warnings.add("", "ignored the normals, because some are not finite");
       normals = NONE;

@@ -1,0 +1,255 @@
+package io.github.lumbre.model.threemf;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.Srgb;
+import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.MaterialInput;
+import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelTexture;
+import io.github.lumbre.model.internal.ModelTexture.Wrap;
+import io.github.lumbre.model.internal.PlainModel;
+import io.github.lumbre.model.internal.TextScanner;
+import io.github.lumbre.model.internal.UvTransform;
+import io.github.lumbre.model.obj.MtlMap;
+import io.github.lumbre.model.threemf.PropertyGroup.Kind;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Reads the resources that are properties: base materials, and of the materials and properties
+ * extension colors, textures, composite materials and layers. Mutable.
+ */
+final class PropertyReader {
+  /** The memory of a property. */
+  private static final long PROPERTY_BYTES = 150;
+
+  private final XmlReader xml;
+  private final ThreeMfFile file;
+  private final Map<Integer, PropertyGroup> groups = new HashMap<>();
+
+  /** The materials of textures by the ids of these. */
+  private final Map<Integer, ModelMaterial> textures = new HashMap<>();
+
+  PropertyReader(XmlReader xml, ThreeMfFile file) {
+    this.xml = xml;
+    this.file = file;
+  }
+
+  /** Returns the groups of properties by their ids. */
+  Map<Integer, PropertyGroup> groups() {
+    return groups;
+  }
+
+  /** Reads the resource at which the reader is; returns false if it is none of these. */
+  boolean read() throws ModelFormatException, IOException {
+    if (xml.is(ThreeMfExtensions.CORE, "basematerials")) {
+      readColors(Kind.MATERIAL, "base", "displaycolor");
+    } else if (!xml.namespace().equals(ThreeMfExtensions.MATERIALS)) {
+      return false;
+    } else {
+      switch (xml.name()) {
+        case "colorgroup" -> readColors(Kind.COLOR, "color", "color");
+        case "texture2d" -> readTexture();
+        case "texture2dgroup" -> readCoordinates();
+        case "compositematerials" -> readComposites();
+        case "multiproperties" -> readLayers();
+        default ->
+            file.warnings()
+                .once(
+                    xml.name(),
+                    xml.location(),
+                    PrintableText.shortened(xml.name()) + " has no effect on the picture");
+      }
+    }
+    return true;
+  }
+
+  private PropertyGroup group(Kind kind, ModelMaterial textured) throws ModelFormatException {
+    int id = xml.integer("id", Integer.MAX_VALUE);
+    String location = xml.part() + " group " + id;
+    return put(id, new PropertyGroup(kind, location, textured));
+  }
+
+  private PropertyGroup put(int id, PropertyGroup group) throws ModelFormatException {
+    if (groups.put(id, group) != null) {
+      throw xml.error("expected ids of one resource each, found several with " + id);
+    }
+    return group;
+  }
+
+  private PropertyGroup known(String attribute) throws ModelFormatException {
+    int id = xml.integer(attribute, Integer.MAX_VALUE);
+    PropertyGroup group = groups.get(id);
+    if (group == null) {
+      throw xml.error("expected a group that is defined before, found " + attribute + " " + id);
+    }
+    return group;
+  }
+
+  private void readColors(Kind kind, String element, String attribute) throws ModelFormatException {
+    PropertyGroup group = group(kind, PlainModel.defaultMaterial());
+    String namespace = xml.namespace();
+    int depth = xml.depth();
+    while (xml.nextWithin(depth)) {
+      if (xml.is(namespace, element)) {
+        file.take(xml.location(), PROPERTY_BYTES);
+        group.add(xml.text("name").orElse(""), color(attribute));
+      }
+    }
+  }
+
+  /** Returns a linear color with alpha. */
+  private double[] color(String attribute) throws ModelFormatException {
+    String text = xml.text(attribute).orElse("").trim();
+    if (!text.matches("#(\\p{XDigit}{6}|\\p{XDigit}{8})")) {
+      throw xml.error(
+          "expected a color such as #FF8000 in %s, found %s"
+              .formatted(attribute, PrintableText.quoted(text)));
+    }
+    double[] color = {1, 1, 1, 1};
+    for (int i = 0; 2 * i + 3 <= text.length(); i++) {
+      double encoded = Integer.parseInt(text.substring(2 * i + 1, 2 * i + 3), 16) / 255.;
+      color[i] = i == 3 ? encoded : Srgb.decode(encoded);
+    }
+    return color;
+  }
+
+  private void readTexture() throws ModelFormatException, IOException {
+    String path = xml.text("path").orElse("");
+    boolean isNearest = xml.text("filter").filter("nearest"::equals).isPresent();
+    MtlMap map =
+        new MtlMap(
+            xml.location(),
+            path.startsWith("/") ? path.substring(1) : path,
+            -1,
+            1,
+            Wrap.REPEAT,
+            UvTransform.IDENTITY);
+    ModelMaterial material = PlainModel.defaultMaterial();
+    if (file.pictures().isReadable(map, file.warnings())) {
+      ModelTexture read = file.pictures().texture(map);
+      ModelTexture texture =
+          new ModelTexture(
+              read.image(),
+              0,
+              wrap("tilestyleu"),
+              wrap("tilestylev"),
+              isNearest,
+              UvTransform.IDENTITY);
+      material =
+          PlainModel.matte("", xml.location())
+              .set(
+                  MaterialParameter.BASE_COLOR,
+                  new MaterialInput(Rgb.WHITE, Optional.of(texture), 0))
+              .build();
+    }
+    textures.put(xml.integer("id", Integer.MAX_VALUE), material);
+  }
+
+  private Wrap wrap(String attribute) {
+    return switch (xml.text(attribute).orElse("wrap")) {
+      case "mirror" -> Wrap.MIRROR;
+      case "clamp", "none" -> Wrap.CLAMP;
+      default -> Wrap.REPEAT;
+    };
+  }
+
+  private void readCoordinates() throws ModelFormatException {
+    int id = xml.integer("texid", Integer.MAX_VALUE);
+    if (!textures.containsKey(id)) {
+      throw xml.error("expected a texture that is defined before, found texid " + id);
+    }
+    PropertyGroup group = group(Kind.TEXTURE, textures.get(id));
+    int depth = xml.depth();
+    while (xml.nextWithin(depth)) {
+      if (xml.is(ThreeMfExtensions.MATERIALS, "tex2coord")) {
+        file.take(xml.location(), PROPERTY_BYTES);
+        double u = xml.number("u");
+        double v = xml.number("v");
+        boolean isFinite = Double.isFinite(u + v);
+        group.add("", isFinite ? u : 0, isFinite ? v : 0);
+      }
+    }
+  }
+
+  /** Reads mixtures of base materials as the mixtures of their colors, in linear light. */
+  private void readComposites() throws ModelFormatException {
+    PropertyGroup base = known("matid");
+    List<Integer> mixed = integers("matindices", base.count() - 1L);
+    if (base.kind() == Kind.TEXTURE || mixed.isEmpty()) {
+      throw xml.error("expected a mixture of materials, found none");
+    }
+    file.warnings()
+        .once("mixtures", xml.location(), "composite materials are shown as mixed colors");
+    PropertyGroup group = group(Kind.COLOR, PlainModel.defaultMaterial());
+    int depth = xml.depth();
+    while (xml.nextWithin(depth)) {
+      if (xml.is(ThreeMfExtensions.MATERIALS, "composite")) {
+        file.take(xml.location(), PROPERTY_BYTES);
+        group.add("", mixture(base, mixed));
+      }
+    }
+  }
+
+  private double[] mixture(PropertyGroup base, List<Integer> mixed) throws ModelFormatException {
+    TextScanner shares = xml.words("values");
+    double[] sum = new double[4];
+    double total = 0;
+    for (int index : mixed) {
+      double share = shares.nextWord() ? Math.max(0, Math.min(shares.number(), 1)) : 0;
+      total += share;
+      double[] color = base.numbers(index);
+      for (int i = 0; i < sum.length; i++) {
+        sum[i] += share * color[i];
+      }
+    }
+    for (int i = 0; total > 0 && i < sum.length; i++) {
+      sum[i] = Math.min(sum[i] / total, 1);
+    }
+    return total > 0 ? sum : base.numbers(mixed.get(0));
+  }
+
+  /** Reads layers of properties; the top one is shown. */
+  private void readLayers() throws ModelFormatException {
+    List<Integer> ids = integers("pids", Integer.MAX_VALUE);
+    int top = ids.size() - 1;
+    while (top >= 0 && !groups.containsKey(ids.get(top))) {
+      top--;
+    }
+    if (top < 0) {
+      throw xml.error("expected a group that is defined before in pids, found none");
+    }
+    file.warnings()
+        .once("layers", xml.location(), "of several layers of properties, the top one is shown");
+    PropertyGroup shown = groups.get(ids.get(top));
+    PropertyGroup group = put(xml.integer("id", Integer.MAX_VALUE), shown.like());
+    int depth = xml.depth();
+    while (xml.nextWithin(depth)) {
+      if (xml.is(ThreeMfExtensions.MATERIALS, "multi")) {
+        file.take(xml.location(), PROPERTY_BYTES);
+        List<Integer> indices = integers("pindices", Integer.MAX_VALUE);
+        int index = top < indices.size() ? indices.get(top) : 0;
+        if (index >= shown.count()) {
+          throw xml.error(
+              "expected a property from 0 to " + (shown.count() - 1) + ", found " + index);
+        }
+        group.addFrom(shown, index);
+      }
+    }
+  }
+
+  private List<Integer> integers(String attribute, long max) throws ModelFormatException {
+    TextScanner words = xml.words(attribute);
+    List<Integer> all = new ArrayList<>();
+    while (words.nextWord()) {
+      all.add((int) words.integer(0, max));
+    }
+    return all;
+  }
+}

@@ -1,0 +1,335 @@
+package io.github.lumbre.model.threemf;
+
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.internal.Decimals;
+import io.github.lumbre.model.internal.TextScanner;
+import io.github.lumbre.text.PrintableText;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Reads the elements of an XML text in UTF-8 and their attributes, tag by tag. Texts between tags,
+ * comments and processing instructions are skipped. There are no document types, so that there are
+ * no entities but the five of XML 1.0 and those by number. Mutable.
+ *
+ * <p>{@link #nextWithin} moves to the children of an element; the methods that return attributes
+ * are about the element to which it moved last.
+ */
+final class XmlReader {
+  private static final int MAX_DEPTH = 100;
+  private static final int MAX_ATTRIBUTES = 100;
+
+  private final XmlTags tags;
+
+  /** The current tag without its brackets, and its length. */
+  private byte[] tag = {};
+
+  private int size;
+  private int nameStart;
+  private int nameEnd;
+
+  /** Begin and end of name and value of each attribute. */
+  private final int[] ranges = new int[4 * MAX_ATTRIBUTES];
+
+  private int attributes;
+
+  /** The names of the elements that are open, without one that its own tag closes. */
+  private final List<String> open = new ArrayList<>();
+
+  private final XmlNamespaces namespaces = new XmlNamespaces();
+
+  /** Whether the current element ends with its tag. */
+  private boolean isClosed;
+
+  XmlReader(ZipInput in) {
+    tags = new XmlTags(in);
+  }
+
+  /** Returns how many elements the current one is within, and itself. */
+  int depth() {
+    return open.size() + (isClosed ? 1 : 0);
+  }
+
+  /**
+   * Moves to the next child of an element; skips what is within the children before it.
+   *
+   * @param depth of the element; 0 for the document
+   * @return false at the end of the element
+   */
+  boolean nextWithin(int depth) throws ModelFormatException {
+    while (true) {
+      if (isClosed) {
+        isClosed = false;
+        namespaces.leave(open.size());
+      }
+      if (open.size() < depth || !nextTag()) {
+        return false;
+      }
+      if (depth() == depth + 1 && !tags.isEnd()) {
+        return true;
+      }
+    }
+  }
+
+  /** Moves behind the next tag; returns false at the end of the document. */
+  private boolean nextTag() throws ModelFormatException {
+    if (!tags.next()) {
+      if (!open.isEmpty()) {
+        throw error(
+            "expected </" + PrintableText.shortened(last()) + ">, found the end of the file");
+      }
+      return false;
+    }
+    tag = tags.tag();
+    size = tags.size();
+    if (tags.isEnd()) {
+      endElement();
+    } else {
+      startElement();
+    }
+    return true;
+  }
+
+  private void endElement() throws ModelFormatException {
+    String name = string(1, wordEnd(1));
+    if (open.isEmpty() || !last().equals(name)) {
+      throw error(
+          open.isEmpty()
+              ? "expected an element, found its end"
+              : "expected </%s>, found </%s>"
+                  .formatted(PrintableText.shortened(last()), PrintableText.shortened(name)));
+    }
+    open.remove(open.size() - 1);
+    namespaces.leave(open.size());
+  }
+
+  private void startElement() throws ModelFormatException {
+    nameStart = 0;
+    nameEnd = wordEnd(0);
+    attributes = 0;
+    isClosed = size > 0 && tag[size - 1] == '/';
+    size -= isClosed ? 1 : 0;
+    nameEnd = Math.min(nameEnd, size);
+    if (nameEnd == 0) {
+      throw error("expected the name of an element, found none");
+    }
+    if (open.size() == MAX_DEPTH) {
+      throw new ModelFormatException(
+          Kind.TOO_LARGE,
+          location(),
+          "expected at most " + MAX_DEPTH + " elements within each other, found more");
+    }
+    if (!isClosed) {
+      open.add(string(0, nameEnd));
+    }
+    int from = skipSpace(nameEnd);
+    while (from < size) {
+      from = skipSpace(readAttribute(from));
+    }
+    int colon = indexOf(':', 0, nameEnd);
+    nameStart = colon < 0 ? 0 : colon + 1;
+  }
+
+  private int readAttribute(int from) throws ModelFormatException {
+    int to = indexOf('=', from, size);
+    int quoteAt = skipSpace(to + 1);
+    if (to < 0 || quoteAt >= size || tag[quoteAt] != '"' && tag[quoteAt] != '\'') {
+      throw error("expected an attribute with a value in quotes, found something else");
+    }
+    int valueEnd = indexOf(tag[quoteAt], quoteAt + 1, size);
+    if (valueEnd < 0) {
+      throw error("expected a value in quotes, found no second quote");
+    }
+    if (attributes == MAX_ATTRIBUTES) {
+      throw new ModelFormatException(
+          Kind.TOO_LARGE, location(), "expected at most " + MAX_ATTRIBUTES + " attributes");
+    }
+    int nameTo = Math.min(wordEnd(from), to);
+    int[] range = {from, nameTo, quoteAt + 1, valueEnd};
+    System.arraycopy(range, 0, ranges, 4 * attributes, 4);
+    attributes++;
+    if (startsWith(from, "xmlns") && (nameTo == from + 5 || tag[from + 5] == ':')) {
+      String prefix = string(Math.min(from + 6, nameTo), nameTo);
+      namespaces.declare(prefix, decoded(quoteAt + 1, valueEnd), depth(), location());
+    }
+    return valueEnd + 1;
+  }
+
+  /** Returns the namespace of a prefix; empty if it has none. */
+  String namespace(String prefix) {
+    return namespaces.of(prefix);
+  }
+
+  /** Returns the namespace of the element. */
+  String namespace() {
+    return namespace(nameStart == 0 ? "" : string(0, nameStart - 1));
+  }
+
+  /** Returns the name of the element without its prefix. */
+  String name() {
+    return string(nameStart, nameEnd);
+  }
+
+  /** Returns whether the element has a name in a namespace. */
+  boolean is(String namespace, String name) {
+    return nameEnd - nameStart == name.length()
+        && startsWith(nameStart, name)
+        && namespace().equals(namespace);
+  }
+
+  /** Returns the index of an attribute without a prefix; -1 if there is none. */
+  private int find(String name) {
+    for (int i = 0; i < 4 * attributes; i += 4) {
+      if (ranges[i + 1] - ranges[i] == name.length() && startsWith(ranges[i], name)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /** Returns whether the element has an attribute without a prefix. */
+  boolean has(String name) {
+    return find(name) >= 0;
+  }
+
+  /** Returns the value of an attribute without a prefix. */
+  Optional<String> text(String name) {
+    int i = find(name);
+    return i < 0 ? Optional.empty() : Optional.of(decoded(ranges[i + 2], ranges[i + 3]));
+  }
+
+  /** Returns the value of an attribute in a namespace, which has a prefix. */
+  Optional<String> text(String namespace, String name) {
+    for (int i = 0; i < 4 * attributes; i += 4) {
+      int colon = indexOf(':', ranges[i], ranges[i + 1]);
+      if (colon >= 0
+          && string(colon + 1, ranges[i + 1]).equals(name)
+          && namespace(string(ranges[i], colon)).equals(namespace)) {
+        return Optional.of(decoded(ranges[i + 2], ranges[i + 3]));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private int require(String name) throws ModelFormatException {
+    int i = find(name);
+    if (i < 0) {
+      throw error("expected the attribute " + name + " of <" + name() + ">, found none");
+    }
+    return i;
+  }
+
+  /** Returns a number, or NaN for a word that means NaN or infinity. */
+  double number(String name) throws ModelFormatException {
+    int i = require(name);
+    double simple = Decimals.exact(tag, ranges[i + 2], ranges[i + 3]);
+    if (!Double.isNaN(simple)) {
+      return simple;
+    }
+    TextScanner words = words(name);
+    if (!words.nextWord()) {
+      throw error("expected a number in " + name + ", found none");
+    }
+    return words.numberOrNan();
+  }
+
+  /** Returns a scanner of the words of an attribute, whose line ends count as spaces. */
+  TextScanner words(String name) throws ModelFormatException {
+    int i = require(name);
+    byte[] value = Arrays.copyOfRange(tag, ranges[i + 2], ranges[i + 3]);
+    for (int k = 0; k < value.length; k++) {
+      value[k] = isSpace(value[k]) ? (byte) ' ' : value[k];
+    }
+    return TextScanner.within(value, tags.part(), tags.line());
+  }
+
+  /**
+   * Returns an integer.
+   *
+   * @param max the largest allowed value
+   */
+  int integer(String name, long max) throws ModelFormatException {
+    int i = require(name);
+    long value = ranges[i + 2] == ranges[i + 3] ? Long.MAX_VALUE : 0;
+    for (int k = ranges[i + 2]; k < ranges[i + 3] && value <= max; k++) {
+      boolean isDigit = tag[k] >= '0' && tag[k] <= '9';
+      value = isDigit ? 10 * value + tag[k] - '0' : Long.MAX_VALUE;
+    }
+    if (value > max) {
+      throw error(
+          "expected an integer from 0 to %d in %s, found %s"
+              .formatted(max, name, PrintableText.quoted(decoded(ranges[i + 2], ranges[i + 3]))));
+    }
+    return (int) value;
+  }
+
+  /** Returns the name of the part that is read, for messages. */
+  String part() {
+    return tags.part();
+  }
+
+  /** Returns the place of the element, for messages. */
+  String location() {
+    return tags.location();
+  }
+
+  /** Returns an exception that names the place of the element. */
+  ModelFormatException error(String message) {
+    return tags.error(message);
+  }
+
+  private String last() {
+    return open.get(open.size() - 1);
+  }
+
+  private String string(int from, int to) {
+    return new String(tag, from, to - from, StandardCharsets.UTF_8);
+  }
+
+  /** Returns a text with its entities replaced; unknown ones stay. */
+  private String decoded(int from, int to) {
+    return XmlEntities.replaced(string(from, to));
+  }
+
+  private boolean startsWith(int from, String word) {
+    for (int i = 0; i < word.length(); i++) {
+      if (from + i >= size || tag[from + i] != word.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private int indexOf(int c, int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (tag[i] == c) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private int wordEnd(int from) {
+    int i = from;
+    while (i < size && !isSpace(tag[i])) {
+      i++;
+    }
+    return i;
+  }
+
+  private int skipSpace(int from) {
+    int i = from;
+    while (i < size && isSpace(tag[i])) {
+      i++;
+    }
+    return i;
+  }
+
+  private static boolean isSpace(byte c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+  }
+}
