@@ -41,6 +41,14 @@ final class Allowance {
     return Math.max(0, limits.texels() - texels);
   }
 
+  /**
+   * Returns the largest number of texels of the next picture, if it is to fit into the memory by
+   * itself.
+   */
+  long texelsLeft(int bytesPerTexel) {
+    return Math.min(texelsLeft(), limits.memory() / bytesPerTexel);
+  }
+
   /** Adds the triangles of a mesh that was read within {@link #left}. */
   void addTriangles(long more) {
     triangles += more;

@@ -21,6 +21,9 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
   /** Files with more texels per byte are reported as possible decompression bombs. */
   private static final int SUSPICIOUS_TEXELS_PER_BYTE = 250;
 
+  /** The memory for a texel of linear light. */
+  private static final int LINEAR_BYTES = 3 * Float.BYTES;
+
   /** Returns the picture in the bytes of a file; empty, with an error added, if there is none. */
   Optional<Picture> read(AssetData.Content content, Filter filter) {
     try {
@@ -35,7 +38,7 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
   }
 
   private Optional<Picture> linear(AssetData.Content content) throws ImageFormatException {
-    LinearPicture read = ImageFormat.read(content.bytes(), allowance.texelsLeft());
+    LinearPicture read = ImageFormat.read(content.bytes(), allowance.texelsLeft(LINEAR_BYTES));
     Image light = read.light();
     allowance.addTexels((long) light.width() * light.height());
     return isUsable(content, light)

@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.github.lumbre.image.exr.ExrBuilder;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.ModelReader;
@@ -100,6 +101,18 @@ class UploadLimitsTest {
     SceneParser parser = new SceneParser().limitedTo(limits);
     assertThat(parser.parse(file("a.obj", TRIANGLE), Stage.DEFAULT).scene().primitives())
         .isNotEmpty();
+  }
+
+  /** The picture of 2048x512 pixels is a file of 1 KB. */
+  @Test
+  void linearPicturesFitIntoTheMemory() throws IOException {
+    file("black.exr", ExrBuilder.class.getResourceAsStream("black.exr").readAllBytes());
+    Path scene = scene(TEXTURE.formatted(2, "black.exr"), DOME.formatted(2));
+    int bytes = 12 * 2048 * 512;
+    assertRefused(
+        scene, Limits.UPLOADS.withMemory(bytes - 1), "2048x512 pixels, expected at most 1048575");
+    assertRefused(
+        scene, Limits.UPLOADS.withTexels(1 << 19), "2048x512 pixels, expected at most 524288");
   }
 
   @Test
