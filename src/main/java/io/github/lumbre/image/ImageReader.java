@@ -12,8 +12,8 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /**
- * Decodes picture files from untrusted sources: PNG, JPEG, WebP, KTX 2, BMP, GIF, TIFF and TGA as
- * they are, all formats as linear light. The content decides, not the name.
+ * Decodes picture files from untrusted sources: PNG, JPEG, WebP, KTX 2, DDS, BMP, GIF, TIFF and TGA
+ * as they are, all formats as linear light. The content decides, not the name.
  *
  * <p>The header is read first. A picture that exceeds the limits, or is larger than its data can
  * hold, is rejected before memory is allocated for it. All color types and bit depths of PNG are

@@ -4,6 +4,7 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.file.FileContent;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.dds.DdsFile;
 import io.github.lumbre.image.imageio.BmpFile;
 import io.github.lumbre.image.imageio.GifFile;
 import io.github.lumbre.image.imageio.JdkDecoder;
@@ -30,6 +31,7 @@ public enum EncodedFormat {
   JPEG("JPEG", JpegFile::startsIn, EncodedFormat::jpeg),
   WEBP("WebP", WebpFile::startsIn, WebpFile::open),
   KTX("KTX 2", KtxFile::startsIn, KtxFile::open),
+  DDS("DDS", DdsFile::startsIn, DdsFile::open),
   BMP("BMP", BmpFile::startsIn, BmpFile::open),
   GIF("GIF", GifFile::startsIn, GifFile::open),
   TIFF("TIFF", TiffFile::startsIn, TiffFile::open),

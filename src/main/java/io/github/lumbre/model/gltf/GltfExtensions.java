@@ -64,12 +64,9 @@ final class GltfExtensions {
           "VRMC_springBone",
           "VRMC_vrm");
 
-  private static final String CONVERT = "convert its textures to PNG or JPEG";
-
   private static final Map<String, String> ADVICE =
       Map.of(
-          "EXT_texture_avif", CONVERT,
-          "MSFT_texture_dds", CONVERT,
+          "EXT_texture_avif", "convert its textures to PNG or JPEG",
           "KHR_materials_pbrSpecularGlossiness",
               "convert the materials to metallic-roughness, for example with gltf-transform");
 

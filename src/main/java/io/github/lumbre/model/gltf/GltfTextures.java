@@ -22,7 +22,8 @@ import java.util.OptionalInt;
 /** The textures, samplers and images of a glTF file (glTF 2.0, section 3.8). Mutable. */
 final class GltfTextures {
   /** Extensions that give a texture a picture in another format, the preferred one first. */
-  static final List<String> PICTURES = List.of("KHR_texture_basisu", "EXT_texture_webp");
+  static final List<String> PICTURES =
+      List.of("KHR_texture_basisu", "EXT_texture_webp", "MSFT_texture_dds");
 
   private static final int NEAREST = 9728;
   private static final int CLAMP_TO_EDGE = 33071;

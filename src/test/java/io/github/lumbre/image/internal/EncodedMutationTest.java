@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.dds.DdsFixture;
 import io.github.lumbre.image.imageio.LegacyFixture;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.image.tga.TgaFixture;
@@ -35,6 +36,7 @@ class EncodedMutationTest {
     TGA(30, TgaFixture.files()),
     WEBP(60, WebpSamples.files()),
     KTX(300, KtxSamples.all().stream().map(KtxSamples.Sample::file)),
+    DDS(150, DdsFixture.files()),
     BMP(140, LegacyFixture.bmps()),
     GIF(40, LegacyFixture.gifs()),
     TIFF(300, LegacyFixture.tiffs());

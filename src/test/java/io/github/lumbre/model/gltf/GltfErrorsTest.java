@@ -133,8 +133,8 @@ class GltfErrorsTest {
             + " ['KHR_materials_pbrSpecularGlossiness']"
             + " | extensionsRequired: KHR_materials_pbrSpecularGlossiness is required; convert the"
             + " materials to metallic-roughness, for example with gltf-transform",
-        "'asset': {'version': '2.0'}, 'extensionsRequired': ['MSFT_texture_dds']"
-            + " | extensionsRequired: MSFT_texture_dds is required; convert its textures to PNG"
+        "'asset': {'version': '2.0'}, 'extensionsRequired': ['EXT_texture_avif']"
+            + " | extensionsRequired: EXT_texture_avif is required; convert its textures to PNG"
             + " or JPEG",
         "'asset': {'version': '2.0'}, 'extensionsRequired': ['ABC_x']"
             + " | extensionsRequired: ABC_x is required; export the model without it"

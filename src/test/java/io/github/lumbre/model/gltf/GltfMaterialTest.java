@@ -343,7 +343,7 @@ class GltfMaterialTest {
   @ValueSource(strings = {"'index': 2", "'index': 0, 'texCoord': 2"})
   void unsupportedTexturesAreLeftOut(String info) throws ModelFormatException, IOException {
     addTextures();
-    file.add("textures", "{'extensions': {'MSFT_texture_dds': {'source': 0}}}");
+    file.add("textures", "{'extensions': {'EXT_texture_avif': {'source': 0}}}");
     Model model = model("{'emissiveTexture': {" + info + "}}");
     assertThat(model.parts().get(0).material().emission().texture()).isEmpty();
     assertThat(model.warnings())
@@ -351,7 +351,7 @@ class GltfMaterialTest {
             "materials[0].emissiveTexture: "
                 + (info.contains("Coord")
                     ? "TEXCOORD_2 is not supported"
-                    : "expected a picture, found MSFT_texture_dds")
+                    : "expected a picture, found EXT_texture_avif")
                 + "; the texture is left out");
   }
 

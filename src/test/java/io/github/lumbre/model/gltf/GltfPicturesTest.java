@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.dds.DdsFixture;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.image.webp.WebpSamples;
 import io.github.lumbre.material.MaterialParameter;
@@ -48,14 +49,18 @@ class GltfPicturesTest {
     "KHR_texture_basisu, true, false",
     "KHR_texture_basisu, true, true",
     "EXT_texture_webp, false, true",
-    "EXT_texture_webp, true, false"
+    "EXT_texture_webp, true, false",
+    "MSFT_texture_dds, false, true",
+    "MSFT_texture_dds, true, false"
   })
   void picturesOfExtensionsArePreferred(String extension, boolean isRequired, boolean hasOther)
       throws ModelFormatException, IOException {
     byte[] picture =
-        extension.startsWith("KHR")
-            ? KtxSamples.file("ETC1S of gray")
-            : WebpSamples.file("alpha-levels");
+        switch (extension) {
+          case "KHR_texture_basisu" -> KtxSamples.file("ETC1S of gray");
+          case "EXT_texture_webp" -> WebpSamples.file("alpha-levels");
+          default -> DdsFixture.named("DXT1", 40, 4, DdsFixture.data(1, 80));
+        };
     file.set("extensionsUsed", "['" + extension + "']");
     if (isRequired) {
       file.set("extensionsRequired", "['" + extension + "']");
