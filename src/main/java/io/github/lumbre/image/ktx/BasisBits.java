@@ -3,42 +3,21 @@ package io.github.lumbre.image.ktx;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LowBits;
 
-/** Reads numbers of a few bits, the lowest bit of a byte first. Mutable. */
-final class BasisBits {
-  private final KtxInput in;
-  private int at;
-  private long buffer;
-  private int buffered;
+/** Reads numbers of a few bits from a part of a file. Mutable. */
+final class BasisBits extends LowBits {
+  private static final String DAMAGED = "KTX is damaged: ";
+
+  private final String name;
 
   BasisBits(KtxInput in) {
-    this.in = in;
-  }
-
-  /** Returns the next bits, at most 32, and zeros after the last one, without consuming them. */
-  int peek(int count) {
-    while (buffered < count) {
-      long next = at < in.size() ? in.file()[in.from() + at] & 0xff : 0;
-      at++;
-      buffer |= next << buffered;
-      buffered += Byte.SIZE;
-    }
-    return (int) (buffer & (1L << count) - 1);
-  }
-
-  /** Consumes bits that were peeked at. */
-  void skip(int count) throws ImageFormatException {
-    buffer >>>= count;
-    buffered -= count;
-    if (at - buffered / Byte.SIZE > in.size()) {
-      throw damaged("ends after " + in.size() + " bytes");
-    }
-  }
-
-  int read(int count) throws ImageFormatException {
-    int value = peek(count);
-    skip(count);
-    return value;
+    super(
+        in.file(),
+        in.from(),
+        in.from() + in.size(),
+        DAMAGED + in.name() + " ends after " + in.size() + " bytes");
+    name = in.name();
   }
 
   /**
@@ -58,6 +37,6 @@ final class BasisBits {
   }
 
   ImageFormatException damaged(String problem) {
-    return malformed("KTX is damaged: " + in.name() + " " + problem);
+    return malformed(DAMAGED + name + " " + problem);
   }
 }

@@ -3,6 +3,7 @@ package io.github.lumbre.image.webp;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LowBits;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.util.Arrays;
 
@@ -34,7 +35,9 @@ final class AlphaPlane {
       }
       alpha = Arrays.copyOfRange(file, from + 1, from + 1 + width * height);
     } else if (method == LOSSLESS) {
-      int[] pixels = LosslessDecoder.decode(new LosslessBits(file, from + 1, end), width, height);
+      int[] pixels =
+          LosslessDecoder.decode(
+              new LowBits(file, from + 1, end, WebpFile.TRUNCATED), width, height);
       alpha = new byte[pixels.length];
       for (int i = 0; i < alpha.length; i++) {
         alpha[i] = (byte) (pixels[i] >> 8);

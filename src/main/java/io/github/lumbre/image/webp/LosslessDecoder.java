@@ -3,26 +3,27 @@ package io.github.lumbre.image.webp;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LowBits;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
 /** Decodes a lossless picture (RFC 9649, sec. 3). Mutable. */
 final class LosslessDecoder {
-  private final LosslessBits bits;
+  private final LowBits bits;
   private final int height;
   private final Deque<LosslessTransform> transforms = new ArrayDeque<>();
 
   /** The width of the stored pixels: smaller than the picture's, if they are packed indices. */
   private int width;
 
-  private LosslessDecoder(LosslessBits bits, int width, int height) {
+  private LosslessDecoder(LowBits bits, int width, int height) {
     this.bits = bits;
     this.width = width;
     this.height = height;
   }
 
   /** Returns the pixels as ARGB, row by row. */
-  static int[] decode(LosslessBits bits, int width, int height) throws ImageFormatException {
+  static int[] decode(LowBits bits, int width, int height) throws ImageFormatException {
     return new LosslessDecoder(bits, width, height).decode(new int[width * height]);
   }
 

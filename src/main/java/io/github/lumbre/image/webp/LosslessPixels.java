@@ -3,6 +3,7 @@ package io.github.lumbre.image.webp;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LowBits;
 import io.github.lumbre.limit.internal.Interrupts;
 
 /** Reads coded pixels (RFC 9649, sec. 3.6 and 3.7): literals, copies and cached colors. Mutable. */
@@ -25,7 +26,7 @@ final class LosslessPixels {
     0x30, 0x73, 0x7d, 0x51, 0x5f, 0x40, 0x72, 0x7e, 0x61, 0x6f, 0x50, 0x71, 0x7f, 0x60, 0x70
   };
 
-  private final LosslessBits bits;
+  private final LowBits bits;
   private final int width;
   private final int height;
   private int[] cache = {};
@@ -34,14 +35,14 @@ final class LosslessPixels {
   private int[] blocks = {0};
   private int blockBits;
 
-  LosslessPixels(LosslessBits bits, int width, int height) {
+  LosslessPixels(LowBits bits, int width, int height) {
     this.bits = bits;
     this.width = width;
     this.height = height;
   }
 
   /** Returns pixels with a single group of codes. */
-  static int[] read(LosslessBits bits, int width, int height) throws ImageFormatException {
+  static int[] read(LowBits bits, int width, int height) throws ImageFormatException {
     LosslessPixels reader = new LosslessPixels(bits, width, height);
     reader.readCache();
     reader.readGroups(1, new boolean[] {true});

@@ -3,10 +3,11 @@ package io.github.lumbre.image.webp;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LowBits;
 
 /** A canonical prefix code of the lossless format (RFC 9649, sec. 3.7.2). Immutable. */
 final class PrefixCode {
-  static final int MAX_LENGTH = 15;
+  private static final int MAX_LENGTH = 15;
 
   /** The longest codes that a table decodes; longer ones are decoded bit by bit. */
   private static final int TABLE_BITS = 8;
@@ -95,8 +96,8 @@ final class PrefixCode {
   }
 
   /** Returns the next symbol. */
-  int read(LosslessBits bits) throws ImageFormatException {
-    int ahead = bits.peek();
+  int read(LowBits bits) throws ImageFormatException {
+    int ahead = bits.peek(MAX_LENGTH);
     int entry = table[ahead & table.length - 1];
     int length = entry & 0xf;
     if (length == 0 && symbols.length > 1) {
@@ -106,7 +107,7 @@ final class PrefixCode {
     return entry >> 4;
   }
 
-  private int readLong(LosslessBits bits, int ahead) throws ImageFormatException {
+  private int readLong(LowBits bits, int ahead) throws ImageFormatException {
     int code = 0;
     int first = 0;
     int index = 0;

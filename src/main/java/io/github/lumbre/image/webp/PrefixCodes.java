@@ -3,6 +3,7 @@ package io.github.lumbre.image.webp;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.LowBits;
 import java.util.Arrays;
 
 /**
@@ -33,7 +34,7 @@ record PrefixCodes(
    *
    * @param cached the number of colors of the cache
    */
-  static PrefixCodes read(LosslessBits bits, int cached) throws ImageFormatException {
+  static PrefixCodes read(LowBits bits, int cached) throws ImageFormatException {
     return new PrefixCodes(
         code(bits, LITERALS + LENGTHS + cached),
         code(bits, LITERALS),
@@ -47,7 +48,7 @@ record PrefixCodes(
     return green.entries() + red.entries() + blue.entries() + alpha.entries() + distance.entries();
   }
 
-  private static PrefixCode code(LosslessBits bits, int symbols) throws ImageFormatException {
+  private static PrefixCode code(LowBits bits, int symbols) throws ImageFormatException {
     int[] lengths = new int[symbols];
     if (bits.flag()) {
       boolean hasTwo = bits.flag();
@@ -64,7 +65,7 @@ record PrefixCodes(
     return PrefixCode.of(lengths);
   }
 
-  private static void readLengths(LosslessBits bits, int[] lengths) throws ImageFormatException {
+  private static void readLengths(LowBits bits, int[] lengths) throws ImageFormatException {
     int[] lengthsOfLengths = new int[ORDER.length];
     int count = 4 + bits.read(4);
     for (int i = 0; i < count; i++) {

@@ -5,6 +5,7 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.internal.EncodedPicture;
+import io.github.lumbre.image.internal.LowBits;
 import io.github.lumbre.image.internal.PictureLimits;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -12,6 +13,9 @@ import java.util.Arrays;
 
 /** A WebP file with a still picture (RFC 9649, sec. 2). Mutable; one for each file. */
 public final class WebpFile {
+  /** The message about a file that ends too early. */
+  static final String TRUNCATED = "WebP is truncated";
+
   private static final int RIFF = 0x46464952;
   private static final int WEBP = 0x50424557;
   private static final int EXTENDED = 0x58385056;
@@ -118,11 +122,11 @@ public final class WebpFile {
   private Chunk chunk(int at) throws ImageFormatException {
     int from = at + CHUNK_HEADER_BYTES;
     if (from > file.length) {
-      throw malformed("WebP is truncated");
+      throw malformed(TRUNCATED);
     }
     int length = number(file, at + Integer.BYTES);
     if (length < 0 || length > file.length - from) {
-      throw malformed("WebP is truncated");
+      throw malformed(TRUNCATED);
     }
     int type = number(file, at);
     boolean isAnimated = type == EXTENDED && length > 0 && (file[from] & ANIMATED) != 0;
@@ -192,7 +196,7 @@ public final class WebpFile {
 
   private Pixels lossless() throws ImageFormatException {
     boolean hasAlpha = (number(file, frame.from + 1) >> 2 * SIDE_BITS & 1) == 1;
-    LosslessBits bits = new LosslessBits(file, frame.from + LOSSLESS_BYTES, frame.end);
+    LowBits bits = new LowBits(file, frame.from + LOSSLESS_BYTES, frame.end, TRUNCATED);
     int[] pixels = LosslessDecoder.decode(bits, width, height);
     int channels = hasAlpha ? 4 : 3;
     byte[] values = new byte[channels * pixels.length];

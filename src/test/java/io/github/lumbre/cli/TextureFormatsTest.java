@@ -5,16 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.ktx.KtxSamples;
+import io.github.lumbre.image.webp.WebpSamples;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
-/** KTX 2 files are pictures wherever PNG files are, with the same result. */
-class KtxTexturesTest {
+/** KTX 2 and WebP files are pictures wherever PNG files are, with the same result. */
+class TextureFormatsTest {
   private static final String OBJ =
       "mtllib %s.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
           + "f 1/1 2/2 3/3\n";
@@ -64,20 +67,27 @@ class KtxTexturesTest {
     Files.writeString(folder.resolve(name), text, StandardCharsets.US_ASCII);
   }
 
+  static Stream<Arguments> pictures() {
+    return Stream.of(
+        Arguments.of("KHR_texture_basisu", KtxSamples.file("ETC1S")),
+        Arguments.of("KHR_texture_basisu", KtxSamples.file("UASTC with Zstandard")),
+        Arguments.of("EXT_texture_webp", WebpSamples.file("lossy")),
+        Arguments.of("EXT_texture_webp", WebpSamples.file("lossless-opaque")));
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"ETC1S", "UASTC with Zstandard"})
-  void picturesAreThoseOfPng(String sample) throws IOException {
-    byte[] ktx = KtxSamples.file(sample);
-    Files.write(folder.resolve("a.ktx2"), ktx);
-    Files.write(folder.resolve("b.png"), ImageReader.decode(ktx).toPng());
-    for (String name : new String[] {"a.ktx2", "b.png"}) {
+  @MethodSource("pictures")
+  void picturesAreThoseOfPng(String extension, byte[] encoded) throws IOException {
+    Files.write(folder.resolve("a.picture"), encoded);
+    Files.write(folder.resolve("b.png"), ImageReader.decode(encoded).toPng());
+    for (String name : new String[] {"a.picture", "b.png"}) {
       String stem = name.substring(0, 1);
       write(stem + ".obj", OBJ.formatted(stem));
       write(stem + ".mtl", "newmtl m\nKd 1 1 1\nmap_Kd " + name + "\n");
       write(stem + ".json", SCENE.formatted(name));
     }
-    String source = "\"extensions\": {\"KHR_texture_basisu\": {\"source\": 0}}";
-    write("a.gltf", GLTF.formatted("a.ktx2", source, CORNERS));
+    String source = "\"extensions\": {\"" + extension + "\": {\"source\": 0}}";
+    write("a.gltf", GLTF.formatted("a.picture", source, CORNERS));
     write("b.gltf", GLTF.formatted("b.png", "\"source\": 0", CORNERS));
     for (String ending : new String[] {".obj", ".json", ".gltf"}) {
       assertThat(rendered("a" + ending)).as(ending).isEqualTo(rendered("b" + ending));
