@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.lumbre.image.exr.ExrBuilder;
+import io.github.lumbre.image.imageio.LegacyFixture;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.ModelReader;
@@ -101,6 +102,39 @@ class UploadLimitsTest {
     SceneParser parser = new SceneParser().limitedTo(limits);
     assertThat(parser.parse(file("a.obj", TRIANGLE), Stage.DEFAULT).scene().primitives())
         .isNotEmpty();
+  }
+
+  private static final String REFUSED =
+      "picture, which these limits refuse; save it as a PNG or JPEG, or call"
+          + " Limits.withLegacyPictures(true)";
+
+  @Test
+  void legacyPicturesAreRefusedUnlessAllowed() throws Exception {
+    file("a.gif", LegacyFixture.gifs().findFirst().orElseThrow());
+    file("a.mtl", "newmtl a\nmap_Kd a.gif\n");
+    Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
+    SceneParser parser = new SceneParser().limitedTo(Limits.UPLOADS);
+    assertThat(parser.parse(obj, Stage.DEFAULT).warnings().toString()).contains("GIF " + REFUSED);
+    Path scene = scene(TEXTURE.formatted(2, "a.gif"), DOME.formatted(2));
+    SceneFormatException thrown =
+        catchThrowableOfType(SceneFormatException.class, () -> parser.parse(scene));
+    assertThat(thrown).hasMessageContaining("GIF " + REFUSED);
+    SceneParser allowing = new SceneParser().limitedTo(Limits.UPLOADS.withLegacyPictures(true));
+    assertThat(allowing.parse(obj, Stage.DEFAULT).warnings()).isEmpty();
+    assertThat(allowing.parse(scene).warnings().toString()).doesNotContain("GIF");
+  }
+
+  /** Files of 2 KB that claim 10000x10000 pixels, of which their formats need few bytes. */
+  @Test
+  void claimsOfLegacyPicturesAreRefused() throws IOException {
+    Limits limits = Limits.UPLOADS.withLegacyPictures(true);
+    Path scene = scene(TEXTURE.formatted(2, "a"), DOME.formatted(2));
+    byte[] gif = LegacyFixture.gifs().findFirst().orElseThrow();
+    file("a", ByteBuffer.wrap(gif).putInt(6, 0x10271027).array());
+    assertRefused(scene, limits, "10000x10000 pixels, expected at most 67108864 in total");
+    byte[] tiff = LegacyFixture.tiffs().findFirst().orElseThrow();
+    file("a", LegacyFixture.with(LegacyFixture.with(tiff, 256, 20000), 257, 20000));
+    assertRefused(scene, limits, "20000x20000 pixels, expected at most 65535 per side");
   }
 
   /** The picture of 2048x512 pixels is a file of 1 KB. */

@@ -91,7 +91,7 @@ public final class LegacyFixture {
   }
 
   /** Returns a copy of a TIFF file whose field has another value. */
-  static byte[] with(byte[] tiff, int tag, int value) {
+  public static byte[] with(byte[] tiff, int tag, int value) {
     ByteBuffer copy = ByteBuffer.wrap(tiff.clone());
     copy.order(tiff[0] == 'I' ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
     int start = copy.getInt(4);
