@@ -3,12 +3,13 @@ package io.github.lumbre.image.exr;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * Decodes the canonical Huffman code of PIZ compression. Longer codes have smaller values. One
- * symbol stands for repetitions of the previous value. Not reusable.
+ * Decodes the canonical Huffman code of PIZ and DWA compression. Longer codes have smaller values.
+ * One symbol stands for repetitions of the previous value. Not reusable.
  */
 final class ExrHuffman {
   private static final int SYMBOLS = (1 << 16) + 1;
@@ -26,6 +27,9 @@ final class ExrHuffman {
   private static final int LOOKUP_BITS = 12;
 
   private static final int LENGTH_BITS = 6;
+
+  /** The values after which decoding notices interrupts. */
+  private static final int INTERRUPT_VALUES = 1 << 20;
 
   private final ByteBuffer in;
 
@@ -70,7 +74,12 @@ final class ExrHuffman {
     }
     bitsLeft = codedBits;
     int size = 0;
+    int checked = 0;
     while (size < values.length) {
+      if (size >= checked) {
+        Interrupts.check();
+        checked = size + INTERRUPT_VALUES;
+      }
       int symbol = nextSymbol();
       if (symbol != lastSymbol) {
         values[size++] = (short) symbol;

@@ -3,6 +3,7 @@ package io.github.lumbre.image.exr;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
@@ -92,6 +93,7 @@ final class ExrPiz {
       int below = dy * step;
       int y = 0;
       for (; y + 2 * step <= height; y += 2 * step) {
+        Interrupts.check();
         int x = 0;
         for (; x + 2 * step <= width; x += 2 * step) {
           int at = start + dy * y + dx * x;
