@@ -112,6 +112,9 @@ final class CheckCommand implements Callable<Integer> {
     out.line("shapes     " + contents.shapes());
     out.line("meshes     " + contents.meshes());
     out.line("triangles  " + contents.triangles());
+    if (contents.points() > 0) {
+      out.line("points     " + contents.points());
+    }
     out.line("lights     " + contents.lights());
     Optional<ModelContents> model = parsed.model();
     List<String> names = model.map(ModelContents::materials).orElse(List.of());

@@ -56,6 +56,8 @@ public final class KernelChange {
     for (Shape shape : shapes) {
       if (shape instanceof MeshInstance instance) {
         all.add(instance.shared().bvh());
+      } else if (shape instanceof SphereCloud cloud) {
+        all.add(cloud.bvh());
       }
     }
     return new KernelChange(all.stream().filter(Bvh::isChangeable).toList(), lastPlace);

@@ -7,7 +7,8 @@ import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
 /** A surface in world space that can be intersected, and sampled as an area light. Immutable. */
-public sealed interface Shape permits Box, Mesh, MeshInstance, Plane, Rectangle, Sphere {
+public sealed interface Shape
+    permits Box, Mesh, MeshInstance, Plane, Rectangle, Sphere, SphereCloud, SphereCloud.Item {
   /**
    * Returns the world-space bounding box, rounded outward; infinite for infinite planes, empty for
    * a mesh without triangles.

@@ -46,6 +46,26 @@ public final class Sphere implements Shape {
     return new Sphere(Placement.at(center), radius);
   }
 
+  /**
+   * Returns spheres of one radius as one shape, such as a cloud of points. It takes much less
+   * memory than a shape for each.
+   *
+   * @param centers three coordinates per sphere, all finite
+   * @param radius in (0, 1e150]
+   * @param uvs two texture coordinates per sphere, all finite, which hold for all of its surface;
+   *     or empty, for (0,0)
+   * @param attributes further data of the spheres; tangents are not used
+   * @param kernel searches the spheres
+   * @throws IllegalArgumentException if there is no sphere, an array has a wrong length, a number
+   *     is not finite or the radius is out of range
+   * @throws IllegalStateException if the kernel is not available
+   */
+  public static Shape cloud(
+      double[] centers, double radius, double[] uvs, MeshAttributes attributes, Kernel kernel) {
+    TriangleMesh points = TriangleMesh.ofPoints(centers, uvs, attributes);
+    return SphereCloud.of(points, Placement.size("radius", radius), kernel);
+  }
+
   /** Returns the map from local to world space. */
   public Transform toWorld() {
     return toWorld;
@@ -92,6 +112,23 @@ public final class Sphere implements Shape {
     double dx = nearest.localDirectionX(toWorld);
     double dy = nearest.localDirectionY(toWorld);
     double dz = nearest.localDirectionZ(toWorld);
+    return intersect(radius, ox, oy, oz, dx, dy, dz, nearest);
+  }
+
+  /**
+   * Finds the first hit of a sphere around the origin, as {@link Shape#intersect} does, along a ray
+   * that is given in the sphere's space. The stored element is 0 where the ray enters the sphere,
+   * and 1 where it leaves it.
+   */
+  static boolean intersect(
+      double radius,
+      double ox,
+      double oy,
+      double oz,
+      double dx,
+      double dy,
+      double dz,
+      NearestHit nearest) {
     double dd = dx * dx + dy * dy + dz * dz;
     double middle = -(ox * dx + oy * dy + oz * dz) / dd;
     double cx = ox + middle * dx;

@@ -113,6 +113,13 @@ public final class SurfaceHit implements SurfacePoint {
     return this;
   }
 
+  /** Replaces the texture coordinates. */
+  SurfaceHit textureAt(TexturePoint texture) {
+    u = texture.u();
+    v = texture.v();
+    return this;
+  }
+
   /** Replaces the shading frame. */
   public void shadeBy(Frame frame) {
     shadeBy(frame.tangent(), frame.bitangent(), frame.normal());

@@ -111,8 +111,38 @@ public final class TriangleMesh {
       int[] indices,
       MeshAttributes attributes,
       Front front) {
-    requireMultiple("positions", positions.length, 3);
+    requireVertices(positions, normals, uvs, attributes);
     requireMultiple("indices", indices.length, 3);
+    int vertices = positions.length / 3;
+    for (int i = 0; i < indices.length; i++) {
+      if (indices[i] < 0 || indices[i] >= vertices) {
+        throw new IllegalArgumentException(
+            "indices[" + i + "]: expected 0 to " + (vertices - 1) + ", found " + indices[i]);
+      }
+    }
+    int[] kept = withArea(positions, indices);
+    int dropped = (indices.length - kept.length) / 3;
+    return new TriangleMesh(
+        positions.clone(), normals.clone(), uvs.clone(), kept, attributes, front, dropped);
+  }
+
+  /**
+   * Returns points, which have attributes as vertices have: triangle i is vertex i three times.
+   *
+   * @throws IllegalArgumentException if an array has a wrong length, or a number is not finite
+   */
+  static TriangleMesh ofPoints(double[] positions, double[] uvs, MeshAttributes attributes) {
+    double[] normals = {};
+    requireVertices(positions, normals, uvs, attributes);
+    int[] indices = new int[positions.length];
+    Arrays.setAll(indices, i -> i / 3);
+    return new TriangleMesh(
+        positions.clone(), normals, uvs.clone(), indices, attributes, Front.WINDING, 0);
+  }
+
+  private static void requireVertices(
+      double[] positions, double[] normals, double[] uvs, MeshAttributes attributes) {
+    requireMultiple("positions", positions.length, 3);
     int vertices = positions.length / 3;
     requireLength("normals", normals.length, 3 * vertices);
     requireLength("uvs", uvs.length, 2 * vertices);
@@ -124,16 +154,6 @@ public final class TriangleMesh {
     requireLength("colors", attributes.colors().length, 4 * vertices);
     requireFinite("tangents", attributes.tangents());
     requireFinite("uv1", attributes.uv1());
-    for (int i = 0; i < indices.length; i++) {
-      if (indices[i] < 0 || indices[i] >= vertices) {
-        throw new IllegalArgumentException(
-            "indices[" + i + "]: expected 0 to " + (vertices - 1) + ", found " + indices[i]);
-      }
-    }
-    int[] kept = withArea(positions, indices);
-    int dropped = (indices.length - kept.length) / 3;
-    return new TriangleMesh(
-        positions.clone(), normals.clone(), uvs.clone(), kept, attributes, front, dropped);
   }
 
   private static void requireMultiple(String name, int length, int of) {

@@ -5,6 +5,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * What to read from a model file, and how.
@@ -13,6 +14,8 @@ import java.util.Optional;
  * @param variant the name of the material variant; empty for the default materials
  * @param up the up axis of formats that state none: STL, PLY, OBJ and OFF
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
+ * @param pointRadius radius of the spheres that show points, in the file's unit, &gt; 0; empty for
+ *     half the median distance of a point to the nearest other one
  * @param limits for the model, its textures and its other files
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
  *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
@@ -23,6 +26,7 @@ public record ModelOptions(
     Optional<String> variant,
     Up up,
     double unit,
+    OptionalDouble pointRadius,
     Limits limits,
     boolean lenient) {
   /** The rest pose, default materials, +Y up, unit 1. */
@@ -50,25 +54,36 @@ public record ModelOptions(
     Objects.requireNonNull(pose, "pose");
     Objects.requireNonNull(variant, "variant");
     Objects.requireNonNull(up, "up");
+    Objects.requireNonNull(pointRadius, "pointRadius");
     Objects.requireNonNull(limits, "limits");
-    if (!(unit > 0 && Double.isFinite(unit))) {
-      throw new IllegalArgumentException("unit: expected a finite number > 0, found " + unit);
+    requireLength("unit", unit);
+    requireLength("pointRadius", pointRadius.orElse(1));
+  }
+
+  private static void requireLength(String name, double length) {
+    if (!(length > 0 && Double.isFinite(length))) {
+      throw new IllegalArgumentException(name + ": expected a finite number > 0, found " + length);
     }
   }
 
   /** Creates options without limits of their own. */
   public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
-    this(pose, variant, up, unit, Limits.NONE, false);
+    this(pose, variant, up, unit, OptionalDouble.empty(), Limits.NONE, false);
+  }
+
+  /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
+  public ModelOptions withPointRadius(double radius) {
+    return new ModelOptions(pose, variant, up, unit, OptionalDouble.of(radius), limits, lenient);
   }
 
   /** Returns these options with limits. */
   public ModelOptions limitedTo(Limits newLimits) {
-    return new ModelOptions(pose, variant, up, unit, newLimits, lenient);
+    return new ModelOptions(pose, variant, up, unit, pointRadius, newLimits, lenient);
   }
 
   /** Returns these options, lenient or not. */
   public ModelOptions lenient(boolean isLenient) {
-    return new ModelOptions(pose, variant, up, unit, limits, isLenient);
+    return new ModelOptions(pose, variant, up, unit, pointRadius, limits, isLenient);
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

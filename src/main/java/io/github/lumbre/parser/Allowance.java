@@ -49,7 +49,7 @@ final class Allowance {
     return Math.min(texelsLeft(), limits.memory() / bytesPerTexel);
   }
 
-  /** Adds the triangles of a mesh that was read within {@link #left}. */
+  /** Adds the triangles of a mesh, or the points of a cloud, that was read within {@link #left}. */
   void addTriangles(long more) {
     triangles += more;
   }

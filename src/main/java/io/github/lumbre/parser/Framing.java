@@ -9,7 +9,6 @@ import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.parser.Stage.View;
 import java.util.BitSet;
 import java.util.List;
-import java.util.function.Consumer;
 
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
 final class Framing {
@@ -39,47 +38,60 @@ final class Framing {
    * The vertices of a part.
    *
    * @param positions of all vertices, in the space of the part
-   * @param used the indices of those that belong to a triangle
+   * @param used the indices of those that belong to a triangle, or are points
+   * @param radius of spheres around the points, in world space; 0 if they belong to triangles
    */
-  private record Vertices(Transform toWorld, double[] positions, BitSet used) {
-    static Vertices of(ModelPart part) {
+  private record Vertices(Transform toWorld, double[] positions, BitSet used, double radius) {
+    static Vertices of(ModelPart part, double pointRadius) {
       BitSet used = new BitSet(part.geometry().positions().length / 3);
       for (int vertex : part.geometry().indices()) {
         used.set(vertex);
       }
+      boolean isPoints = part.geometry().isPoints();
+      if (isPoints) {
+        used.set(0, part.geometry().vertexCount());
+      }
       Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
-      return new Vertices(toWorld, part.geometry().positions(), used);
+      double[] positions = part.geometry().positions();
+      return new Vertices(toWorld, positions, used, isPoints ? pointRadius : 0);
     }
 
     /** Calls the visitor with each vertex in world space. */
-    void forEach(Consumer<Vec3> visitor) {
+    void forEach(Visitor visitor) {
       for (int v = used.nextSetBit(0); v >= 0; v = used.nextSetBit(v + 1)) {
-        visitor.accept(
-            toWorld.point(new Vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2])));
+        Vec3 local = new Vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+        visitor.visit(toWorld.point(local), radius);
       }
     }
   }
 
+  /** Visits vertices in world space. */
+  private interface Visitor {
+    /** Visits the sphere around a vertex; its radius is 0 for a vertex of triangles. */
+    void visit(Vec3 vertex, double radius);
+  }
+
   static Framing of(Model model) {
-    List<Vertices> parts = model.parts().stream().map(Vertices::of).toList();
+    List<Vertices> parts =
+        model.parts().stream().map(part -> Vertices.of(part, model.pointRadius())).toList();
     double infinity = Double.POSITIVE_INFINITY;
     double[] box = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
     forVertices(
         parts,
-        v -> {
-          box[0] = Math.min(box[0], v.x());
-          box[1] = Math.min(box[1], v.y());
-          box[2] = Math.min(box[2], v.z());
-          box[3] = Math.max(box[3], v.x());
-          box[4] = Math.max(box[4], v.y());
-          box[5] = Math.max(box[5], v.z());
+        (v, radius) -> {
+          box[0] = Math.min(box[0], v.x() - radius);
+          box[1] = Math.min(box[1], v.y() - radius);
+          box[2] = Math.min(box[2], v.z() - radius);
+          box[3] = Math.max(box[3], v.x() + radius);
+          box[4] = Math.max(box[4], v.y() + radius);
+          box[5] = Math.max(box[5], v.z() + radius);
         });
     return box[0] > box[3]
         ? new Framing(parts, Vec3.ZERO, Vec3.ZERO)
         : new Framing(parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
   }
 
-  private static void forVertices(List<Vertices> parts, Consumer<Vec3> visitor) {
+  private static void forVertices(List<Vertices> parts, Visitor visitor) {
     parts.forEach(part -> part.forEach(visitor));
   }
 
@@ -115,19 +127,19 @@ final class Framing {
     Bounds across = new Bounds(aspect * tan);
     Bounds upwards = new Bounds(tan);
     double[] nearest = {0};
-    Consumer<Vec3> measure =
-        vertex -> {
+    Visitor measure =
+        (vertex, size) -> {
           Vec3 v = vertex.minus(center);
           if (from.isTurntable()) {
             double radius = Math.sqrt(v.x() * v.x() + v.z() * v.z());
-            across.addCircle(0, v.y() * sinE, radius, cosE);
-            upwards.addCircle(v.y() * cosE, v.y() * sinE, radius, sinE, cosE);
-            nearest[0] = Math.max(nearest[0], v.y() * sinE + radius * cosE);
+            across.addCircle(0, v.y() * sinE, radius, cosE, size);
+            upwards.addCircle(v.y() * cosE, v.y() * sinE, radius, sinE, cosE, size);
+            nearest[0] = Math.max(nearest[0], v.y() * sinE + radius * cosE + size);
           } else {
             double depth = v.dot(back);
-            across.add(v.dot(right), depth);
-            upwards.add(v.dot(up), depth);
-            nearest[0] = Math.max(nearest[0], depth);
+            across.add(v.dot(right), depth, size);
+            upwards.add(v.dot(up), depth, size);
+            nearest[0] = Math.max(nearest[0], depth + size);
           }
         };
     forVertices(parts, measure);
@@ -149,7 +161,8 @@ final class Framing {
   /**
    * The bounds of points along one axis of the frame. A point at {@code x} and {@code depth}
    * towards the camera is in the frame of a camera at {@code e} and {@code distance} if |x − e| ≤
-   * tan (distance − depth).
+   * tan (distance − depth). A sphere around it of a radius is in the frame if that holds with |x −
+   * e| greater by √(1 + tan²) times the radius.
    */
   private static final class Bounds {
     private double tan;
@@ -160,22 +173,25 @@ final class Framing {
       this.tan = tan;
     }
 
-    void add(double x, double depth) {
-      high = Math.max(high, x + tan * depth);
-      low = Math.min(low, x - tan * depth);
-    }
-
-    /** Adds the points (x + r sin φ, depth + r cos φ cosE) for all φ. */
-    void addCircle(double x, double depth, double r, double cosE) {
-      double reach = r * Math.sqrt(1 + tan * tan * cosE * cosE);
+    /** Adds a sphere; a point if its radius is 0. */
+    void add(double x, double depth, double radius) {
+      double reach = radius == 0 ? 0 : radius * Math.sqrt(1 + tan * tan);
       high = Math.max(high, x + tan * depth + reach);
       low = Math.min(low, x - tan * depth - reach);
     }
 
-    /** Adds the points (x − r cos φ sinE, depth + r cos φ cosE) for all φ. */
-    void addCircle(double x, double depth, double r, double sinE, double cosE) {
-      high = Math.max(high, x + tan * depth + r * Math.abs(tan * cosE - sinE));
-      low = Math.min(low, x - tan * depth - r * Math.abs(tan * cosE + sinE));
+    /** Adds the spheres around (x + r sin φ, depth + r cos φ cosE) for all φ. */
+    void addCircle(double x, double depth, double r, double cosE, double radius) {
+      double reach = r * Math.sqrt(1 + tan * tan * cosE * cosE) + radius * Math.sqrt(1 + tan * tan);
+      high = Math.max(high, x + tan * depth + reach);
+      low = Math.min(low, x - tan * depth - reach);
+    }
+
+    /** Adds the spheres around (x − r cos φ sinE, depth + r cos φ cosE) for all φ. */
+    void addCircle(double x, double depth, double r, double sinE, double cosE, double radius) {
+      double reach = radius * Math.sqrt(1 + tan * tan);
+      high = Math.max(high, x + tan * depth + r * Math.abs(tan * cosE - sinE) + reach);
+      low = Math.min(low, x - tan * depth - r * Math.abs(tan * cosE + sinE) - reach);
     }
 
     /**

@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 
@@ -25,6 +26,7 @@ final class ModelObjects {
             "file",
             "up",
             "unit",
+            "pointRadius",
             "pose",
             "seconds",
             "variant",
@@ -113,6 +115,9 @@ final class ModelObjects {
         variant,
         node.choice("up", UPS, Up.Y),
         node.number("unit", 1, Range.POSITIVE),
+        node.has("pointRadius")
+            ? OptionalDouble.of(node.number("pointRadius", 1, Range.POSITIVE))
+            : OptionalDouble.empty(),
         data.allowance().left(),
         mayLackPictures);
   }

@@ -28,6 +28,7 @@ final class ModelParts {
   private int pictures;
   private int lights;
   private long triangles;
+  private long points;
 
   /**
    * @param kernel traversal kernel of shared meshes
@@ -93,6 +94,11 @@ final class ModelParts {
     return triangles;
   }
 
+  /** Returns the number of points added so far, counted for each instance. */
+  long points() {
+    return points;
+  }
+
   /** Adds a model, and its warnings and its error to the problems. */
   void add(Model model, Placement placement) {
     ModelPlace place = placement.place;
@@ -123,9 +129,13 @@ final class ModelParts {
     ModelPart part = surface.part();
     ModelMaterial material = part.material();
     count++;
-    triangles += part.geometry().triangleCount();
-    allowance.addTriangles(part.geometry().triangleCount());
-    meshes.add(part.geometry());
+    allowance.addTriangles(part.geometry().itemCount());
+    if (part.geometry().isPoints()) {
+      points += part.geometry().itemCount();
+    } else {
+      triangles += part.geometry().triangleCount();
+      meshes.add(part.geometry());
+    }
     Optional<Surface> other = Optional.ofNullable(placement.overrides.get(material.name()));
     if (other.isEmpty() && !material.location().isEmpty()) {
       ownMaterials.add(material);

@@ -202,6 +202,7 @@ final class SceneReader {
         shapes.count() + modelParts.count(),
         meshes.count() + modelParts.meshes(),
         shapes.triangles() + modelParts.triangles(),
+        modelParts.points(),
         lightCount + modelParts.lights(),
         materials.count() + modelParts.materials(),
         textures.count() + modelParts.pictures());

@@ -230,6 +230,7 @@ final class StagedModel {
         ground + models.count(),
         models.meshes(),
         models.triangles(),
+        models.points(),
         1 + models.lights(),
         ground + models.materials(),
         models.pictures() + (stage.sky().picture().isPresent() ? 1 : 0));

@@ -38,6 +38,7 @@ final class Written {
     if (options.unit() != 1) {
       object.addProperty("unit", options.unit());
     }
+    options.pointRadius().ifPresent(radius -> object.addProperty("pointRadius", radius));
     options
         .pose()
         .ifPresent(

@@ -149,6 +149,8 @@ final class WrittenObjects {
           mesh.source().orElseThrow(() -> new Unwritable("a mesh of Mesh.of", "one of Mesh.baked"));
       // An asset for each: readers would share one that two shapes use.
       mesh(to, mesh, "" + surfaces, source.mesh(), source.toWorld());
+    } else {
+      throw new Unwritable("a shape that scenes have", "one of Sphere.cloud");
     }
   }
 

@@ -376,6 +376,7 @@ class ModelCommandsTest {
         "--view front --camera close | --camera and --view",
         "--fov 180 | --fov",
         "--unit 0 | --unit",
+        "--points 0 | --points: expected a finite number > 0, found 0.0",
         "--up x | --up: expected y or z, found x",
         "--pose lift@-1 | --pose",
         "--pose lift | --pose: expected NAME@SECONDS, such as lift@0, found lift",
@@ -403,6 +404,7 @@ class ModelCommandsTest {
         "--variant a",
         "--up z",
         "--unit 2",
+        "--points 2",
         "--turntable 2"
       })
   void scenesRefuseTheFlagsOfModels(String flag) {

@@ -39,7 +39,9 @@ class ShapeSamplingTest {
         new Box(Transform.IDENTITY, 1, .5, 1.5),
         new Box(SKEWED, 1, 1, 1),
         Mesh.baked(ball, SKEWED),
-        new MeshInstance(new SharedMesh(ball), SKEWED));
+        new MeshInstance(new SharedMesh(ball), SKEWED),
+        SphereCloudTest.cloud(new Random(3), 6, 2, .5),
+        SphereCloudTest.cloud(new Random(4), 6, 2, .5).transformed(SKEWED));
   }
 
   @ParameterizedTest

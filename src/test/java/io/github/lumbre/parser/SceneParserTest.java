@@ -51,7 +51,7 @@ class SceneParserTest {
     assertThat(file.settings()).isEqualTo(RenderSettings.DEFAULT);
     assertThat(file.warnings()).isEmpty();
     assertThat(ParsedScene.of(file).contents())
-        .isEqualTo(new SceneContents("Pinhole", 0, 0, 0, 0, 0, 0));
+        .isEqualTo(new SceneContents("Pinhole", 0, 0, 0, 0, 0, 0, 0));
   }
 
   @Test
@@ -501,7 +501,7 @@ class SceneParserTest {
                     + "{'id': 6, 'assetType': 'Material', 'materialType': 'None'}");
     SceneFile file = fixture.parse(scene(objects, assets));
     assertThat(ParsedScene.of(file).contents())
-        .isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 1, 2, 1));
+        .isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 0, 1, 2, 1));
     assertThat(file.warnings())
         .map(Object::toString)
         .containsExactly("scene.json: $.assets[0].base64OBJ: dropped triangles of zero area: 1");

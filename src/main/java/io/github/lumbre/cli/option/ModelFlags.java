@@ -34,7 +34,8 @@ public final class ModelFlags {
           "--pose",
           "--variant",
           "--up",
-          "--unit");
+          "--unit",
+          "--points");
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -116,6 +117,12 @@ public final class ModelFlags {
       description = "Length of the unit of STL, PLY, OBJ and OFF files (1).")
   private Optional<Double> unit;
 
+  @Option(
+      names = "--points",
+      paramLabel = "RADIUS",
+      description = "Radius of points, in the file's unit (by their density).")
+  private Optional<Double> points;
+
   /**
    * Returns the camera, sky, ground and background of the model.
    *
@@ -161,7 +168,16 @@ public final class ModelFlags {
         "--unit: expected a finite number > 0, found " + length);
     String axis = up.orElse("y");
     require(axis.equals("y") || axis.equals("z"), "--up: expected y or z, found " + axis);
-    return new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length);
+    ModelOptions options =
+        new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length);
+    return points.map(radius -> options.withPointRadius(pointRadius(radius))).orElse(options);
+  }
+
+  private double pointRadius(double radius) {
+    require(
+        radius > 0 && radius < Double.POSITIVE_INFINITY,
+        "--points: expected a finite number > 0, found " + radius);
+    return radius;
   }
 
   private View view(String text) {

@@ -126,6 +126,7 @@ public final class JsonSummary {
     values.put("shapes", contents.shapes());
     values.put("meshes", contents.meshes());
     values.put("triangles", contents.triangles());
+    values.put("points", contents.points());
     values.put("lights", contents.lights());
     values.put("materials", contents.materials());
     values.put("textures", contents.textures());

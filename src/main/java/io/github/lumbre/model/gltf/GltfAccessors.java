@@ -82,6 +82,37 @@ final class GltfAccessors {
     return numbers;
   }
 
+  /**
+   * Returns the vertices that the indices of a primitive name.
+   *
+   * @param vertices their number
+   */
+  int[] vertices(GltfJson primitive, int vertices) throws ModelFormatException, IOException {
+    GltfAccessor indices = require(primitive, "indices").requireComponents(1);
+    if (!indices.component().isUnsigned()) {
+      throw indices.error("componentType", "expected 5121, 5123 or 5125 for indices");
+    }
+    document.budget().allocate(primitive.location(), (long) Integer.BYTES * indices.count());
+    int[] read = new int[indices.count()];
+    indices.readIndices(read);
+    requireVertices(primitive, read, vertices);
+    return read;
+  }
+
+  private static void requireVertices(GltfJson primitive, int[] indices, int vertices)
+      throws ModelFormatException {
+    for (int index : indices) {
+      if (index < 0 || index >= vertices) {
+        throw primitive.malformed(
+            "indices",
+            "expected vertices from 0 to "
+                + (vertices - 1)
+                + ", found "
+                + Integer.toUnsignedString(index));
+      }
+    }
+  }
+
   private double[] allocate(GltfAccessor accessor) throws ModelFormatException {
     Interrupts.check();
     long length = (long) accessor.count() * accessor.components();

@@ -3,6 +3,7 @@ package io.github.lumbre.model.gltf;
 import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 
 /** Limits on the memory that the content of one glTF file may use. Mutable. */
@@ -26,7 +27,7 @@ final class GltfBudget {
   private static final long BYTES_PER_NODE = 500;
 
   private final Limits limits;
-  private long triangles;
+  private long items;
   private long bytes;
   private long vertices;
   private long indices;
@@ -37,10 +38,10 @@ final class GltfBudget {
     this.limits = limits.withMemory(Math.min(limits.memory(), Limits.NONE.heap() / 4 * 3));
   }
 
-  /** Adds the triangles of a part, whose arrays {@link #allocate} counts. */
-  void addTriangles(String location, long count) throws ModelFormatException {
-    triangles += count;
-    ModelLimits.requireTriangles(location, triangles, limits);
+  /** Adds the triangles or points of a part, whose arrays {@link #allocate} counts. */
+  void addItems(String location, ModelGeometry geometry) throws ModelFormatException {
+    items += geometry.itemCount();
+    ModelLimits.requireItems(location, geometry, items, limits);
   }
 
   /** Returns the number of tokens of JSON that may be read. */

@@ -70,6 +70,11 @@ final class GltfDraco {
     }
   }
 
+  /** Returns whether a primitive has data only in its compressed form. */
+  boolean isOnlyCompressed(GltfJson primitive) throws ModelFormatException {
+    return primitive.extension(EXTENSION).isPresent() && !hasPlainAccessors(primitive);
+  }
+
   private boolean hasPlainAccessors(GltfJson primitive) throws ModelFormatException {
     return (!primitive.has("indices") || accessor(primitive, "indices").has("bufferView"))
         && accessor(primitive.requireObject("attributes"), "POSITION").has("bufferView");

@@ -7,9 +7,11 @@ import io.github.lumbre.model.internal.MaterialInput;
 import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.internal.ModelTexture;
+import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,14 +26,37 @@ final class GltfMaterials {
   private final GltfTextures textures;
   private final ModelMaterial standard = ModelMaterial.builder("", "").build();
   private final Map<Integer, ModelMaterial> materials = new HashMap<>();
+  private final Map<ModelMaterial, ModelMaterial> ofPoints = new IdentityHashMap<>();
 
   GltfMaterials(GltfDocument document, GltfTextures textures) {
     this.document = document;
     this.textures = textures;
   }
 
-  /** Returns a material; the default one for none. */
-  ModelMaterial get(OptionalInt index) throws ModelFormatException, IOException {
+  /**
+   * Returns a material; the default one for none.
+   *
+   * @param isOfPoints whether points have it: they show its base color, diffusely, and its
+   *     emission, as clients without lighting do (glTF 2.0, section 3.9.6)
+   */
+  ModelMaterial get(OptionalInt index, boolean isOfPoints)
+      throws ModelFormatException, IOException {
+    ModelMaterial material = get(index);
+    return isOfPoints ? ofPoints.computeIfAbsent(material, GltfMaterials::ofPoints) : material;
+  }
+
+  private static ModelMaterial ofPoints(ModelMaterial material) {
+    return PlainModel.matte(material.name(), material.location())
+        .set(MaterialParameter.BASE_COLOR, material.input(MaterialParameter.BASE_COLOR))
+        .set(MaterialParameter.OPACITY, material.input(MaterialParameter.OPACITY))
+        .emission(material.emission())
+        .alphaMode(material.alphaMode())
+        .alphaCutoff(material.alphaCutoff())
+        .unlit(material.unlit())
+        .build();
+  }
+
+  private ModelMaterial get(OptionalInt index) throws ModelFormatException, IOException {
     if (index.isEmpty()) {
       return standard;
     }

@@ -11,9 +11,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** The meshes of a glTF file (glTF 2.0, section 3.7). Mutable: each mesh is built once. */
 final class GltfMeshes {
+  private static final int POINTS = 0;
   private static final int MAX_MODE = 6;
 
   private final GltfDocument document;
@@ -21,6 +23,7 @@ final class GltfMeshes {
   private final GltfAttributes attributes;
   private final GltfMorph morph;
   private final GltfDraco draco;
+  private final GltfPoints points;
   private final Map<Form, Optional<ModelGeometry>> forms = new HashMap<>();
   private final Map<Corners, int[]> corners = new HashMap<>();
 
@@ -37,10 +40,12 @@ final class GltfMeshes {
     this.accessors = accessors;
     this.attributes = attributes;
     morph = new GltfMorph(document, attributes);
+    points = new GltfPoints(document, accessors, attributes, draco);
   }
 
   /**
-   * Returns the triangles of a primitive; empty if it has none.
+   * Returns the triangles of a primitive, or the vertices of one that is points; empty if it has
+   * none. {@link #shown} selects the points among the vertices, after a skin has moved them.
    *
    * @param weights of its morph targets; may be fewer
    */
@@ -58,8 +63,8 @@ final class GltfMeshes {
   }
 
   /**
-   * Returns the triangles of a primitive in world space, with the normals of their faces, as a node
-   * needs them that flattens them to a plane.
+   * Returns the triangles or points of a primitive in world space, without normals: those of a node
+   * that flattens them to a plane, or points of one that would make ellipsoids of them.
    */
   ModelGeometry flattened(GltfJson primitive, ModelGeometry rest, Transform toWorld)
       throws ModelFormatException {
@@ -73,10 +78,12 @@ final class GltfMeshes {
       moved[i + 2] = p.z();
     }
     double[] none = {};
-    return GltfVectors.checked(
-        primitive,
-        new ModelGeometry(
-            moved, none, none, rest.uv0(), rest.uv1(), rest.colors(), rest.indices()));
+    return GltfVectors.checked(primitive, rest.moved(moved, none, none, rest.indices()));
+  }
+
+  /** Returns what is shown of a primitive's {@link #geometry}: all triangles, or the points. */
+  ModelGeometry shown(GltfJson primitive, ModelGeometry all) throws ModelFormatException {
+    return all.isPoints() ? points.shown(primitive, all) : all;
   }
 
   private Optional<ModelGeometry> morphed(GltfJson primitive, double... weights)
@@ -84,7 +91,7 @@ final class GltfMeshes {
     Optional<ModelGeometry> rest = geometry(primitive);
     return rest.isPresent()
         ? Optional.of(morph.applied(primitive, rest.get(), weights))
-            .filter(moved -> moved.triangleCount() > 0)
+            .filter(moved -> moved.itemCount() > 0)
         : Optional.empty();
   }
 
@@ -93,15 +100,13 @@ final class GltfMeshes {
     Interrupts.check();
     int mode = (int) primitive.whole("mode", GltfTriangles.LIST, 0, MAX_MODE);
     GltfJson json = primitive.requireObject("attributes");
-    if (mode < GltfTriangles.LIST || !json.has("POSITION")) {
-      warn(
-          primitive,
-          mode == 0
-              ? "points are left out"
-              : mode < GltfTriangles.LIST
-                  ? "lines are left out"
-                  : "a mesh without positions is left out");
+    boolean isLine = mode != POINTS && mode < GltfTriangles.LIST;
+    if (isLine || !json.has("POSITION")) {
+      warn(primitive, isLine ? "lines are left out" : "a mesh without positions is left out");
       return Optional.empty();
+    }
+    if (mode == POINTS) {
+      return points.rest(primitive);
     }
     boolean isDecoded = draco.decode(primitive, mode);
     GltfAccessor position = accessors.require(json, "POSITION");
@@ -148,35 +153,17 @@ final class GltfMeshes {
     return found;
   }
 
-  private int[] triangles(GltfJson primitive, Corners key, int count) throws ModelFormatException {
+  private int[] triangles(GltfJson primitive, Corners key, int count)
+      throws ModelFormatException, IOException {
     GltfBudget budget = document.budget();
     budget.addIndices(primitive.location(), 3L * GltfTriangles.count(key.mode, count));
-    budget.allocate(primitive.location(), (long) Integer.BYTES * count);
-    int[] read = new int[count];
+    int[] read;
     if (key.indices.isPresent()) {
-      GltfAccessor indices = key.indices.get().requireComponents(1);
-      if (!indices.component().isUnsigned()) {
-        throw indices.error("componentType", "expected 5121, 5123 or 5125 for indices");
-      }
-      indices.readIndices(read);
-      requireVertices(primitive, read, key.vertices);
+      read = accessors.vertices(primitive, key.vertices);
     } else {
-      Arrays.setAll(read, i -> i);
+      budget.allocate(primitive.location(), (long) Integer.BYTES * count);
+      read = IntStream.range(0, count).toArray();
     }
     return GltfTriangles.list(key.mode, read);
-  }
-
-  private static void requireVertices(GltfJson primitive, int[] indices, int vertices)
-      throws ModelFormatException {
-    for (int index : indices) {
-      if (index < 0 || index >= vertices) {
-        throw primitive.malformed(
-            "indices",
-            "expected vertices from 0 to "
-                + (vertices - 1)
-                + ", found "
-                + Integer.toUnsignedString(index));
-      }
-    }
   }
 }

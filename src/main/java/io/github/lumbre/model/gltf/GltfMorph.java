@@ -38,11 +38,11 @@ final class GltfMorph {
       }
     }
     BitSet broken = GltfVectors.removeBroken(positions);
+    if (rest.isPoints() && !broken.isEmpty()) {
+      throw primitive.malformed("targets", "expected finite positions of points");
+    }
     int[] indices = GltfTriangles.whole(document, primitive, broken, rest.indices());
-    return GltfVectors.checked(
-        primitive,
-        new ModelGeometry(
-            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
+    return GltfVectors.checked(primitive, rest.moved(positions, normals, tangents, indices));
   }
 
   private void add(

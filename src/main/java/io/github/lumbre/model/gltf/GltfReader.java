@@ -129,6 +129,7 @@ public final class GltfReader {
     return new Model(
         TriangleMesh.Front.WINDING,
         parts,
+        1,
         placedCameras,
         placedLights,
         variants.names(),
@@ -227,20 +228,22 @@ public final class GltfReader {
       return;
     }
     ModelGeometry geometry = found.get();
-    document.budget().addTriangles(location, geometry.triangleCount());
+    document.budget().addItems(location, geometry);
     if (isSkinned) {
       GltfSkin skin = skin(node.skin().getAsInt());
       geometry = skin.applied(primitive, geometry, toWorld.isMirroring());
       toWorld = Transform.IDENTITY;
-    } else if (placement.matrix.dimensions() == 2) {
+    } else if (placement.matrix.dimensions() == 2
+        || geometry.isPoints() && GltfPoints.isUneven(toWorld)) {
       geometry = meshes.flattened(primitive, geometry, toWorld);
       toWorld = Transform.IDENTITY;
-      if (!geometry.hasArea()) {
+      if (!geometry.isVisible()) {
         document.warnings().add(location, "is flattened to a line and left out");
         return;
       }
     }
-    ModelMaterial material = materials.get(variants.material(primitive));
+    geometry = meshes.shown(primitive, geometry);
+    ModelMaterial material = materials.get(variants.material(primitive), geometry.isPoints());
     parts.add(new ModelPart(placement.name, location, geometry, material, toWorld));
   }
 

@@ -87,10 +87,7 @@ final class GltfSkin {
       document.budget().addIndices(primitive.location(), indices.length);
       indices = GltfTriangles.reversed(indices);
     }
-    return GltfVectors.checked(
-        primitive,
-        new ModelGeometry(
-            positions, normals, tangents, rest.uv0(), rest.uv1(), rest.colors(), indices));
+    return GltfVectors.checked(primitive, rest.moved(positions, normals, tangents, indices));
   }
 
   /** Computes the weighted mean of the joints' matrices for a vertex. */

@@ -64,13 +64,10 @@ final class GltfVectors {
     normalize(moved.tangents(), 4);
     boolean hasNormals = GltfAccessors.indexOfInfinite(moved.normals()) < 0;
     boolean hasTangents = hasNormals && GltfAccessors.indexOfInfinite(moved.tangents()) < 0;
-    return new ModelGeometry(
+    return moved.moved(
         moved.positions(),
         hasNormals ? moved.normals() : new double[0],
         hasTangents ? moved.tangents() : new double[0],
-        moved.uv0(),
-        moved.uv1(),
-        moved.colors(),
         moved.indices());
   }
 }

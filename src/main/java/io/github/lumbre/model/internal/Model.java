@@ -13,6 +13,7 @@ import java.util.Objects;
  * @param front what decides which side of a triangle is its front
  * @param parts surfaces to render, in the order of the file; parts that use one mesh share one
  *     {@link ModelGeometry} object
+ * @param pointRadius the radius of the spheres that show points, in this space, in (0, 1e150]
  * @param cameras in the order of the file; empty if the file has none
  * @param lights in the order of the file; empty if the file has none
  * @param variants names of material variants that the file offers; empty if it offers none
@@ -23,6 +24,7 @@ import java.util.Objects;
 public record Model(
     TriangleMesh.Front front,
     List<ModelPart> parts,
+    double pointRadius,
     List<ModelCamera> cameras,
     List<ModelLight> lights,
     List<String> variants,
@@ -30,6 +32,8 @@ public record Model(
     List<String> warnings) {
   /** The number of warnings in the error of a model without surfaces. */
   private static final int MAX_REASONS = 3;
+
+  private static final double MAX_RADIUS = 1e150;
 
   public Model {
     Objects.requireNonNull(front, "front");
@@ -45,16 +49,27 @@ public record Model(
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return new Model(front, parts, cameras, lights, variants, animations, all);
+    return new Model(front, parts, pointRadius, cameras, lights, variants, animations, all);
+  }
+
+  /**
+   * Returns this model with another radius of points.
+   *
+   * @param radius more than 0; the nearest possible one is used
+   */
+  public Model withPointRadius(double radius) {
+    double possible = Math.max(Double.MIN_NORMAL, Math.min(radius, MAX_RADIUS));
+    return new Model(front, parts, possible, cameras, lights, variants, animations, warnings);
   }
 
   /**
    * Checks that the model has a surface to show.
    *
-   * @throws ModelFormatException if no triangle has an area; it states what was left out
+   * @throws ModelFormatException if there is no point, and no triangle has an area; it states what
+   *     was left out
    */
   public void requireSurface() throws ModelFormatException {
-    if (parts.stream().anyMatch(part -> part.geometry().hasArea())) {
+    if (parts.stream().anyMatch(part -> part.geometry().isVisible())) {
       return;
     }
     int shown = Math.min(warnings.size(), MAX_REASONS);

@@ -1,8 +1,11 @@
 package io.github.lumbre.model.internal;
 
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+
 /**
- * The triangles of a mesh, in local space. The arrays are not copied and must not be changed. An
- * attribute that the mesh lacks is an empty array.
+ * The triangles of a mesh, or points, in local space. The arrays are not copied and must not be
+ * changed. An attribute that the mesh lacks is an empty array.
  *
  * @param positions three finite numbers per vertex
  * @param normals three numbers per vertex; if empty, triangles are flat
@@ -14,6 +17,8 @@ package io.github.lumbre.model.internal;
  * @param colors four linear numbers per vertex: red, green, blue and alpha in [0,1]
  * @param indices three vertex numbers per triangle, counted from 0, counterclockwise seen from
  *     outside
+ * @param isPoints whether each vertex is a point, which is shown as a sphere; there are no
+ *     triangles then
  */
 public record ModelGeometry(
     double[] positions,
@@ -22,15 +27,54 @@ public record ModelGeometry(
     double[] uv0,
     double[] uv1,
     float[] colors,
-    int[] indices) {
+    int[] indices,
+    boolean isPoints) {
+  /** Creates triangles. */
+  public ModelGeometry(
+      double[] positions,
+      double[] normals,
+      double[] tangents,
+      double[] uv0,
+      double[] uv1,
+      float[] colors,
+      int[] indices) {
+    this(positions, normals, tangents, uv0, uv1, colors, indices, false);
+  }
+
+  /** Creates points. */
+  public static ModelGeometry ofPoints(
+      double[] positions, double[] uv0, double[] uv1, float[] colors) {
+    double[] none = {};
+    return new ModelGeometry(positions, none, none, uv0, uv1, colors, new int[0], true);
+  }
+
+  /** Returns the same triangles or points, moved, or fewer triangles. */
+  public ModelGeometry moved(
+      double[] newPositions, double[] newNormals, double[] newTangents, int... newIndices) {
+    return new ModelGeometry(
+        newPositions, newNormals, newTangents, uv0, uv1, colors, newIndices, isPoints);
+  }
 
   /** Returns the number of vertices. */
   public int vertexCount() {
     return positions.length / 3;
   }
 
-  /** Returns whether any triangle has an area. */
-  public boolean hasArea() {
+  /** Returns what is shown, for messages. */
+  public String items() {
+    return isPoints ? "points" : "triangles";
+  }
+
+  /** Returns the number of triangles or of points. */
+  public int itemCount() {
+    return isPoints ? vertexCount() : triangleCount();
+  }
+
+  /** Returns whether there is a point, or a triangle that has an area. */
+  public boolean isVisible() {
+    if (isPoints) {
+      return positions.length > 0;
+    }
     for (int i = 0; i < indices.length; i += 3) {
       if (TriangleList.hasArea(positions, indices[i], indices[i + 1], indices[i + 2])) {
         return true;
@@ -42,5 +86,43 @@ public record ModelGeometry(
   /** Returns the number of triangles. */
   public int triangleCount() {
     return indices.length / 3;
+  }
+
+  /** Returns some of the vertices as points, without normals and tangents, in their order. */
+  public ModelGeometry points(IntPredicate isShown) {
+    int[] shown = IntStream.range(0, vertexCount()).filter(isShown).toArray();
+    return ofPoints(
+        selected(positions, 3, shown),
+        selected(uv0, 2, shown),
+        selected(uv1, 2, shown),
+        selectedColors(shown));
+  }
+
+  /** Returns the vertices with finite positions as points; see {@link #points(IntPredicate)}. */
+  public ModelGeometry points() {
+    return points(
+        v -> Double.isFinite(positions[3 * v] + positions[3 * v + 1] + positions[3 * v + 2]));
+  }
+
+  private static double[] selected(double[] values, int size, int... vertices) {
+    if (values.length == 0 || values.length == size * vertices.length) {
+      return values;
+    }
+    double[] some = new double[size * vertices.length];
+    for (int i = 0; i < some.length; i += size) {
+      System.arraycopy(values, size * vertices[i / size], some, i, size);
+    }
+    return some;
+  }
+
+  private float[] selectedColors(int... vertices) {
+    if (colors.length == 0 || colors.length == 4 * vertices.length) {
+      return colors;
+    }
+    float[] some = new float[4 * vertices.length];
+    for (int i = 0; i < some.length; i += 4) {
+      System.arraycopy(colors, 4 * vertices[i / 4], some, i, 4);
+    }
+    return some;
   }
 }

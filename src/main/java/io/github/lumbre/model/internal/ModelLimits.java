@@ -40,6 +40,16 @@ public final class ModelLimits {
   }
 
   /**
+   * Checks the number of triangles and points up to a mesh; a point counts as a triangle.
+   *
+   * @throws ModelFormatException if there are more than the limits allow
+   */
+  public static void requireItems(String location, ModelGeometry last, long found, Limits limits)
+      throws ModelFormatException {
+    require(location, last.items(), limits.triangles(), found);
+  }
+
+  /**
    * Checks a number of things against a limit.
    *
    * @param things what is counted, in the plural

@@ -4,7 +4,7 @@ import io.github.lumbre.math.Transform;
 import java.util.Objects;
 
 /**
- * A triangle mesh with one material, placed in the model's world space.
+ * A triangle mesh, or points, with one material, placed in the model's world space.
  *
  * @param name of the node or object in the file; empty if it has none
  * @param location of the part in the file, such as {@code nodes[3].mesh.primitives[0]}

@@ -56,7 +56,8 @@ public final class ModelReader {
 
   /**
    * Returns the content of a model file. The ending of its name chooses the format; if it is
-   * unknown, such as .vrm, the content does. The model has a triangle with an area, or a light.
+   * unknown, such as .vrm, the content does. The model has a point, a triangle with an area, or a
+   * light.
    *
    * @param name of the file
    * @param content bytes of the file
@@ -72,7 +73,12 @@ public final class ModelReader {
       requireNone("variants", "a variant", options.variant());
     }
     try {
-      return checked(format.read(content, folder, options), options);
+      Model model = checked(format.read(content, folder, options), options);
+      double unit = format == ModelFormat.GLTF ? 1 : options.unit();
+      return model.withPointRadius(
+          options.pointRadius().isPresent()
+              ? options.pointRadius().getAsDouble() * unit
+              : PointSpacing.radius(model));
     } catch (ModelFormatException e) {
       Optional<String> other = format.otherThanThis(content);
       if (other.isEmpty() || e.kind() == Kind.TOO_LARGE || e.kind() == Kind.ASSET) {
@@ -101,10 +107,10 @@ public final class ModelReader {
   }
 
   private static Model checked(Model model, ModelOptions options) throws ModelFormatException {
-    long triangles = 0;
+    long items = 0;
     for (ModelPart part : model.parts()) {
-      triangles += part.geometry().triangleCount();
-      ModelLimits.requireTriangles(part.location(), triangles, options.limits());
+      items += part.geometry().itemCount();
+      ModelLimits.requireItems(part.location(), part.geometry(), items, options.limits());
     }
     if (model.lights().isEmpty()) {
       model.requireSurface();

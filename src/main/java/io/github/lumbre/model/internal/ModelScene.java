@@ -6,8 +6,10 @@ import io.github.lumbre.geometry.MeshAttributes;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SharedMesh;
+import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
@@ -17,6 +19,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.ModelSurface.Emitter;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -33,6 +36,9 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class ModelScene {
   /** Maps a right-handed space to a left-handed one: (x, y, -z). */
   public static final Transform TO_LEFT_HANDED = Transform.scale(new Vec3(1, 1, -1));
+
+  private static final double MIN_RADIUS = 1e-150;
+  private static final double MAX_RADIUS = 1e150;
 
   private final Model model;
   private final Transform toWorld;
@@ -54,7 +60,21 @@ public final class ModelScene {
     }
   }
 
+  /** Points, compared by identity, and the radius of their spheres in local space. */
+  private record CloudKey(ModelGeometry geometry, double radius) {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof CloudKey key && key.geometry == geometry && key.radius == radius;
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * System.identityHashCode(geometry) + Double.hashCode(radius);
+    }
+  }
+
   private final Map<MeshKey, TriangleMesh> meshes;
+  private final Map<CloudKey, Shape> clouds;
   private final Map<TriangleMesh, SharedMesh> shared;
 
   /** Whether all meshes are shared, also those that the model places once. */
@@ -74,6 +94,7 @@ public final class ModelScene {
     this.kernel = Objects.requireNonNull(kernel, "kernel");
     materials = new ModelMaterials(toWorld, limits);
     meshes = new ConcurrentHashMap<>();
+    clouds = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());
     this.sharesAll = sharesAll;
   }
@@ -84,6 +105,7 @@ public final class ModelScene {
     kernel = other.kernel;
     materials = other.materials.at(toWorld);
     meshes = other.meshes;
+    clouds = other.clouds;
     shared = other.shared;
     this.sharesAll = sharesAll;
   }
@@ -121,6 +143,10 @@ public final class ModelScene {
     model.parts().forEach(part -> uses.merge(part.geometry(), 1, Integer::sum));
     List<ModelSurface> surfaces = new ArrayList<>();
     for (ModelPart part : model.parts()) {
+      if (part.geometry().isPoints()) {
+        surfaces.add(points(part));
+        continue;
+      }
       TriangleMesh mesh = mesh(part);
       if (mesh.triangleCount() > 0) {
         Transform partToWorld = toWorld.times(part.toWorld());
@@ -138,6 +164,36 @@ public final class ModelScene {
       }
     }
     return surfaces;
+  }
+
+  /** Returns points as one surface of spheres. */
+  private ModelSurface points(ModelPart part) throws ModelFormatException {
+    double scale = part.toWorld().vector(Vec3.X).length();
+    // Copies of one cloud often have the same scale, up to rounding.
+    double rounded = (float) scale;
+    double radius =
+        model.pointRadius() / (rounded > 0 && Double.isFinite(rounded) ? rounded : scale);
+    Shape shape =
+        clouds
+            .computeIfAbsent(new CloudKey(part.geometry(), radius), this::cloud)
+            .transformed(toWorld.times(part.toWorld()));
+    Optional<Emission> emission =
+        materials.emission(part.material(), part.geometry().colors().length > 0);
+    return new ModelSurface(
+        part,
+        shape,
+        materials.of(part.material(), true),
+        emission.stream().map(light -> new Emitter(shape, light)).toList());
+  }
+
+  private Shape cloud(CloudKey key) {
+    ModelGeometry points = key.geometry;
+    return Sphere.cloud(
+        points.positions(),
+        Math.max(MIN_RADIUS, Math.min(key.radius, MAX_RADIUS)),
+        points.uv0(),
+        new MeshAttributes(points.tangents(), points.uv1(), points.colors()),
+        kernel);
   }
 
   /** Returns warnings of the pictures that {@link #surfaces} has left out. */

@@ -14,6 +14,9 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
   /** Three doubles per vector. A triangle has three indices of half that size. */
   private static final long BYTES_PER_VECTOR = 3L * Double.BYTES;
 
+  /** A corner, its slots in the table of corners, and its position. */
+  private static final long BYTES_PER_POINT = 12 + 8 * Integer.BYTES + BYTES_PER_VECTOR;
+
   /**
    * @throws ModelFormatException if the mesh does not fit into memory, or exceeds the limits
    */
@@ -23,6 +26,7 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
     int uvs = 0;
     int normals = 0;
     long triangles = 0;
+    long points = 0;
     boolean hasSmoothing = false;
     while (scanner.hasMore()) {
       if (scanner.nextWord()) {
@@ -34,6 +38,8 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
           normals++;
         } else if (scanner.wordIs("f")) {
           triangles += Math.max(0, words(scanner) - 2);
+        } else if (scanner.wordIs("p")) {
+          points += words(scanner);
         } else if (scanner.wordIs("s")) {
           hasSmoothing |= scanner.nextWord() && !scanner.wordIs("off") && !scanner.wordIs("0");
         }
@@ -41,16 +47,22 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
       scanner.endLine();
     }
     ObjCensus census = new ObjCensus(positions, uvs, normals, triangles, hasSmoothing);
-    census.requireRoom(limits);
+    census.requireRoom(triangles + points == 0 ? positions : points, limits);
     return census;
   }
 
-  private void requireRoom(Limits limits) throws ModelFormatException {
+  /**
+   * @param points the number of points; all vertices without triangles and points
+   */
+  private void requireRoom(long points, Limits limits) throws ModelFormatException {
     long most = Math.max(Math.max(positions, uvs), Math.max(normals, triangles));
     ModelLimits.require("", "vertices and triangles", ModelLimits.MAX_COUNT, most);
+    ModelLimits.require("", "points", ModelLimits.MAX_COUNT, points);
     long bytes = BYTES_PER_VECTOR * ((long) positions + uvs + normals) + 12 * triangles;
+    bytes += BYTES_PER_POINT * points;
     ModelLimits.requireMemory("", bytes, limits);
     ModelLimits.requireTriangles("", triangles, limits);
+    ModelLimits.require("", "points", limits.triangles(), points);
   }
 
   private static int words(TextScanner scanner) {

@@ -152,6 +152,26 @@ final class ObjFaces {
   }
 
   /**
+   * Reads the rest of a line of points.
+   *
+   * @param points receives each point once, as a corner
+   */
+  void readPoints(ObjSurface points) throws ModelFormatException {
+    int[] corner = new int[3];
+    while (scanner.nextWord()) {
+      scanner.readIndices(corner);
+      points.corners().number(resolved(corner[POSITION], POSITION), 0, 0);
+    }
+  }
+
+  /** Adds all vertices as points. */
+  void addAllTo(ObjSurface points) {
+    for (int vertex = 0; vertex < counts[POSITION]; vertex++) {
+      points.corners().number(vertex, 0, 0);
+    }
+  }
+
+  /**
    * Returns whether a face is left out. Some tools write loose edges as faces of two corners.
    *
    * @throws ModelFormatException if the file is not a model
@@ -268,6 +288,11 @@ final class ObjFaces {
         hasNormals ? corners.gather(NORMAL, normals, 3) : new double[0],
         totals[UV] == 0 ? new double[0] : corners.gather(UV, uvs, 2),
         surface.triangles().toArray());
+  }
+
+  /** Returns the positions of a surface's corners, three numbers each. */
+  double[] positions(ObjSurface surface) {
+    return surface.corners().gather(POSITION, positions, 3);
   }
 
   /**

@@ -21,12 +21,14 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
  * Reads Wavefront OBJ with its material libraries. Each material of each object is a part; if no
- * {@code o} statement precedes a face, its group is its object. Not reusable.
+ * {@code o} statement precedes a face, its group is its object. In a file of nothing but vertices,
+ * these are points. Not reusable.
  */
 public final class ObjModelReader {
   private static final int MAX_LIBRARIES = 100;
@@ -64,7 +66,7 @@ public final class ObjModelReader {
           "con");
 
   /** The key of a part; names are empty if there are none. */
-  private record Key(String object, String material) {}
+  private record Key(String object, String material, boolean isOfPoints) {}
 
   /** A part with its place in the file, and the place of its material's name. */
   private record Part(String location, String materialLocation, ObjSurface surface) {}
@@ -79,9 +81,13 @@ public final class ObjModelReader {
   private final ObjSurface none = new ObjSurface(0);
   private String object = "";
   private boolean hasObjects;
+  private boolean hasLines;
   private String material = "";
   private String materialLocation = "";
   private ObjSurface surface = none;
+
+  /** The points of the current object and material. */
+  private ObjSurface points = none;
 
   private ObjModelReader(byte[] text, ModelFolder folder, ModelOptions options, Warnings warnings)
       throws ModelFormatException {
@@ -122,6 +128,9 @@ public final class ObjModelReader {
       }
       scanner.endLine();
     }
+    if (parts.isEmpty() && !hasLines) {
+      faces.addAllTo(currentSurface(true));
+    }
     faces.finish(warnings);
     List<ModelPart> result = new ArrayList<>();
     Map<String, ModelMaterial> materials = readMaterials();
@@ -133,9 +142,13 @@ public final class ObjModelReader {
 
   private void readLine() throws ModelFormatException {
     if (scanner.wordIs("f") && surface == none) {
-      surface = currentSurface();
+      surface = currentSurface(false);
+    } else if (scanner.wordIs("p") && points == none) {
+      points = currentSurface(true);
     }
-    if (!faces.read(surface)) {
+    if (scanner.wordIs("p")) {
+      faces.readPoints(points);
+    } else if (!faces.read(surface)) {
       readState();
     }
   }
@@ -157,11 +170,15 @@ public final class ObjModelReader {
       }
       case "mtllib" -> addLibraries(location);
       case "s" -> faces.smooth(smoothingGroup());
-      case "l", "p", "curv", "curv2", "surf" ->
-          warnings.once(
-              scanner.word(),
-              location,
-              "ignored statements \"" + scanner.word() + "\": only polygons are supported");
+      case "l", "curv", "curv2", "surf" -> {
+        hasLines = true;
+        warnings.once(
+            scanner.word(),
+            location,
+            "ignored statements \""
+                + scanner.word()
+                + "\": only polygons and points are supported");
+      }
       default -> {
         String word = scanner.word();
         if (!IGNORED.contains(word)) {
@@ -176,6 +193,7 @@ public final class ObjModelReader {
     object = newObject;
     material = newMaterial;
     surface = none;
+    points = none;
   }
 
   /** Returns the smoothing group; 0 for "off". */
@@ -203,14 +221,14 @@ public final class ObjModelReader {
     scanner.require("material libraries", MAX_LIBRARIES, libraries.size());
   }
 
-  private ObjSurface currentSurface() throws ModelFormatException {
-    Key key = new Key(object, material);
+  private ObjSurface currentSurface(boolean isOfPoints) throws ModelFormatException {
+    Key key = new Key(object, material, isOfPoints);
     if (!parts.containsKey(key) && parts.size() >= ModelLimits.MAX_PARTS) {
       warnings.once(
           " parts",
           scanner.location(),
           "joined further objects into one, since there are " + ModelLimits.MAX_PARTS + " parts");
-      key = new Key("", material);
+      key = new Key("", material, isOfPoints);
       if (!parts.containsKey(key)) {
         int materials = parts.size() + 1 - ModelLimits.MAX_PARTS;
         scanner.require("materials", ModelLimits.MAX_PARTS, materials);
@@ -254,6 +272,10 @@ public final class ObjModelReader {
 
   private void addPart(
       Key key, Part part, Map<String, ModelMaterial> materials, List<ModelPart> result) {
+    if (key.isOfPoints()) {
+      addPoints(key, part, materials, result);
+      return;
+    }
     ObjMesh mesh = faces.mesh(part.surface());
     int dropped = part.surface().triangles().removeFlat(mesh.positions());
     if (dropped > 0) {
@@ -263,6 +285,24 @@ public final class ObjModelReader {
     if (part.surface().triangles().count() == 0) {
       return;
     }
+    Optional<ModelMaterial> found = material(key, part, materials);
+    float[] colors = colors(part, found);
+    double[] empty = {};
+    ModelGeometry geometry =
+        new ModelGeometry(
+            mesh.positions(),
+            mesh.normals(),
+            empty,
+            mesh.uvs(),
+            empty,
+            colors,
+            part.surface().triangles().toArray());
+    ModelMaterial shown = found.orElse(PlainModel.material(colors));
+    result.add(new ModelPart(key.object(), part.location(), geometry, shown, options.toWorld()));
+  }
+
+  private Optional<ModelMaterial> material(
+      Key key, Part part, Map<String, ModelMaterial> materials) {
     ModelMaterial found = materials.get(key.material());
     if (found == null && !part.materialLocation().isEmpty()) {
       warnings.once(
@@ -272,21 +312,27 @@ public final class ObjModelReader {
               + PrintableText.quoted(key.material())
               + ", which is replaced by light gray");
     }
-    float[] colors = faces.colors(part.surface(), found == null ? PlainModel.ALBEDO : 1);
-    double[] empty = {};
-    result.add(
-        new ModelPart(
-            key.object(),
-            part.location(),
-            new ModelGeometry(
-                mesh.positions(),
-                mesh.normals(),
-                empty,
-                mesh.uvs(),
-                empty,
-                colors,
-                part.surface().triangles().toArray()),
-            found == null ? PlainModel.material(colors) : found,
-            options.toWorld()));
+    return Optional.ofNullable(found);
+  }
+
+  private float[] colors(Part part, Optional<ModelMaterial> found) {
+    return faces.colors(part.surface(), found.isEmpty() ? PlainModel.ALBEDO : 1);
+  }
+
+  private void addPoints(
+      Key key, Part part, Map<String, ModelMaterial> materials, List<ModelPart> result) {
+    Optional<ModelMaterial> found = material(key, part, materials);
+    float[] colors = colors(part, found);
+    double[] none = {};
+    double[] positions = faces.positions(part.surface());
+    ModelGeometry points = ModelGeometry.ofPoints(positions, none, none, colors).points();
+    int broken = positions.length / 3 - points.vertexCount();
+    if (broken > 0) {
+      warnings.add(part.location(), "left out points that are not finite numbers: " + broken);
+    }
+    if (points.isVisible()) {
+      ModelMaterial shown = found.orElse(PlainModel.material(colors));
+      result.add(new ModelPart(key.object(), part.location(), points, shown, options.toWorld()));
+    }
   }
 }

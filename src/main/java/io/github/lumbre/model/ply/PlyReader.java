@@ -24,8 +24,9 @@ import java.util.stream.Collectors;
 
 /**
  * Reads PLY files of all three formats (Turk 1994, "The PLY Polygon File Format"): elements {@code
- * vertex}, {@code face} and {@code tristrips} in any order. Polygons become triangle fans. Integer
- * colors are sRGB-encoded, float colors linear. Not reusable.
+ * vertex}, {@code face} and {@code tristrips} in any order. Polygons become triangle fans; without
+ * faces, the vertices are points. Integer colors are sRGB-encoded, float colors linear. Not
+ * reusable.
  */
 public final class PlyReader {
   private static final List<String> INDEX_NAMES = List.of("vertex_indices", "vertex_index");
@@ -37,6 +38,10 @@ public final class PlyReader {
   private final Tally tally = new Tally();
   private final PlyVertices vertices;
   private final int vertexCount;
+
+  /** Whether there are no faces, so that all vertices are points. */
+  private final boolean isCloud;
+
   private TriangleList triangles = new TriangleList(0);
 
   /** What the faces have besides their corners; empty if there are no faces. */
@@ -55,8 +60,13 @@ public final class PlyReader {
     if (vertex.isEmpty()) {
       throw new ModelFormatException(Kind.MALFORMED, "", "expected an element vertex, found none");
     }
-    requireFaces();
     vertexCount = vertex.get().count();
+    isCloud = header.elements().stream().noneMatch(e -> isFace(e) && e.count() > 0);
+    if (isCloud) {
+      ModelLimits.require("element vertex", "points", options.limits().triangles(), vertexCount);
+    } else {
+      requireFaces();
+    }
     vertices = new PlyVertices(vertex.get(), options.limits(), warnings, tally);
   }
 
@@ -92,13 +102,16 @@ public final class PlyReader {
       throw new ModelFormatException(
           Kind.UNSUPPORTED,
           "",
-          "expected an element face or tristrips with a list vertex_indices, found none;"
-              + " point clouds are not supported");
+          "expected an element face or tristrips with a list vertex_indices, found none");
     }
   }
 
+  private static boolean isFace(PlyElement element) {
+    return element.name().equals("face") || element.name().equals("tristrips");
+  }
+
   private static Optional<PlyProperty> indexProperty(PlyElement element) {
-    return element.name().equals("face") || element.name().equals("tristrips")
+    return isFace(element)
         ? element.properties().stream()
             .filter(p -> p.isList() && p.type().isInteger() && INDEX_NAMES.contains(p.name()))
             .findFirst()
@@ -116,6 +129,27 @@ public final class PlyReader {
     if (header.format() != PlyHeader.Format.TEXT && body.remainingBytes() > 0) {
       warnings.add("", "ignored " + body.remainingBytes() + " bytes after the last element");
     }
+    return isCloud ? cloud() : mesh(folder);
+  }
+
+  private Model cloud() {
+    tally.addTo(warnings);
+    if (!header.textures().isEmpty()) {
+      warnings.add("comment TextureFile", "ignored, since points have no textures");
+    }
+    ModelGeometry all = vertices.geometry(new int[0]);
+    ModelGeometry points = all.points();
+    int broken = all.vertexCount() - points.vertexCount();
+    if (broken > 0) {
+      warnings.add("element vertex", "left out points that are not finite numbers: " + broken);
+    }
+    PlainModel.showInvisible("element vertex", points.colors(), warnings);
+    ModelMaterial material = PlainModel.material(points.colors());
+    ModelPart part = new ModelPart("", "", points, material, options.toWorld());
+    return PlainModel.of(points.isVisible() ? List.of(part) : List.of(), warnings.all());
+  }
+
+  private Model mesh(ModelFolder folder) throws ModelFormatException, IOException {
     if (faceData.isPresent() && faceData.get().isUsed()) {
       separateTriangles(faceData.get());
     }

@@ -84,7 +84,7 @@ public final class GltfFile {
   }
 
   /** Adds an accessor of bytes, and returns its index. */
-  int bytes(int component, String type, String more, int... values) {
+  public int bytes(int component, String type, String more, int... values) {
     byte[] data = new byte[values.length];
     for (int i = 0; i < data.length; i++) {
       data[i] = (byte) values[i];

@@ -173,7 +173,7 @@ class GltfNodeTest {
     assertThat(model.parts()).hasSize(2);
     ModelGeometry plane = model.parts().get(0).geometry();
     assertThat(model.parts().get(1).geometry()).isNotSameAs(plane);
-    assertThat(plane.hasArea()).isTrue();
+    assertThat(plane.isVisible()).isTrue();
     assertThat(plane.normals()).isEmpty();
     Vec3 normal = Vec3.ZERO;
     for (int i = 0; i < 6; i += 3) {

@@ -140,7 +140,7 @@ class ObjModelReaderTest {
     Model model = obj("l 1 2;l 2 3;foo;foo;lod 3;f 1 2 3").read();
     assertThat(model.warnings())
         .containsExactly(
-            "line 5: ignored statements \"l\": only polygons are supported",
+            "line 5: ignored statements \"l\": only polygons and points are supported",
             "line 7: ignored the unknown statement \"foo\"");
   }
 
@@ -401,8 +401,10 @@ class ObjModelReaderTest {
 
   @Test
   void filesWithoutSurfacesAreRefused() {
-    assertThat(obj("p 1").refusal())
-        .isEqualTo(NO_AREA + " (line 5: ignored statements \"p\": only polygons are supported)");
+    assertThat(obj("l 1 2").refusal())
+        .isEqualTo(
+            NO_AREA
+                + " (line 5: ignored statements \"l\": only polygons and points are supported)");
     byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     assertThat(new ModelFixture("a.obj", png).refusal())
         .isEqualTo(

@@ -308,9 +308,12 @@ class PlyReaderTest {
   }
 
   @Test
-  void pointCloudsAreNotSupported() {
-    assertThat(ascii("element vertex 3;" + XYZ, TRIANGLE).refusal())
-        .startsWith("UNSUPPORTED expected an element face or tristrips");
+  void facesNeedIndices() {
+    String face = "element face 1;property float quality;";
+    assertThat(ascii("element vertex 3;" + XYZ + face, TRIANGLE).refusal())
+        .isEqualTo(
+            "UNSUPPORTED expected an element face or tristrips with a list vertex_indices,"
+                + " found none");
     assertThat(ascii("element vertex 3;property float x;" + FACE, TRIANGLE).refusal())
         .isEqualTo("MALFORMED element vertex: expected the properties x, y and z");
   }
