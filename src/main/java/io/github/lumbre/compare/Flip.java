@@ -54,22 +54,22 @@ public final class Flip {
   }
 
   /**
-   * Returns the largest mean of the differences in any tile, so that a small object that has
-   * changed is not lost in a large picture.
+   * Returns the mean of the differences in each tile, so that a small object that has changed is
+   * not lost in a large picture.
    *
    * @param side of the square tiles in pixels, at least 1; tiles at the right and the lower edge
    *     may be smaller
+   * @return numbers in [0,1] of the tiles, row by row from the top left
    * @throws IllegalArgumentException if the pictures have different sizes
    */
-  public static double worstTile(Image test, Image reference, int side) {
+  public static double[] tiles(Image test, Image reference, int side) {
     Plane map = map(test, reference);
-    double worst = 0;
-    for (int top = 0; top < map.height(); top += side) {
-      for (int left = 0; left < map.width(); left += side) {
-        worst = Math.max(worst, mean(map, left, top, side));
-      }
+    int across = (map.width() + side - 1) / side;
+    double[] means = new double[across * ((map.height() + side - 1) / side)];
+    for (int i = 0; i < means.length; i++) {
+      means[i] = mean(map, i % across * side, i / across * side, side);
     }
-    return worst;
+    return means;
   }
 
   private static double mean(Plane map, int left, int top, int side) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -48,6 +49,25 @@ class FlipTest {
     Image green = TestPictures.of(20, 20, (x, y, c) -> c == 1 ? 1 : 0);
     Image blue = TestPictures.of(20, 20, (x, y, c) -> c == 2 ? 1 : 0);
     assertThat(Flip.map(green, blue).mean()).isCloseTo(1, within(1e-9));
+  }
+
+  @Test
+  void tilesHaveTheirMeans() {
+    Image picture = TestPictures.pattern(20, 12);
+    float[] changed = picture.rgb().clone();
+    Arrays.fill(changed, 3 * (10 * 20 + 18), 3 * (10 * 20 + 20), 1 - changed[3 * (10 * 20 + 18)]);
+    Image other = new Image(20, 12, changed, new float[0]);
+    Plane map = Flip.map(other, picture);
+    double[] tiles = Flip.tiles(other, picture, 8);
+    assertThat(tiles).hasSize(6);
+    int[] pixels = {64, 64, 32, 32, 32, 16};
+    double sum = 0;
+    for (int i = 0; i < 6; i++) {
+      sum += tiles[i] * pixels[i];
+      assertThat(tiles[i]).isLessThanOrEqualTo(tiles[5]);
+    }
+    assertThat(tiles[5]).isGreaterThan(2 * tiles[1]);
+    assertThat(sum / (20 * 12)).isCloseTo(map.mean(), within(1e-12));
   }
 
   @Test

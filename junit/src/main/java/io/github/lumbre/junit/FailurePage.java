@@ -4,17 +4,58 @@ import io.github.lumbre.compare.Flip;
 import io.github.lumbre.image.Image;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 
 /** Writes the pictures of a failed comparison, and a page that flips between them. Stateless. */
 final class FailurePage {
+  private static final String PAGE = "index.html";
+  private static final String MAP = "difference.png";
+
   private FailurePage() {}
+
+  /** Returns the folder of a golden picture's failure. */
+  private static Path folder(Path report, GoldenFile golden) {
+    return report.resolve(golden.name().replaceFirst("\\.(png|exr)$", ""));
+  }
+
+  /** Deletes what an earlier failure has written. */
+  static void delete(Path report, GoldenFile golden) throws IOException {
+    Path folder = folder(report, golden);
+    if (Files.isRegularFile(folder.resolve(PAGE))) {
+      for (String name : List.of(PAGE, MAP, actual(golden), expected(golden))) {
+        Files.deleteIfExists(folder.resolve(name));
+      }
+      deleteIfEmpty(folder);
+    }
+  }
+
+  private static void deleteIfEmpty(Path folder) throws IOException {
+    try {
+      Files.delete(folder);
+    } catch (DirectoryNotEmptyException e) {
+      // Pictures whose names begin with this one's are below, or files of others.
+    }
+  }
+
+  private static String actual(GoldenFile golden) {
+    return "actual" + (golden.isExr() ? ".exr" : ".png");
+  }
+
+  private static String expected(GoldenFile golden) {
+    return "expected" + (golden.isExr() ? ".exr" : ".png");
+  }
 
   /**
    * Writes the files into a folder of the golden picture's name.
    *
+   * @param difference empty if the pictures have different sizes
+   * @param text says the difference
    * @return the page
    */
   static Path write(
@@ -22,27 +63,40 @@ final class FailurePage {
       GoldenFile golden,
       GoldenFile.Encoded actual,
       GoldenFile.Encoded expected,
-      String difference)
+      Optional<Difference> difference,
+      String text)
       throws IOException {
-    Path folder = report.resolve(golden.name().replaceFirst("\\.(png|exr)$", ""));
-    Files.createDirectories(folder);
-    String ending = golden.isExr() ? ".exr" : ".png";
-    Files.write(folder.resolve("actual" + ending), actual.bytes());
-    Files.write(folder.resolve("expected" + ending), expected.bytes());
+    Path folder = Files.createDirectories(folder(report, golden));
+    Files.write(folder.resolve(actual(golden)), actual.bytes());
+    Files.write(folder.resolve(expected(golden)), expected.bytes());
     Image a = actual.image();
     Image e = expected.image();
-    boolean sameSize = a.width() == e.width() && a.height() == e.height();
-    byte[] shown = sameSize ? Flip.picture(a, e).toPng() : Image.black(1, 1).toPng();
-    Files.write(folder.resolve("difference.png"), shown);
-    Path page = folder.resolve("index.html");
+    byte[] shown = (difference.isPresent() ? Flip.picture(a, e) : Image.black(1, 1)).toPng();
+    Files.write(folder.resolve(MAP), shown);
     String html =
         template()
             .replace("@NAME@", escaped(golden.name()))
-            .replace("@DIFFERENCE@", escaped(difference))
+            .replace("@DIFFERENCE@", escaped(text))
+            .replace("@TILE@", difference.map(each -> place(each, a)).orElse("display: none"))
             .replace("@ACTUAL@", data(golden.isExr() ? a.toPng() : actual.bytes()))
             .replace("@EXPECTED@", data(golden.isExr() ? e.toPng() : expected.bytes()))
             .replace("@MAP@", data(shown));
-    return Files.writeString(page, html).toAbsolutePath();
+    return Files.writeString(folder.resolve(PAGE), html).toAbsolutePath();
+  }
+
+  /** Returns the style that puts a frame around the worst tile of a picture. */
+  private static String place(Difference difference, Image picture) {
+    return String.format(
+        Locale.ROOT,
+        "left: %.3f%%; top: %.3f%%; width: %.3f%%; height: %.3f%%",
+        100.0 * difference.left() / picture.width(),
+        100.0 * difference.top() / picture.height(),
+        100.0
+            * Math.min(GoldenPictures.TILE, picture.width() - difference.left())
+            / picture.width(),
+        100.0
+            * Math.min(GoldenPictures.TILE, picture.height() - difference.top())
+            / picture.height());
   }
 
   private static String template() throws IOException {

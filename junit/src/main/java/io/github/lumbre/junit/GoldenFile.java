@@ -1,13 +1,17 @@
 package io.github.lumbre.junit;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Pixels;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
@@ -47,22 +51,47 @@ record GoldenFile(Path folder, Path path, String name) {
 
   /** Returns whether the file exists, and requires that no link leads out of the folder. */
   boolean exists() throws IOException {
-    if (!Files.exists(path)) {
-      return false;
-    }
-    requireInside(path);
-    return true;
+    requireInside();
+    return Files.exists(path);
   }
 
-  private void requireInside(Path existing) throws IOException {
-    if (!existing.toRealPath().startsWith(folder.toRealPath())) {
+  /** Requires that no existing part of the path is a link that leads out of the folder. */
+  private void requireInside() throws IOException {
+    Path existing = path;
+    while (!Files.exists(existing, LinkOption.NOFOLLOW_LINKS)) {
+      existing = existing.getParent();
+      if (existing == null || existing.equals(folder)) {
+        return;
+      }
+    }
+    boolean isBroken = !Files.exists(existing);
+    if (isBroken || !existing.toRealPath().startsWith(folder.toRealPath())) {
       throw new IllegalArgumentException(
           "name: expected a file inside " + folder + ", found the link " + existing);
     }
   }
 
+  /**
+   * @throws ImageFormatException if the file is no picture
+   */
   Encoded read() throws IOException {
     return Encoded.of(Files.readAllBytes(path), isExr());
+  }
+
+  /**
+   * Returns what is found in the place of a picture.
+   *
+   * @param problem with the file as a picture
+   */
+  String whatElse(ImageFormatException problem) throws IOException {
+    byte[] bytes = Files.readAllBytes(path);
+    if (bytes.length == 0) {
+      return "an empty file";
+    }
+    String start = new String(bytes, 0, Math.min(bytes.length, 40), StandardCharsets.ISO_8859_1);
+    return start.startsWith("version https://git-lfs")
+        ? "a pointer of Git LFS; 'git lfs pull' fetches the picture"
+        : "a damaged file: " + problem.getMessage();
   }
 
   /** Returns the bytes and pixels that a file of a picture would have. */
@@ -81,10 +110,27 @@ record GoldenFile(Path folder, Path path, String name) {
 
   /** Stores a picture, unless the file has its pixels already. */
   void store(Encoded picture) throws IOException {
+    requireInside();
+    if (Files.exists(path) && has(picture)) {
+      return;
+    }
     Files.createDirectories(path.getParent());
-    requireInside(path.getParent());
-    if (!exists() || !read().hash().equals(picture.hash())) {
-      Files.write(path, picture.bytes());
+    String other = "." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part";
+    Path part = path.resolveSibling(other);
+    try {
+      Files.write(part, picture.bytes());
+      Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(part);
+    }
+  }
+
+  /** Returns whether the file has the pixels of a picture; a damaged file does not. */
+  private boolean has(Encoded picture) throws IOException {
+    try {
+      return read().hash().equals(picture.hash());
+    } catch (ImageFormatException e) {
+      return false;
     }
   }
 

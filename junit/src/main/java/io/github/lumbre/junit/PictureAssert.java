@@ -1,7 +1,7 @@
 package io.github.lumbre.junit;
 
-import io.github.lumbre.compare.Flip;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -66,19 +66,17 @@ public final class PictureAssert {
    */
   public void matches(String name) {
     GoldenFile golden = GoldenFile.of(settings.folder(), name);
-    Accepting accepting = Accepting.ofCaller(golden);
+    Accepting accepting = Accepting.ofCaller();
     try {
       GoldenFile.Encoded actual = golden.encode(picture, options);
       if (settings.stores()) {
         golden.store(actual);
       } else if (!golden.exists()) {
-        throw new AssertionFailedError(
-            "golden picture: expected "
-                + golden.path()
-                + ", found none"
-                + lines(accepting, Optional.empty()));
+        throw failure(
+            "golden picture: expected " + golden.path() + ", found none", "make", accepting);
       } else {
         compare(golden, actual, accepting);
+        FailurePage.delete(settings.report(), golden);
       }
     } catch (IOException e) {
       throw new UncheckedIOException("golden picture " + golden.path() + ": " + e, e);
@@ -87,51 +85,58 @@ public final class PictureAssert {
 
   private void compare(GoldenFile golden, GoldenFile.Encoded actual, Accepting accepting)
       throws IOException {
-    GoldenFile.Encoded expected = golden.read();
+    GoldenFile.Encoded expected;
+    try {
+      expected = golden.read();
+    } catch (ImageFormatException e) {
+      String found = "golden picture " + golden.path() + ": expected a picture, found ";
+      throw failure(found + golden.whatElse(e), "replace", accepting);
+    }
     if (actual.hash().equals(expected.hash())) {
+      return;
+    }
+    Optional<Difference> difference =
+        Difference.haveSameSize(actual, expected)
+            ? Optional.of(Difference.of(actual, expected))
+            : Optional.empty();
+    if (difference.isPresent() && difference.get().isWithin(tolerance)) {
       return;
     }
     Image found = actual.image();
     Image wanted = expected.image();
-    boolean sameSize = found.width() == wanted.width() && found.height() == wanted.height();
-    double flip = sameSize ? Flip.mean(found, wanted) : 1;
-    double tile = sameSize ? Flip.worstTile(found, wanted, GoldenPictures.TILE) : 1;
-    double tileTolerance = Math.min(1, GoldenPictures.TILE_FACTOR * tolerance);
-    if (sameSize && tolerance > 0 && flip <= tolerance && tile <= tileTolerance) {
-      return;
-    }
-    String difference =
-        sameSize
-            ? String.format(
-                Locale.ROOT,
-                "mean FLIP %.4f, tolerance %.4f; in one tile %.4f, tolerance %.4f;"
-                    + " %d of %d pixels differ",
-                flip,
-                tolerance,
-                tile,
-                tileTolerance,
-                expected.differences(actual),
-                found.width() * found.height())
-            : String.format(
-                Locale.ROOT,
-                "expected %dx%d pixels, found %dx%d",
-                wanted.width(),
-                wanted.height(),
-                found.width(),
-                found.height());
-    Path page = FailurePage.write(settings.report(), golden, actual, expected, difference);
-    throw new AssertionFailedError(
-        "picture differs from "
-            + golden.path()
-            + ": "
-            + difference
-            + lines(accepting, Optional.of(page)));
+    String text =
+        difference
+            .map(each -> each.text(tolerance, found))
+            .orElse(
+                String.format(
+                    Locale.ROOT,
+                    "expected %dx%d pixels, found %dx%d",
+                    wanted.width(),
+                    wanted.height(),
+                    found.width(),
+                    found.height()));
+    String look = page(golden, actual, expected, difference, text);
+    throw failure(
+        "picture differs from " + golden.path() + ": " + text + "\n  " + look, "accept", accepting);
   }
 
-  private String lines(Accepting accepting, Optional<Path> page) {
-    String look = page.map(p -> "\n  look at it: " + p.toUri()).orElse("");
-    String verb = page.isPresent() ? "accept it" : "make it";
+  /** Writes the page of a failure, and returns a line that says where it is. */
+  private String page(
+      GoldenFile golden,
+      GoldenFile.Encoded actual,
+      GoldenFile.Encoded expected,
+      Optional<Difference> difference,
+      String text) {
+    try {
+      Path page = FailurePage.write(settings.report(), golden, actual, expected, difference, text);
+      return "look at it: " + page.toUri();
+    } catch (IOException e) {
+      return "its page cannot be written: " + e;
+    }
+  }
+
+  private AssertionFailedError failure(String text, String verb, Accepting accepting) {
     String folder = Files.exists(settings.folder()) ? "" : " (creates the folder)";
-    return look + "\n  " + verb + ": " + accepting.command() + folder;
+    return new AssertionFailedError(text + "\n  " + verb + " it: " + accepting.command() + folder);
   }
 }

@@ -10,14 +10,18 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import java.io.IOException;
-import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests comparisons with golden pictures. */
@@ -78,7 +82,7 @@ class GoldenPicturesTest {
   @Test
   void alphaIsCompared() {
     float[] alpha = new float[64 * 48];
-    java.util.Arrays.fill(alpha, .5f);
+    Arrays.fill(alpha, .5f);
     Image half = new Image(64, 48, ramp(.5).rgb(), alpha);
     store(half, "half");
     assertThatPicture(half).withTolerance(0).matches("half");
@@ -114,7 +118,10 @@ class GoldenPicturesTest {
     assertThat(thrown.getMessage())
         .contains("picture differs from " + golden().resolve("square.png") + ": mean FLIP 0.0")
         .contains("100 of 3072 pixels differ")
-        .contains("mvn test -Dtest=GoldenPicturesTest -Dlumbre.golden=store");
+        .contains(
+            "accept it: mvn test"
+                + " -Dtest=GoldenPicturesTest#failureExplainsItselfAndWritesThePictures"
+                + " -Dlumbre.golden=store");
     Path report = folder.resolve("report/square");
     try (var files = Files.list(report)) {
       assertThat(files.map(file -> file.getFileName().toString()))
@@ -139,6 +146,73 @@ class GoldenPicturesTest {
         .hasMessageContaining(
             "make it: mvn test -Dtest=GoldenPicturesTest#commandNamesTheTestMethod"
                 + " -Dlumbre.golden=store");
+  }
+
+  /** The page goes when the picture is right again, and leaves what it has not written. */
+  @Test
+  void pageOfAFailureGoesWhenThePicturePasses() throws IOException {
+    store(ramp(.5), "square");
+    store(ramp(.5), "square/inner");
+    for (String name : List.of("square", "square/inner")) {
+      assertThatThrownBy(() -> assertThatPicture(ramp(1)).matches(name))
+          .isInstanceOf(AssertionError.class);
+    }
+    Path report = folder.resolve("report/square");
+    assertThatPicture(ramp(.5)).matches("square");
+    try (var files = Files.list(report)) {
+      assertThat(files).containsExactly(report.resolve("inner"));
+    }
+    Path note = Files.writeString(report.resolve("inner/note.txt"), "mine");
+    assertThatPicture(ramp(.5)).matches("square/inner");
+    try (var files = Files.list(report.resolve("inner"))) {
+      assertThat(files).containsExactly(note);
+    }
+  }
+
+  @Test
+  void pageMarksTheWorstTile() throws IOException {
+    store(ramp(.5), "square");
+    assertThatThrownBy(() -> assertThatPicture(ramp(1)).matches("square"))
+        .hasMessageContaining("in the tile at pixel (24,24) 0.");
+    assertThat(Files.readString(folder.resolve("report/square/index.html")))
+        .contains("left: 37.500%; top: 50.000%; width: 12.500%; height: 16.667%");
+  }
+
+  @Test
+  void reportsThatCannotBeWrittenHideNothing() throws IOException {
+    store(ramp(.5), "square");
+    Files.writeString(folder.resolve("report"), "a file in the place of the folder");
+    assertThatThrownBy(() -> assertThatPicture(ramp(1)).matches("square"))
+        .isInstanceOf(AssertionError.class)
+        .hasMessageContaining("100 of 3072 pixels differ\n  its page cannot be written: ")
+        .hasMessageContaining("\n  accept it: mvn test -Dtest=GoldenPicturesTest#reports");
+  }
+
+  /** A helper class of tests, whose name says nothing about the test. */
+  private static final class Helper {
+    static void check(PictureAssert picture) {
+      picture.matches("none");
+    }
+  }
+
+  @Test
+  void commandNamesTheTestAlsoOfAHelperOrALambda() {
+    assertThatThrownBy(() -> Helper.check(assertThatPicture(ramp(1))))
+        .hasMessageContaining(
+            "make it: mvn test"
+                + " -Dtest=GoldenPicturesTest#commandNamesTheTestAlsoOfAHelperOrALambda"
+                + " -Dlumbre.golden=store");
+  }
+
+  @Test
+  void commandNamesTheClassOfAnotherThread() throws InterruptedException {
+    Throwable[] thrown = new Throwable[1];
+    Thread thread = new Thread(() -> assertThatPicture(ramp(1)).matches("none"));
+    thread.setUncaughtExceptionHandler((of, e) -> thrown[0] = e);
+    thread.start();
+    thread.join();
+    assertThat(thrown[0])
+        .hasMessageContaining("mvn test -Dtest=GoldenPicturesTest -Dlumbre.golden=store");
   }
 
   @Test
@@ -179,23 +253,55 @@ class GoldenPicturesTest {
     Files.createDirectories(golden());
     Files.createSymbolicLink(golden().resolve("link.png"), outside);
     Files.createSymbolicLink(golden().resolve("up"), folder);
-    for (String name : List.of("link", "up/outside", "up/new")) {
-      assertThatThrownBy(() -> store(ramp(.2), name)).isInstanceOf(IllegalArgumentException.class);
+    Files.createSymbolicLink(golden().resolve("broken.png"), folder.resolve("new.png"));
+    Files.createSymbolicLink(golden().resolve("nowhere"), folder.resolve("folder"));
+    for (String name :
+        List.of("link", "up/outside", "up/new", "up/sub/new", "broken", "nowhere/new")) {
+      assertThatThrownBy(() -> store(ramp(.2), name))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("found the link");
     }
     assertThatThrownBy(() -> assertThatPicture(ramp(1)).matches("link"))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("found the link");
     assertThat(outside).hasBinaryContent(ramp(1).toPng());
     assertThat(folder.resolve("new.png")).doesNotExist();
+    assertThat(folder.resolve("sub")).doesNotExist();
+    assertThat(folder.resolve("folder")).doesNotExist();
   }
 
-  @Test
-  void damagedGoldenPictureIsNamed() throws IOException {
-    Files.createDirectories(golden());
-    Files.writeString(golden().resolve("a.png"), "no picture");
-    assertThatThrownBy(() -> assertThatPicture(ramp(1)).matches("a"))
-        .isInstanceOf(UncheckedIOException.class)
-        .hasMessageContaining("golden picture " + golden().resolve("a.png"));
+  static Stream<Arguments> damagedFiles() {
+    byte[] png = ramp(.5).toPng();
+    String pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+    return Stream.of(
+        Arguments.of(new byte[0], "an empty file"),
+        Arguments.of("no picture".getBytes(StandardCharsets.UTF_8), "a damaged file: "),
+        Arguments.of(Arrays.copyOf(png, png.length / 2), "a damaged file: "),
+        Arguments.of(
+            pointer.getBytes(StandardCharsets.UTF_8),
+            "a pointer of Git LFS; 'git lfs pull' fetches the picture"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("damagedFiles")
+  void damagedGoldenPicturesAreNamedAndReplaced(byte[] bytes, String found) throws IOException {
+    for (String name : List.of("a.png", "a.exr")) {
+      Files.createDirectories(golden());
+      Files.write(golden().resolve(name), bytes);
+      assertThatThrownBy(() -> assertThatPicture(ramp(1)).matches(name))
+          .isInstanceOf(AssertionError.class)
+          .hasMessageStartingWith(
+              "golden picture " + golden().resolve(name) + ": expected a picture, found " + found)
+          .hasMessageContaining(
+              "\n  replace it: mvn test"
+                  + " -Dtest=GoldenPicturesTest#damagedGoldenPicturesAreNamedAndReplaced"
+                  + " -Dlumbre.golden=store");
+      store(ramp(1), name);
+      assertThatPicture(ramp(1)).withTolerance(0).matches(name);
+    }
+    try (var files = Files.list(golden())) {
+      assertThat(files.filter(file -> file.toString().endsWith(".part"))).isEmpty();
+    }
   }
 
   @Test
