@@ -170,7 +170,7 @@ class UploadLimitsTest {
   void archivesThatUnfoldTooFarAreRefused() throws IOException {
     String spaces = " ".repeat(60 << 20);
     byte[] bomb = ThreeMfSample.ofItems(spaces, "");
-    assertRefused(file("a.3mf", bomb), Limits.NONE, "bytes in an archive of");
+    assertRefused(file("a.3mf", bomb), Limits.NONE, "inflated bytes of an archive of");
     byte[] small = ThreeMfSample.ofItems(" ".repeat(1 << 19), "");
     Limits limits = Limits.NONE.withBytes(1 << 19);
     assertRefused(file("a.3mf", small), limits, "expected at most 524288 bytes in all files");

@@ -2,12 +2,9 @@ package io.github.lumbre.model.threemf;
 
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.model.internal.Decimals;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.text.PrintableText;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -25,10 +22,7 @@ final class XmlReader {
 
   private final XmlTags tags;
 
-  /** The current tag without its brackets, and its length. */
-  private byte[] tag = {};
-
-  private int size;
+  private final XmlTag tag;
   private int nameStart;
   private int nameEnd;
 
@@ -47,6 +41,7 @@ final class XmlReader {
 
   XmlReader(ZipInput in) {
     tags = new XmlTags(in);
+    tag = tags.tag();
   }
 
   /** Returns how many elements the current one is within, and itself. */
@@ -69,7 +64,7 @@ final class XmlReader {
       if (open.size() < depth || !nextTag()) {
         return false;
       }
-      if (depth() == depth + 1 && !tags.isEnd()) {
+      if (depth() == depth + 1 && !tag.isEnd()) {
         return true;
       }
     }
@@ -84,9 +79,7 @@ final class XmlReader {
       }
       return false;
     }
-    tag = tags.tag();
-    size = tags.size();
-    if (tags.isEnd()) {
+    if (tag.isEnd()) {
       endElement();
     } else {
       startElement();
@@ -95,7 +88,7 @@ final class XmlReader {
   }
 
   private void endElement() throws ModelFormatException {
-    String name = string(1, wordEnd(1));
+    String name = tag.string(1, tag.wordEnd(1));
     if (open.isEmpty() || !last().equals(name)) {
       throw error(
           open.isEmpty()
@@ -108,12 +101,10 @@ final class XmlReader {
   }
 
   private void startElement() throws ModelFormatException {
+    isClosed = tag.dropSlash();
     nameStart = 0;
-    nameEnd = wordEnd(0);
+    nameEnd = tag.wordEnd(0);
     attributes = 0;
-    isClosed = size > 0 && tag[size - 1] == '/';
-    size -= isClosed ? 1 : 0;
-    nameEnd = Math.min(nameEnd, size);
     if (nameEnd == 0) {
       throw error("expected the name of an element, found none");
     }
@@ -124,23 +115,23 @@ final class XmlReader {
           "expected at most " + MAX_DEPTH + " elements within each other, found more");
     }
     if (!isClosed) {
-      open.add(string(0, nameEnd));
+      open.add(tag.string(0, nameEnd));
     }
-    int from = skipSpace(nameEnd);
-    while (from < size) {
-      from = skipSpace(readAttribute(from));
+    int from = tag.skipSpace(nameEnd);
+    while (from < tag.size()) {
+      from = tag.skipSpace(readAttribute(from));
     }
-    int colon = indexOf(':', 0, nameEnd);
+    int colon = tag.indexOf(':', 0, nameEnd);
     nameStart = colon < 0 ? 0 : colon + 1;
   }
 
   private int readAttribute(int from) throws ModelFormatException {
-    int to = indexOf('=', from, size);
-    int quoteAt = skipSpace(to + 1);
-    if (to < 0 || quoteAt >= size || tag[quoteAt] != '"' && tag[quoteAt] != '\'') {
+    int to = tag.indexOf('=', from, tag.size());
+    int quoteAt = tag.skipSpace(to + 1);
+    if (to < 0 || quoteAt >= tag.size() || tag.at(quoteAt) != '"' && tag.at(quoteAt) != '\'') {
       throw error("expected an attribute with a value in quotes, found something else");
     }
-    int valueEnd = indexOf(tag[quoteAt], quoteAt + 1, size);
+    int valueEnd = tag.indexOf(tag.at(quoteAt), quoteAt + 1, tag.size());
     if (valueEnd < 0) {
       throw error("expected a value in quotes, found no second quote");
     }
@@ -148,13 +139,13 @@ final class XmlReader {
       throw new ModelFormatException(
           Kind.TOO_LARGE, location(), "expected at most " + MAX_ATTRIBUTES + " attributes");
     }
-    int nameTo = Math.min(wordEnd(from), to);
+    int nameTo = Math.min(tag.wordEnd(from), to);
     int[] range = {from, nameTo, quoteAt + 1, valueEnd};
     System.arraycopy(range, 0, ranges, 4 * attributes, 4);
     attributes++;
-    if (startsWith(from, "xmlns") && (nameTo == from + 5 || tag[from + 5] == ':')) {
-      String prefix = string(Math.min(from + 6, nameTo), nameTo);
-      namespaces.declare(prefix, decoded(quoteAt + 1, valueEnd), depth(), location());
+    if (tag.startsWith(from, "xmlns") && (nameTo == from + 5 || tag.at(from + 5) == ':')) {
+      String prefix = tag.string(Math.min(from + 6, nameTo), nameTo);
+      namespaces.declare(prefix, tag.decoded(quoteAt + 1, valueEnd), depth(), location());
     }
     return valueEnd + 1;
   }
@@ -166,25 +157,25 @@ final class XmlReader {
 
   /** Returns the namespace of the element. */
   String namespace() {
-    return namespace(nameStart == 0 ? "" : string(0, nameStart - 1));
+    return namespace(nameStart == 0 ? "" : tag.string(0, nameStart - 1));
   }
 
   /** Returns the name of the element without its prefix. */
   String name() {
-    return string(nameStart, nameEnd);
+    return tag.string(nameStart, nameEnd);
   }
 
   /** Returns whether the element has a name in a namespace. */
   boolean is(String namespace, String name) {
     return nameEnd - nameStart == name.length()
-        && startsWith(nameStart, name)
+        && tag.startsWith(nameStart, name)
         && namespace().equals(namespace);
   }
 
   /** Returns the index of an attribute without a prefix; -1 if there is none. */
   private int find(String name) {
     for (int i = 0; i < 4 * attributes; i += 4) {
-      if (ranges[i + 1] - ranges[i] == name.length() && startsWith(ranges[i], name)) {
+      if (ranges[i + 1] - ranges[i] == name.length() && tag.startsWith(ranges[i], name)) {
         return i;
       }
     }
@@ -199,17 +190,17 @@ final class XmlReader {
   /** Returns the value of an attribute without a prefix. */
   Optional<String> text(String name) {
     int i = find(name);
-    return i < 0 ? Optional.empty() : Optional.of(decoded(ranges[i + 2], ranges[i + 3]));
+    return i < 0 ? Optional.empty() : Optional.of(tag.decoded(ranges[i + 2], ranges[i + 3]));
   }
 
   /** Returns the value of an attribute in a namespace, which has a prefix. */
   Optional<String> text(String namespace, String name) {
     for (int i = 0; i < 4 * attributes; i += 4) {
-      int colon = indexOf(':', ranges[i], ranges[i + 1]);
+      int colon = tag.indexOf(':', ranges[i], ranges[i + 1]);
       if (colon >= 0
-          && string(colon + 1, ranges[i + 1]).equals(name)
-          && namespace(string(ranges[i], colon)).equals(namespace)) {
-        return Optional.of(decoded(ranges[i + 2], ranges[i + 3]));
+          && tag.string(colon + 1, ranges[i + 1]).equals(name)
+          && namespace(tag.string(ranges[i], colon)).equals(namespace)) {
+        return Optional.of(tag.decoded(ranges[i + 2], ranges[i + 3]));
       }
     }
     return Optional.empty();
@@ -226,7 +217,7 @@ final class XmlReader {
   /** Returns a number, or NaN for a word that means NaN or infinity. */
   double number(String name) throws ModelFormatException {
     int i = require(name);
-    double simple = Decimals.exact(tag, ranges[i + 2], ranges[i + 3]);
+    double simple = tag.simpleNumber(ranges[i + 2], ranges[i + 3]);
     if (!Double.isNaN(simple)) {
       return simple;
     }
@@ -240,9 +231,10 @@ final class XmlReader {
   /** Returns a scanner of the words of an attribute, whose line ends count as spaces. */
   TextScanner words(String name) throws ModelFormatException {
     int i = require(name);
-    byte[] value = Arrays.copyOfRange(tag, ranges[i + 2], ranges[i + 3]);
+    byte[] value = new byte[ranges[i + 3] - ranges[i + 2]];
     for (int k = 0; k < value.length; k++) {
-      value[k] = isSpace(value[k]) ? (byte) ' ' : value[k];
+      byte c = tag.at(ranges[i + 2] + k);
+      value[k] = XmlTag.isSpace(c) ? (byte) ' ' : c;
     }
     return TextScanner.within(value, tags.part(), tags.line());
   }
@@ -256,13 +248,14 @@ final class XmlReader {
     int i = require(name);
     long value = ranges[i + 2] == ranges[i + 3] ? Long.MAX_VALUE : 0;
     for (int k = ranges[i + 2]; k < ranges[i + 3] && value <= max; k++) {
-      boolean isDigit = tag[k] >= '0' && tag[k] <= '9';
-      value = isDigit ? 10 * value + tag[k] - '0' : Long.MAX_VALUE;
+      boolean isDigit = tag.at(k) >= '0' && tag.at(k) <= '9';
+      value = isDigit ? 10 * value + tag.at(k) - '0' : Long.MAX_VALUE;
     }
     if (value > max) {
       throw error(
           "expected an integer from 0 to %d in %s, found %s"
-              .formatted(max, name, PrintableText.quoted(decoded(ranges[i + 2], ranges[i + 3]))));
+              .formatted(
+                  max, name, PrintableText.quoted(tag.decoded(ranges[i + 2], ranges[i + 3]))));
     }
     return (int) value;
   }
@@ -284,52 +277,5 @@ final class XmlReader {
 
   private String last() {
     return open.get(open.size() - 1);
-  }
-
-  private String string(int from, int to) {
-    return new String(tag, from, to - from, StandardCharsets.UTF_8);
-  }
-
-  /** Returns a text with its entities replaced; unknown ones stay. */
-  private String decoded(int from, int to) {
-    return XmlEntities.replaced(string(from, to));
-  }
-
-  private boolean startsWith(int from, String word) {
-    for (int i = 0; i < word.length(); i++) {
-      if (from + i >= size || tag[from + i] != word.charAt(i)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private int indexOf(int c, int from, int to) {
-    for (int i = from; i < to; i++) {
-      if (tag[i] == c) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
-  private int wordEnd(int from) {
-    int i = from;
-    while (i < size && !isSpace(tag[i])) {
-      i++;
-    }
-    return i;
-  }
-
-  private int skipSpace(int from) {
-    int i = from;
-    while (i < size && isSpace(tag[i])) {
-      i++;
-    }
-    return i;
-  }
-
-  private static boolean isSpace(byte c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
   }
 }

@@ -2,7 +2,6 @@ package io.github.lumbre.model.threemf;
 
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import java.util.Arrays;
 
 /**
  * Splits an XML text in UTF-8 into its tags. Texts between them, comments and processing
@@ -10,7 +9,6 @@ import java.util.Arrays;
  */
 final class XmlTags {
   private static final int BLOCK = 1 << 14;
-  private static final int LONGEST_TAG = 1 << 20;
 
   private final ZipInput in;
   private final byte[] block = new byte[BLOCK];
@@ -18,8 +16,7 @@ final class XmlTags {
   private int end;
   private int line = 1;
   private int tagLine = 1;
-  private byte[] tag = new byte[256];
-  private int size;
+  private final XmlTag tag = new XmlTag();
 
   XmlTags(ZipInput in) {
     this.in = in;
@@ -56,7 +53,7 @@ final class XmlTags {
 
   private void readTag() throws ModelFormatException {
     int quote = 0;
-    size = 0;
+    tag.clear();
     for (int c = nextByte(); quote != 0 || c != '>'; c = nextByte()) {
       if (c < 0) {
         throw error("expected the end of a tag, found the end of the file");
@@ -66,30 +63,13 @@ final class XmlTags {
       } else if (c == quote) {
         quote = 0;
       }
-      if (size == tag.length) {
-        if (size == LONGEST_TAG) {
-          throw new ModelFormatException(
-              Kind.TOO_LARGE, location(), "expected a tag of at most " + LONGEST_TAG + " bytes");
-        }
-        tag = Arrays.copyOf(tag, 2 * size);
-      }
-      tag[size++] = (byte) c;
+      tag.add(c, in.part(), tagLine);
     }
   }
 
-  /** Returns the current tag without its brackets; only {@link #size} bytes are valid. */
-  byte[] tag() {
+  /** Returns the current tag, always the same object. */
+  XmlTag tag() {
     return tag;
-  }
-
-  /** Returns the length of the current tag. */
-  int size() {
-    return size;
-  }
-
-  /** Returns whether the current tag ends an element. */
-  boolean isEnd() {
-    return size > 0 && tag[0] == '/';
   }
 
   /** Returns the name of the part that is read, for messages. */

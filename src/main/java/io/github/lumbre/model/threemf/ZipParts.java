@@ -250,7 +250,10 @@ final class ZipParts implements ModelFolder {
   private void count(String place, long size) throws ModelFormatException {
     read = read + size < 0 ? Long.MAX_VALUE : read + size;
     ModelLimits.require(
-        place, "bytes in an archive of " + file.limit(), SLACK + MAX_RATIO * file.limit(), read);
+        place,
+        "inflated bytes of an archive of " + file.limit() + " bytes",
+        SLACK + MAX_RATIO * file.limit(),
+        read);
     ModelLimits.require(place, "bytes in all files", limits.bytes(), read);
   }
 

@@ -134,7 +134,7 @@ class ZipPartsTest {
     }
     assertThat(refusal(out.toByteArray(), Limits.NONE))
         .startsWith("TOO_LARGE a: expected at most ")
-        .contains("bytes in an archive of ")
+        .contains("inflated bytes of an archive of ")
         .endsWith("found 20000000");
   }
 

@@ -1,0 +1,118 @@
+package io.github.lumbre.model.threemf;
+
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.internal.Decimals;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** The bytes of a tag of XML, without its brackets. Mutable. */
+final class XmlTag {
+  private static final int MAX_BYTES = 1 << 20;
+
+  private byte[] bytes = new byte[256];
+  private int size;
+
+  /** Removes all bytes. */
+  void clear() {
+    size = 0;
+  }
+
+  /**
+   * Adds a byte.
+   *
+   * @param part in which the tag is, for messages
+   * @param line in which the tag begins, for messages
+   */
+  void add(int c, String part, int line) throws ModelFormatException {
+    if (size == bytes.length) {
+      if (size == MAX_BYTES) {
+        throw new ModelFormatException(
+            Kind.TOO_LARGE,
+            part + " line " + line,
+            "expected a tag of at most " + MAX_BYTES + " bytes");
+      }
+      bytes = Arrays.copyOf(bytes, 2 * size);
+    }
+    bytes[size++] = (byte) c;
+  }
+
+  /** Removes the slash at the end of a tag that ends its element; returns whether there is one. */
+  boolean dropSlash() {
+    boolean hasSlash = size > 0 && bytes[size - 1] == '/';
+    size -= hasSlash ? 1 : 0;
+    return hasSlash;
+  }
+
+  /** Returns whether the tag ends an element that another one began. */
+  boolean isEnd() {
+    return size > 0 && bytes[0] == '/';
+  }
+
+  /** Returns the number of bytes. */
+  int size() {
+    return size;
+  }
+
+  /** Returns the byte at an offset. */
+  byte at(int offset) {
+    return bytes[offset];
+  }
+
+  /** Returns a number between two offsets in its simplest form, as {@link Decimals#exact} does. */
+  double simpleNumber(int from, int to) {
+    return Decimals.exact(bytes, from, to);
+  }
+
+  /** Returns the text between two offsets. */
+  String string(int from, int to) {
+    return new String(bytes, from, to - from, StandardCharsets.UTF_8);
+  }
+
+  /** Returns a text with its entities replaced; unknown ones stay. */
+  String decoded(int from, int to) {
+    return XmlEntities.replaced(string(from, to));
+  }
+
+  /** Returns whether a word follows at an offset. */
+  boolean startsWith(int from, String word) {
+    for (int i = 0; i < word.length(); i++) {
+      if (from + i >= size || bytes[from + i] != word.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns the offset of the next byte of a value; -1 if there is none before an offset. */
+  int indexOf(int c, int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (bytes[i] == c) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /** Returns the offset of the next space, or the size. */
+  int wordEnd(int from) {
+    int i = from;
+    while (i < size && !isSpace(bytes[i])) {
+      i++;
+    }
+    return i;
+  }
+
+  /** Returns the offset of the next byte that is no space, or the size. */
+  int skipSpace(int from) {
+    int i = from;
+    while (i < size && isSpace(bytes[i])) {
+      i++;
+    }
+    return i;
+  }
+
+  static boolean isSpace(byte c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+  }
+}
