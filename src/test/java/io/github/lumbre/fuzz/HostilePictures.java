@@ -11,8 +11,8 @@ import java.util.HexFormat;
 import java.util.Random;
 
 /**
- * Malformed picture files that try to break readers: OpenEXR, portable float maps, PNG and JPEG.
- * Each is a function of a seed. Thread-safe.
+ * Malformed picture files that try to break readers: OpenEXR, portable float maps, PNG, JPEG, TGA,
+ * DDS, BMP, GIF and TIFF. Each is a function of a seed. Thread-safe.
  */
 final class HostilePictures {
   private static final int MOST_PIXELS = 512;

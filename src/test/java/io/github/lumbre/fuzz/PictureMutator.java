@@ -1,6 +1,9 @@
 package io.github.lumbre.fuzz;
 
+import io.github.lumbre.image.dds.DdsFixture;
+import io.github.lumbre.image.imageio.LegacyFixture;
 import io.github.lumbre.image.jpeg.ProgressiveJpeg;
+import io.github.lumbre.image.tga.TgaFixture;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -11,13 +14,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import java.util.zip.DataFormatException;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.Inflater;
 import javax.imageio.ImageIO;
 
-/** Changes PNG files chunk by chunk, with valid checksums, and JPEG files byte by byte. */
+/** Changes PNG files chunk by chunk, with valid checksums, and other files byte by byte. */
 final class PictureMutator {
   private static final int SIGNATURE_BYTES = 8;
   private static final int[] TYPES = {
@@ -50,6 +54,16 @@ final class PictureMutator {
   private static final List<byte[]> PNGS = files("png", TYPES);
   private static final List<byte[]> JPEGS =
       files("jpg", BufferedImage.TYPE_INT_RGB, BufferedImage.TYPE_BYTE_GRAY);
+
+  private static final List<byte[]> OTHERS =
+      Stream.of(
+              TgaFixture.files(),
+              DdsFixture.files(),
+              LegacyFixture.bmps(),
+              LegacyFixture.gifs(),
+              LegacyFixture.tiffs())
+          .flatMap(files -> files)
+          .toList();
 
   static {
     // The maximum number of scans, and more.
@@ -92,6 +106,9 @@ final class PictureMutator {
   byte[] next() {
     if (random.nextInt(4) == 0) {
       return changedBytes(JPEGS.get(random.nextInt(JPEGS.size())));
+    }
+    if (random.nextInt(3) == 0) {
+      return changedBytes(OTHERS.get(random.nextInt(OTHERS.size())));
     }
     byte[] png = PNGS.get(random.nextInt(PNGS.size()));
     return random.nextInt(4) == 0 ? changedBytes(png) : changedChunks(png);

@@ -139,7 +139,7 @@ public final class TiffFile {
     int channels = channels();
     int bits = bits();
     checkBlocks(width, height, (long) width * height * channels * bits / 8);
-    int bytes = Math.max(4, channels * (bits + 7) / 8);
+    int bytes = Math.max(4, channels * ((bits + 7) / 8));
     return new EncodedPicture(width, height, COPIES * bytes, this::decode);
   }
 
