@@ -73,7 +73,8 @@ final class BackwardBits {
   /** Checks that all bits were read, and no more. */
   void requireEnd() throws ImageFormatException {
     if (left != 0) {
-      throw in.malformed("expected the end of a stream, found " + left + " more bits");
+      String found = Math.abs(left) + (left > 0 ? " bits too many" : " bits too few");
+      throw in.malformed("expected the end of a stream, found " + found);
     }
   }
 }
