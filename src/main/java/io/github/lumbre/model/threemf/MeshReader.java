@@ -1,6 +1,5 @@
 package io.github.lumbre.model.threemf;
 
-import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.Corners;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -116,7 +115,6 @@ final class MeshReader {
     while (xml.nextWithin(depth)) {
       if (xml.is(ThreeMfExtensions.CORE, "triangle")) {
         if ((++count & ModelLimits.INTERRUPT_MASK) == 0) {
-          Interrupts.check();
           file.take(xml.location(), 2L * Integer.BYTES * 3 * ModelLimits.INTERRUPT_MASK);
           ModelLimits.requireTriangles(xml.location(), count, file.options().limits());
         }

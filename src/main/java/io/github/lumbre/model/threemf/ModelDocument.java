@@ -207,8 +207,15 @@ final class ModelDocument {
     TextScanner words = xml.words("transform");
     Vec3[] rows = new Vec3[4];
     for (int i = 0; i < rows.length; i++) {
-      rows[i] = new Vec3(words.nextNumber(), words.nextNumber(), words.nextNumber());
+      rows[i] = new Vec3(number(words), number(words), number(words));
     }
     return Transform.ofAxes(rows[0], rows[1], rows[2], rows[3]);
+  }
+
+  private double number(TextScanner words) throws ModelFormatException {
+    if (!words.nextWord()) {
+      throw xml.error("expected 12 numbers in transform, found fewer");
+    }
+    return words.number();
   }
 }

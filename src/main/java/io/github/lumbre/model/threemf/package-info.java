@@ -1,5 +1,6 @@
 /**
- * Reads 3MF files through {@link ThreeMfReader}: {@link ZipParts} are the parts of the archive,
- * {@link XmlReader} reads their XML element by element, {@link ModelDocument} the objects of a part.
+ * Reads 3MF files through {@link ThreeMfReader}. {@link ZipParts} are the parts of the archive,
+ * {@link XmlReader} reads the XML of a part element by element, and {@link ModelDocument} the
+ * objects of a model.
  */
 package io.github.lumbre.model.threemf;

@@ -299,7 +299,7 @@ class ThreeMfReaderTest {
             + " in id, found \"x\"",
         "item objectid=\"1\"|item objectid=\"8\"|line 13: expected an object that is defined"
             + " before, found objectid 8",
-        "item |item transform=\"1 0\" |line 13: expected a number, found the end of the line",
+        "item |item transform=\"1 0\" |line 13: expected 12 numbers in transform, found fewer",
         "millimeter|furlong|line 2: expected micron, millimeter, centimeter, inch, foot or meter,"
             + " found unit \"furlong\"",
         "</mesh>|</mash>|line 11: expected </mesh>, found </mash>",
