@@ -16,6 +16,7 @@ import io.github.lumbre.model.internal.ModelSurface;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Copies of a mesh are placed as the extension has it, and share its arrays. */
@@ -66,6 +67,34 @@ class GltfInstancesTest {
     assertThat(surfaces).allMatch(surface -> surface.shape() instanceof MeshInstance);
     Vec3 lowest = surfaces.get(MANY - 1).shape().bounds().min();
     assertThat(lowest.x()).isCloseTo(3 * (MANY - 1), within(1e-6));
+  }
+
+  /** Returns points with colors and indices, of which a node has two copies. */
+  private GltfFile withPoints() {
+    String attributes =
+        "'POSITION': %d, 'COLOR_0': %d"
+            .formatted(
+                file.floats("VEC3", 0, 0, 0, 1, 0, 0, 0, 1, 0),
+                file.floats("VEC3", 1, 0, 0, 0, 1, 0, 0, 0, 1));
+    int mesh = file.mesh(attributes, ", 'mode': 0, 'indices': " + file.ints("SCALAR", 2, 0, 2));
+    int places = file.floats("VEC3", 0, 0, 0, 3, 0, 0);
+    file.add(
+        "nodes",
+        "{'mesh': %d, 'extensions': {'EXT_mesh_gpu_instancing': {'attributes': {%s}}}}"
+            .formatted(mesh, "'TRANSLATION': " + places));
+    return file.set("extensionsUsed", "['EXT_mesh_gpu_instancing']");
+  }
+
+  @Test
+  void mutantsOfPointsAreReadOrRefused() throws IOException {
+    GltfMutationTest.checkMutants(withPoints().glb(), 0, 500);
+  }
+
+  @Test
+  @Tag("fuzz")
+  void manyMutantsOfPointsAreReadOrRefused() throws IOException {
+    long seed = Long.getLong("lumbre.fuzz.seed", System.nanoTime());
+    GltfMutationTest.checkMutants(withPoints().glb(), seed, 100_000);
   }
 
   @Test

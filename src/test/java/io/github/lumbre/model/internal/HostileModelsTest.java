@@ -12,9 +12,12 @@ import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -86,6 +89,40 @@ class HostileModelsTest {
       3 0 1 2 7
       4 0 1 2 3 8
       6 0 1 2 -1 3 0
+      """;
+
+  private static final String PLY_CLOUD =
+      """
+      ply
+      format ascii 1.0
+      comment TextureFile a.png
+      element vertex 3
+      property float x
+      property float y
+      property float z
+      property float s
+      property float t
+      property uchar red
+      property uchar green
+      property uchar blue
+      property uchar alpha
+      end_header
+      0 0 0 .5 .5 255 0 1 255
+      1 0 0 .5 1 0 255 2 128
+      1 1 .25 0 .5 1 0 0 255
+      """;
+
+  private static final String OBJ_CLOUD =
+      """
+      mtllib a.mtl
+      v 0 0 0 1 0 0
+      v 1 0 0 1 0 .5
+      v 1 1 0
+      p 1 2
+      o thing
+      usemtl red
+      p -1 2/1
+      l 1 2
       """;
 
   private static final String OBJ =
@@ -164,6 +201,7 @@ class HostileModelsTest {
 
   private static final String[] OBJ_WORDS = {
     "f",
+    "p",
     "v",
     "vt",
     "vn",
@@ -241,7 +279,9 @@ class HostileModelsTest {
     PLY_TEXT,
     PLY_LITTLE,
     PLY_BIG,
+    PLY_POINTS,
     OBJ_TEXT,
+    OBJ_POINTS,
     MTL_TEXT,
     OFF_TEXT
   }
@@ -292,6 +332,8 @@ class HostileModelsTest {
       case PLY_LITTLE ->
           new byte[][] {mutator.changed(binaryPly(ByteOrder.LITTLE_ENDIAN), 400), mtl};
       case PLY_BIG -> new byte[][] {mutator.changed(binaryPly(ByteOrder.BIG_ENDIAN), 400), mtl};
+      case PLY_POINTS -> new byte[][] {mutator.changedWords(PLY_CLOUD, PLY_WORDS), mtl};
+      case OBJ_POINTS -> new byte[][] {mutator.changedWords(OBJ_CLOUD, OBJ_WORDS), mtl};
       case OBJ_TEXT -> new byte[][] {mutator.changedWords(OBJ, OBJ_WORDS), mtl};
       case MTL_TEXT -> new byte[][] {bytes(OBJ), mutator.changedWords(MTL, MTL_WORDS)};
       case OFF_TEXT ->
@@ -318,8 +360,8 @@ class HostileModelsTest {
   private static String name(Format format) {
     return switch (format) {
       case STL_TEXT, STL_BINARY -> "a.stl";
-      case PLY_TEXT, PLY_LITTLE, PLY_BIG -> "a.ply";
-      case OBJ_TEXT, MTL_TEXT -> "a.obj";
+      case PLY_TEXT, PLY_LITTLE, PLY_BIG, PLY_POINTS -> "a.ply";
+      case OBJ_TEXT, MTL_TEXT, OBJ_POINTS -> "a.obj";
       case OFF_TEXT -> "a.off";
     };
   }
@@ -336,14 +378,18 @@ class HostileModelsTest {
     };
   }
 
-  private static void check(Model model) {
+  private static void check(Model model) throws ModelFormatException {
+    assertThat(model.pointRadius()).isPositive().isFinite();
+    ModelScene scene = new ModelScene(model, Transform.IDENTITY, Kernel.SCALAR, Limits.NONE, false);
+    long points = model.parts().stream().filter(part -> part.geometry().isPoints()).count();
+    assertThat(scene.surfaces()).hasSizeGreaterThanOrEqualTo((int) points);
     assertThat(model.parts()).isNotEmpty();
     model.warnings().forEach(HostileModelsTest::checkPrintable);
     for (ModelPart part : model.parts()) {
       ModelGeometry mesh = part.geometry();
       TriangleMesh built =
           TriangleMesh.of(mesh.positions(), mesh.normals(), mesh.uv0(), mesh.indices());
-      assertThat(built.triangleCount()).isPositive();
+      assertThat(mesh.isPoints() ? mesh.vertexCount() : built.triangleCount()).isPositive();
       assertThat(mesh.colors().length).isIn(0, 4 * mesh.vertexCount());
       for (float color : mesh.colors()) {
         assertThat(color).isBetween(0f, 1f);
