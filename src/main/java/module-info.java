@@ -7,7 +7,7 @@
  */
 module io.github.lumbre {
   requires com.google.gson;
-  requires java.desktop; // ImageIO
+  requires transitive java.desktop; // ImageIO, BufferedImage
 
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;

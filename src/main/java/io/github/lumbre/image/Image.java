@@ -1,11 +1,10 @@
 package io.github.lumbre.image;
 
+import io.github.lumbre.image.imageio.DisplayPicture;
+import io.github.lumbre.image.internal.DisplayRows;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearPicture;
-import io.github.lumbre.image.pfm.PfmWriter;
-import io.github.lumbre.image.png.PngWriter;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
+import java.awt.image.BufferedImage;
 import java.util.Objects;
 
 /**
@@ -100,13 +99,7 @@ public final class Image {
 
   /** Returns the bytes of a PFM file, which has all bits of the colors; alpha is left out. */
   public byte[] toPfm() {
-    try {
-      ByteArrayOutputStream out = new ByteArrayOutputStream();
-      PfmWriter.write(this, out);
-      return out.toByteArray();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ImageFormat.PFM.bytes(this, ImageWriter.Options.DEFAULT);
   }
 
   /** Returns the bytes of a PNG file with {@link ImageWriter.Options#DEFAULT}. */
@@ -116,13 +109,35 @@ public final class Image {
 
   /** Returns the bytes of a PNG file: those that {@link ImageWriter} writes with these options. */
   public byte[] toPng(ImageWriter.Options options) {
-    try {
-      ByteArrayOutputStream out = new ByteArrayOutputStream();
-      PngWriter.write(this, options, out);
-      return out.toByteArray();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ImageFormat.PNG.bytes(this, options);
+  }
+
+  /**
+   * Returns the bytes of a JPEG file: those that {@link ImageWriter} writes with these options.
+   *
+   * @throws IllegalArgumentException if a side is longer than {@link ImageWriter#MAX_JPEG_SIDE}
+   */
+  public byte[] toJpeg(ImageWriter.Options options) {
+    return ImageFormat.JPG.bytes(this, options);
+  }
+
+  /**
+   * Returns the bytes of an OpenEXR file, which has all bits of the colors and alpha: those that
+   * {@link ImageWriter} writes with these options.
+   */
+  public byte[] toExr(ImageWriter.Options options) {
+    return ImageFormat.EXR.bytes(this, options);
+  }
+
+  /**
+   * Returns the picture for display in Java's own type, with the pixels of {@link
+   * #toPng(ImageWriter.Options)} in 8 bits: {@code TYPE_4BYTE_ABGR} if there is alpha, otherwise
+   * {@code TYPE_3BYTE_BGR}.
+   *
+   * @param options of which exposure and tone curve are used
+   */
+  public BufferedImage toBufferedImage(ImageWriter.Options options) {
+    return DisplayPicture.of(DisplayRows.of(this, options, Byte.SIZE, hasAlpha()));
   }
 
   private int index(int x, int y) {

@@ -7,6 +7,8 @@ import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.internal.ImageFixture;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
@@ -16,6 +18,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,6 +70,50 @@ class ImageWriterTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(file + ": expected a name that ends in one of .png, .pfm, .exr, .jpg, .jpeg");
     assertThat(directory).isEmptyDirectory();
+  }
+
+  private static byte[] bytes(Image image, ImageFormat format, ImageWriter.Options options) {
+    return switch (format) {
+      case PNG -> image.toPng(options);
+      case PFM -> image.toPfm();
+      case EXR -> image.toExr(options);
+      case JPG -> image.toJpeg(options);
+    };
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void aPictureHasTheBytesOfItsFile(ImageFormat format) throws IOException {
+    Image image = ImageFixture.random(70, 133, true);
+    ImageWriter.Options options =
+        new ImageWriter.Options(Exposure.of(1), ToneCurve.ACES, 16, Map.of("Title", "a"));
+    Path file = directory.resolve("a" + format.ending());
+    byte[] expected = ImageFixture.written(image, file, options);
+    assertThat(bytes(image, format, options)).isEqualTo(expected);
+  }
+
+  @Test
+  void aJpegThatIsTooWideIsRefused() {
+    Image wide = Image.black(ImageWriter.MAX_JPEG_SIDE + 1, 1);
+    assertThatThrownBy(() -> wide.toJpeg(ImageWriter.Options.DEFAULT))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("Image of 65501x1 pixels: ");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aBufferedImageHasThePixelsOfThePng(boolean hasAlpha) throws IOException {
+    Image image = ImageFixture.random(17, 33, hasAlpha);
+    ImageWriter.Options options =
+        new ImageWriter.Options(Exposure.of(1), ToneCurve.ACES, 8, Map.of());
+    BufferedImage shown = image.toBufferedImage(options);
+    BufferedImage png = ImageIO.read(new ByteArrayInputStream(image.toPng(options)));
+    assertThat(shown.getColorModel().hasAlpha()).isEqualTo(hasAlpha);
+    for (int y = 0; y < 33; y++) {
+      for (int x = 0; x < 17; x++) {
+        assertThat(shown.getRGB(x, y)).isEqualTo(png.getRGB(x, y));
+      }
+    }
   }
 
   @ParameterizedTest

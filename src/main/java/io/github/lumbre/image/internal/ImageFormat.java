@@ -135,6 +135,21 @@ public enum ImageFormat {
     out.flush();
   }
 
+  /**
+   * Returns the bytes of a file: those that {@link ImageWriter} writes.
+   *
+   * @throws IllegalArgumentException if the picture is too large for the format
+   */
+  public byte[] bytes(Image image, ImageWriter.Options options) {
+    MemoryChannel channel = new MemoryChannel();
+    try {
+      write(image, List.of(), options, channel);
+    } catch (IOException e) {
+      throw new IllegalArgumentException(image + ": " + e.getMessage(), e);
+    }
+    return channel.toBytes();
+  }
+
   /** Returns whether the format is for display, so that exposure and tone curve are applied. */
   public boolean isForScreen() {
     return this == PNG || this == JPG;

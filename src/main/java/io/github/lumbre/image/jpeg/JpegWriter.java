@@ -2,8 +2,8 @@ package io.github.lumbre.image.jpeg;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.imageio.DisplayPicture;
 import io.github.lumbre.image.internal.DisplayRows;
-import io.github.lumbre.image.internal.SampleRows;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -34,7 +34,7 @@ public final class JpegWriter {
 
   public static void write(Image image, ImageWriter.Options options, OutputStream out)
       throws IOException {
-    BufferedImage picture = quantized(DisplayRows.of(image, options, 8, false));
+    BufferedImage picture = DisplayPicture.of(DisplayRows.of(image, options, 8, false));
     javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
@@ -51,17 +51,6 @@ public final class JpegWriter {
     } finally {
       writer.dispose();
     }
-  }
-
-  private static BufferedImage quantized(SampleRows rows) {
-    BufferedImage picture =
-        new BufferedImage(rows.width(), rows.height(), BufferedImage.TYPE_3BYTE_BGR);
-    int[] row = new int[rows.bands() * rows.width()];
-    for (int y = 0; y < rows.height(); y++) {
-      rows.read(y, row);
-      picture.getRaster().setPixels(0, y, rows.width(), 1, row);
-    }
-    return picture;
   }
 
   /** Returns the metadata that the encoder's defaults lack: sampling factors and a comment. */
