@@ -2,6 +2,7 @@ package io.github.lumbre.model.off;
 
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.Srgb;
@@ -15,6 +16,7 @@ import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
+import java.io.InterruptedIOException;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -195,5 +197,16 @@ class OffReaderTest {
     ModelOptions options = ModelOptions.DEFAULT.limitedTo(Limits.NONE.withMemory(300));
     assertThat(off("OFF;4 1 0;" + SQUARE + "4 0 1 2 3;").with(options).refusal())
         .isEqualTo("TOO_LARGE expected at most 300 bytes of memory for the model, found 320");
+  }
+
+  @Test
+  void interruptEndsTheReading() {
+    ModelFixture model = off("OFF" + ";".repeat(1 << 15) + "4 1 0;" + SQUARE + "4 0 1 2 3");
+    Thread.currentThread().interrupt();
+    try {
+      assertThatThrownBy(model::read).hasCauseInstanceOf(InterruptedIOException.class);
+    } finally {
+      assertThat(Thread.interrupted()).isTrue();
+    }
   }
 }

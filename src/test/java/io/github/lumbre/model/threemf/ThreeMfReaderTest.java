@@ -3,6 +3,7 @@ package io.github.lumbre.model.threemf;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Pixels;
@@ -21,6 +22,7 @@ import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelTexture;
 import io.github.lumbre.model.internal.ModelTexture.Wrap;
 import io.github.lumbre.model.internal.PlainModel;
+import java.io.InterruptedIOException;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -379,5 +381,16 @@ class ThreeMfReaderTest {
     String object = object("", "", "").replace("<vertices>", "<vertices>" + vertices);
     assertThat(ThreeMfSample.of(object).fixture().with(options).refusal())
         .startsWith("TOO_LARGE 3D/root.model line 8: expected at most 1000 bytes of memory");
+  }
+
+  @Test
+  void interruptEndsTheReading() {
+    ModelFixture model = ThreeMfSample.of(object("", "", "")).fixture();
+    Thread.currentThread().interrupt();
+    try {
+      assertThatThrownBy(model::read).hasCauseInstanceOf(InterruptedIOException.class);
+    } finally {
+      assertThat(Thread.interrupted()).isTrue();
+    }
   }
 }
