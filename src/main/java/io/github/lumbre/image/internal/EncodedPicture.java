@@ -9,7 +9,7 @@ import io.github.lumbre.image.Pixels;
  *
  * @param width in pixels
  * @param height in pixels
- * @param bytesPerPixel memory that decoding takes, without a few kilobytes
+ * @param bytesPerPixel memory that decoding takes, without a few megabytes
  */
 public record EncodedPicture(int width, int height, int bytesPerPixel, Decoder decoder) {
   /** Decodes the picture. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.image.ktx;
 
 import io.github.lumbre.image.ImageFormatException;
+import java.util.Arrays;
 
 /**
  * A canonical Huffman code (KTX File Format 2.0, BasisLZ/ETC1S Bitstream Specification, compressed
@@ -79,25 +80,20 @@ final class BasisCode {
 
   private static BasisCode of(BasisBits in, int... widths) throws ImageFormatException {
     int[] counts = new int[MAX_WIDTH + 1];
-    int used = 0;
-    int share = 0;
     int maxWidth = 0;
     for (int width : widths) {
-      if (width > 0) {
-        counts[width]++;
-        used++;
-        share += 1 << MAX_WIDTH - width;
-        maxWidth = Math.max(maxWidth, width);
-      }
+      counts[width]++;
+      maxWidth = Math.max(maxWidth, width);
     }
-    if (share != 1 << MAX_WIDTH && used != 1) {
-      throw in.damaged("has a Huffman code that is not complete");
-    }
-    BasisCode code = new BasisCode(maxWidth);
+    counts[0] = 0;
     int[] next = new int[MAX_WIDTH + 2];
     for (int width = 1; width <= MAX_WIDTH; width++) {
       next[width + 1] = next[width] + counts[width] << 1;
     }
+    if (next[MAX_WIDTH + 1] != 2 << MAX_WIDTH && Arrays.stream(counts).sum() != 1) {
+      throw in.damaged("has a Huffman code that is not complete");
+    }
+    BasisCode code = new BasisCode(maxWidth);
     for (int symbol = 0; symbol < widths.length; symbol++) {
       if (widths[symbol] > 0) {
         code.add(symbol, widths[symbol], next[widths[symbol]]++);

@@ -23,17 +23,19 @@ final class Etc1sPicture {
     if ((image.number(0, Integer.BYTES) & NEEDS_LAST_FRAME) != 0) {
       throw malformed("KTX has a frame of a video, expected one picture");
     }
-    long endpoints = HEADER_BYTES + (long) levels * IMAGE_BYTES;
-    long selectors = endpoints + global.word(4);
-    long codes = selectors + global.word(8);
+    long at = HEADER_BYTES + (long) levels * IMAGE_BYTES;
+    KtxInput endpoints = global.part(at, global.word(4), "the code book of colors");
+    at += endpoints.size();
+    KtxInput selectors = global.part(at, global.word(8), "the code book of selectors");
+    at += selectors.size();
     Etc1sCodeBooks books =
         Etc1sCodeBooks.read(
-            new BasisBits(global.part(endpoints, global.word(4), "the code book of colors")),
+            new BasisBits(endpoints),
             global.number(0, Short.BYTES),
-            new BasisBits(global.part(selectors, global.word(8), "the code book of selectors")),
+            new BasisBits(selectors),
             global.number(2, Short.BYTES));
-    Etc1sTables tables =
-        Etc1sTables.read(new BasisBits(global.part(codes, global.word(12), "the list of codes")));
+    KtxInput codes = global.part(at, global.word(12), "the list of codes");
+    Etc1sTables tables = Etc1sTables.read(new BasisBits(codes));
     KtxInput colors = level.part(image.word(4), image.word(8), "the slice of colors");
     new Etc1sSlice(colors, books, tables, target, false).decode();
     if (target.hasAlpha()) {

@@ -60,7 +60,15 @@ final class UastcBlock {
       Arrays.fill(texels, read(Byte.SIZE) | read(24) << Byte.SIZE);
       return texels;
     }
-    skip(mode.hintBits());
+    at += mode.hintBits();
+    byte[] pattern = readPattern(mode, offset);
+    int own = mode.channelBits() == 0 ? ALPHA : read(mode.channelBits());
+    readEnds(mode);
+    readTexels(mode, pattern, own);
+    return texels;
+  }
+
+  private byte[] readPattern(UastcMode mode, int offset) throws ImageFormatException {
     byte[][] patterns = mode.patterns();
     int number = read(mode.patternBits());
     if (number >= patterns.length) {
@@ -68,10 +76,7 @@ final class UastcBlock {
           "KTX is damaged: UASTC block %d has the pattern %d, expected at most %d"
               .formatted(offset / BYTES, number, patterns.length - 1));
     }
-    int own = mode.channelBits() == 0 ? ALPHA : read(mode.channelBits());
-    readEnds(mode);
-    readTexels(mode, patterns[number], own);
-    return texels;
+    return patterns[number];
   }
 
   /** Returns at most 31 bits of the block, the lowest first. */
@@ -82,10 +87,6 @@ final class UastcBlock {
             : at == 0 ? low : low >>> at | high << Long.SIZE - at;
     at += count;
     return (int) bits & (1 << count) - 1;
-  }
-
-  private void skip(int count) {
-    at += count;
   }
 
   /** Reads the ends of all ranges: first their digits, several in a number, then their bits. */

@@ -72,11 +72,15 @@ record LiteralCode(int bits, byte[] symbols, byte[] widths) {
           "expected weights of a code of at most " + MAX_BITS + " bits, found the sum " + sum);
     }
     weights[count] = (byte) (Integer.numberOfTrailingZeros(rest) + 1);
+    return of(bits, Arrays.copyOf(weights, count + 1));
+  }
+
+  private static LiteralCode of(int bits, byte... weights) {
     byte[] symbols = new byte[1 << bits];
     byte[] widths = new byte[1 << bits];
     int at = 0;
     for (int weight = 1; weight <= bits; weight++) {
-      for (int symbol = 0; symbol <= count; symbol++) {
+      for (int symbol = 0; symbol < weights.length; symbol++) {
         if (weights[symbol] == weight) {
           int next = at + (1 << weight - 1);
           Arrays.fill(symbols, at, next, (byte) symbol);

@@ -33,19 +33,23 @@ final class Sequences {
     literalLengths.start(source);
     offsets.start(source);
     matchLengths.start(source);
-    for (int i = 0; i < count; i++) {
-      if (i > 0) {
-        literalLengths.advance(source);
-        matchLengths.advance(source);
-        offsets.advance(source);
-      }
-      long offset = offsets.value(source);
-      long match = matchLengths.value(source);
-      long literal = literalLengths.value(source);
-      literals.copy(in, out, (int) literal);
-      out.repeat(distance(offset, literal == 0), (int) match);
+    execute(in, source, literals, out);
+    for (int i = 1; i < count; i++) {
+      literalLengths.advance(source);
+      matchLengths.advance(source);
+      offsets.advance(source);
+      execute(in, source, literals, out);
     }
     source.requireEnd();
+  }
+
+  private void execute(ZstdInput in, BackwardBits source, Literals literals, ZstdOutput out)
+      throws ImageFormatException {
+    long offset = offsets.value(source);
+    long match = matchLengths.value(source);
+    long literal = literalLengths.value(source);
+    literals.copy(in, out, (int) literal);
+    out.repeat(distance(offset, literal == 0), (int) match);
   }
 
   private static int count(ZstdInput in) throws ImageFormatException {
