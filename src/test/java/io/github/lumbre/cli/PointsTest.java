@@ -65,18 +65,18 @@ class PointsTest {
       runs(
           "render T/cloud.obj -o T/a.png --overwrite --background transparent --points 3 --view "
               + view
-              + SMALL);
+              + SMALL.replace("24x18", "60x45"));
       BufferedImage picture = ImageIO.read(folder.resolve("a.png").toFile());
       int covered = 0;
-      for (int y = 0; y < 18; y++) {
-        for (int x = 0; x < 24; x++) {
+      for (int y = 0; y < 45; y++) {
+        for (int x = 0; x < 60; x++) {
           int alpha = picture.getRGB(x, y) >>> 24;
-          boolean isBorder = x == 0 || y == 0 || x == 23 || y == 17;
+          boolean isBorder = x == 0 || y == 0 || x == 59 || y == 44;
           assertThat(isBorder ? alpha : 0).as(view).isZero();
           covered += alpha > 0 ? 1 : 0;
         }
       }
-      assertThat(covered).as(view).isGreaterThan(100);
+      assertThat(covered).as(view).isGreaterThan(600);
     }
   }
 }
