@@ -43,9 +43,9 @@ import picocli.CommandLine.Spec;
     name = "compare",
     header = "Measure the error of a picture against a reference.",
     description =
-        "Read PNG, JPEG, PFM, Radiance HDR and OpenEXR. Pictures are compared in linear light: PNG"
-            + " and JPEG are decoded from sRGB. Alpha is ignored; the colors of OpenEXR are those"
-            + " in the file, multiplied by alpha.",
+        "Read PNG, JPEG and the other formats of textures, PFM, Radiance HDR and OpenEXR. Pictures"
+            + " are compared in linear light: those of textures are decoded from sRGB. Alpha is"
+            + " ignored; the colors of OpenEXR are those in the file, multiplied by alpha.",
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     footer = {

@@ -65,7 +65,7 @@ public final class ModelFlags {
       paramLabel = "NAME|FILE",
       description =
           "Light from studio, white, or a latitude-longitude picture: HDR, OpenEXR, PFM,"
-              + " PNG or JPEG (studio).")
+              + " or PNG, JPEG and the other formats of textures (studio).")
   private Optional<String> sky;
 
   @Option(

@@ -10,8 +10,10 @@ import io.github.lumbre.image.png.PngTransparency;
 import java.awt.image.BufferedImage;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -41,6 +43,7 @@ public final class TiffFile {
   private static final int TILE_BYTES = 325;
   private static final int EXTRA_CHANNELS = 338;
   private static final int SAMPLE_FORMAT = 339;
+  private static final int PROFILE = 34675;
 
   /**
    * The fields that the decoder receives. Besides those above: bit order, rows per strip, planes,
@@ -126,6 +129,25 @@ public final class TiffFile {
     } catch (IndexOutOfBoundsException e) {
       throw malformed("TIFF is truncated");
     }
+  }
+
+  /**
+   * Returns the ICC profile of a file that {@link #startsIn} recognizes; empty if there is none.
+   *
+   * @throws IndexOutOfBoundsException if the file is truncated
+   */
+  public static byte[] profile(byte[] file) {
+    ByteBuffer in = ByteBuffer.wrap(file).order(order(file));
+    int start = in.getInt(4);
+    int count = in.getShort(start) & 0xffff;
+    for (int at = start + Short.BYTES; at < start + Short.BYTES + ENTRY * count; at += ENTRY) {
+      if ((in.getShort(at) & 0xffff) == PROFILE) {
+        int size = in.getInt(at + 4);
+        int from = Objects.checkFromIndexSize(in.getInt(at + 8), size, file.length);
+        return Arrays.copyOfRange(file, from, from + size);
+      }
+    }
+    return new byte[0];
   }
 
   private EncodedPicture open() throws ImageFormatException {

@@ -2,6 +2,7 @@ package io.github.lumbre.image.internal;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.imageio.TiffFile;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.webp.WebpFile;
@@ -15,8 +16,8 @@ import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 
 /**
- * Finds the color space that a PNG, JPEG or WebP file states if it is not sRGB, because {@link
- * ImageReader} ignores it. Only the description of an ICC profile is decoded. Sources: PNG
+ * Finds the color space that a PNG, JPEG, WebP or TIFF file states if it is not sRGB, because
+ * {@link ImageReader} ignores it. Only the description of an ICC profile is decoded. Sources: PNG
  * specification, third edition, sec. 11.3.2; ICC.1:2022, sec. 7 and B.4.
  */
 public final class ColorTag {
@@ -48,8 +49,9 @@ public final class ColorTag {
       if (PngFile.startsIn(file)) {
         return ofPng(ByteBuffer.wrap(file));
       }
-      if (WebpFile.startsIn(file)) {
-        byte[] profile = WebpFile.profile(file);
+      boolean isWebp = WebpFile.startsIn(file);
+      if (isWebp || TiffFile.startsIn(file)) {
+        byte[] profile = isWebp ? WebpFile.profile(file) : TiffFile.profile(file);
         return profile.length == 0 ? Optional.empty() : profile(profile);
       }
       return JpegFile.startsIn(file) ? ofJpeg(ByteBuffer.wrap(file)) : Optional.empty();

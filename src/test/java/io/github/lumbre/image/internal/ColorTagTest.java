@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.CRC32;
@@ -63,6 +64,16 @@ class ColorTagTest {
     return inserted(picture("jpeg"), 2, segment.put(head).put(profile).array());
   }
 
+  /** Returns a TIFF whose directory, the last in the file, has a profile after it. */
+  private static byte[] tiff(byte[] profile, ByteOrder order) {
+    ByteBuffer file = ByteBuffer.allocate(8 + 2 + 2 * 12 + 4 + profile.length).order(order);
+    file.put(order == ByteOrder.LITTLE_ENDIAN ? new byte[] {'I', 'I'} : new byte[] {'M', 'M'});
+    file.putShort((short) 42).putInt(8).putShort((short) 2);
+    file.putShort((short) 256).putShort((short) 4).putInt(1).putInt(1);
+    file.putShort((short) 34675).putShort((short) 7).putInt(profile.length).putInt(38);
+    return file.putInt(0).put(profile).array();
+  }
+
   private static byte[] profile(int space) {
     return ICC_Profile.getInstance(space).getData();
   }
@@ -93,6 +104,10 @@ class ColorTagTest {
     String found = "an ICC profile (Adobe RGB (1998))";
     assertThat(ImageReader.ignoredColorSpace(profiled(adobe))).contains(found);
     assertThat(ImageReader.ignoredColorSpace(jpeg(adobe))).contains(found);
+    for (ByteOrder order : new ByteOrder[] {ByteOrder.LITTLE_ENDIAN, ByteOrder.BIG_ENDIAN}) {
+      assertThat(ImageReader.ignoredColorSpace(tiff(adobe, order))).contains(found);
+      assertThat(ImageReader.ignoredColorSpace(tiff(srgb, order))).isEmpty();
+    }
     byte[] linear = profile(ColorSpace.CS_LINEAR_RGB);
     assertThat(ImageReader.ignoredColorSpace(profiled(linear)).orElseThrow())
         .startsWith("an ICC profile");
@@ -114,6 +129,10 @@ class ColorTagTest {
     }
     for (int length = 0; length < jpeg.length; length++) {
       assertThat(ImageReader.ignoredColorSpace(Arrays.copyOf(jpeg, length))).isNotNull();
+    }
+    byte[] tiff = tiff(named("Adobe RGB (1998)"), ByteOrder.BIG_ENDIAN);
+    for (int length = 0; length < tiff.length; length++) {
+      assertThat(ImageReader.ignoredColorSpace(Arrays.copyOf(tiff, length))).isEmpty();
     }
     byte[] wild = named("x");
     ByteBuffer.wrap(wild).putInt(136, Integer.MAX_VALUE);
