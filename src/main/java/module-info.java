@@ -8,6 +8,7 @@
 module io.github.lumbre {
   requires com.google.gson;
   requires transitive java.desktop; // ImageIO, BufferedImage
+  requires static org.jspecify; // annotations for compilers and editors
 
   exports io.github.lumbre.math;
   exports io.github.lumbre.image;

@@ -28,6 +28,7 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
+import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -68,6 +69,16 @@ class ExportedApiTest {
     long nested = types.stream().filter(Class::isMemberClass).count();
     assertThat(types.size() - nested).isLessThanOrEqualTo(MOST_TYPES);
     assertThat(nested).isLessThanOrEqualTo(MOST_NESTED);
+  }
+
+  /** Compilers of Kotlin, and checkers of Java, then refuse null wherever it is not accepted. */
+  @Test
+  void everyExportedPackageSaysWhatMayBeNull() throws Exception {
+    for (Path folder : exportedFolders()) {
+      String name = SOURCES.relativize(folder).toString().replaceAll("[/\\\\]", ".");
+      Class<?> notes = Class.forName(name + ".package-info");
+      assertThat(notes.isAnnotationPresent(NullMarked.class)).as(name).isTrue();
+    }
   }
 
   private static List<Path> exportedFolders() throws IOException {

@@ -6,4 +6,7 @@
  * {@link io.github.lumbre.audit.Pilot}, a deterministic pilot render of 64 × 48 points over the
  * frame with 2 samples each.
  */
+@NullMarked
 package io.github.lumbre.audit;
+
+import org.jspecify.annotations.NullMarked;

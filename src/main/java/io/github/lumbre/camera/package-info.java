@@ -7,4 +7,7 @@
  * io.github.lumbre.camera.ThinLensCamera} is a disk, or a mask that {@link
  * io.github.lumbre.camera.BokehCache} samples.
  */
+@NullMarked
 package io.github.lumbre.camera;
+
+import org.jspecify.annotations.NullMarked;

@@ -9,4 +9,7 @@
  * io.github.lumbre.checkpoint.internal.Checkpoints} controls. {@link io.github.lumbre.checkpoint.FilmMerge}
  * merges films of one picture.
  */
+@NullMarked
 package io.github.lumbre.checkpoint;
+
+import org.jspecify.annotations.NullMarked;

@@ -7,4 +7,7 @@
  * the difference is. Colors are multiplied by alpha, as if over black. All types are immutable or
  * stateless, and thread-safe.
  */
+@NullMarked
 package io.github.lumbre.compare;
+
+import org.jspecify.annotations.NullMarked;

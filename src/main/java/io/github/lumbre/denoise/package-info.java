@@ -5,4 +5,7 @@
  * <p>A denoised picture is an estimate: it is biased, and error bounds of the render do not hold
  * for it.
  */
+@NullMarked
 package io.github.lumbre.denoise;
+
+import org.jspecify.annotations.NullMarked;

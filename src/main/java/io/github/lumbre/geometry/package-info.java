@@ -14,4 +14,7 @@
  * of a ray that leaves a surface is offset by an error bound computed from the hit, not by a fixed
  * epsilon; only {@code SurfaceHit} does this.
  */
+@NullMarked
 package io.github.lumbre.geometry;
+
+import org.jspecify.annotations.NullMarked;

@@ -13,4 +13,7 @@
  *
  * <p>All public types are immutable or stateless, and safe for use by any thread.
  */
+@NullMarked
 package io.github.lumbre.image;
+
+import org.jspecify.annotations.NullMarked;

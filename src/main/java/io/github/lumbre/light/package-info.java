@@ -11,4 +11,7 @@
  * <p>Radiance is linear RGB, densities are per solid angle at the lit point, and positions and
  * directions are in world space.
  */
+@NullMarked
 package io.github.lumbre.light;
+
+import org.jspecify.annotations.NullMarked;

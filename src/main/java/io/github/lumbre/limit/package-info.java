@@ -5,4 +5,7 @@
  * io.github.lumbre.limit.Limits#excess} words what exceeds a limit. Readers count what they are about
  * to allocate, and compare it with these.
  */
+@NullMarked
 package io.github.lumbre.limit;
+
+import org.jspecify.annotations.NullMarked;

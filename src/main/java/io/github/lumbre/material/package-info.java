@@ -10,4 +10,7 @@
  * <p>A path carries radiance divided by the squared index of refraction, which refraction leaves
  * unchanged. BSDFs therefore apply no factor when light enters or leaves glass.
  */
+@NullMarked
 package io.github.lumbre.material;
+
+import org.jspecify.annotations.NullMarked;

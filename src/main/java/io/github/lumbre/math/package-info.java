@@ -13,4 +13,7 @@
  * <p>All types are immutable and safe for use by any thread. This package depends on no other
  * package.
  */
+@NullMarked
 package io.github.lumbre.math;
+
+import org.jspecify.annotations.NullMarked;

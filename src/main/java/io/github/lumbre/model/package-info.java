@@ -4,4 +4,7 @@
  * are built in code place. Each format has a package here, which the module does not export; {@code
  * draco} and {@code meshopt} decode compressed data of glTF files.
  */
+@NullMarked
 package io.github.lumbre.model;
+
+import org.jspecify.annotations.NullMarked;

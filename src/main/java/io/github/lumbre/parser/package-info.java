@@ -11,4 +11,7 @@
  * is built of what was read of the model, with the bits of the scene file that {@code lumbre import}
  * writes.
  */
+@NullMarked
 package io.github.lumbre.parser;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  * io.github.lumbre.preview.PreviewListener}, for example a window. Previews take at most about one
  * hundredth of the rendering time, and none if nobody is watching.
  */
+@NullMarked
 package io.github.lumbre.preview;
+
+import org.jspecify.annotations.NullMarked;

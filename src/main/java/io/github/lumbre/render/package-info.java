@@ -9,4 +9,7 @@
  * bit-identical for any order of work. A {@link io.github.lumbre.render.Progress} receives progress
  * and can cancel. {@link io.github.lumbre.render.PixelReplay} repeats single samples.
  */
+@NullMarked
 package io.github.lumbre.render;
+
+import org.jspecify.annotations.NullMarked;

@@ -9,4 +9,7 @@
  * warp, with the suffix {@code Pdf}. Densities are per solid angle unless stated otherwise. Local
  * frames have the normal on +z.
  */
+@NullMarked
 package io.github.lumbre.sampling;
+
+import org.jspecify.annotations.NullMarked;

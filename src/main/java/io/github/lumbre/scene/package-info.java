@@ -6,4 +6,7 @@
  * it builds is complete and finds the hits of rays. {@link io.github.lumbre.scene.RenderSettings}
  * holds the settings of a render.
  */
+@NullMarked
 package io.github.lumbre.scene;
+
+import org.jspecify.annotations.NullMarked;

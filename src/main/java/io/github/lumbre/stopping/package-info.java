@@ -8,4 +8,7 @@
  * error of the current picture. All types except {@link io.github.lumbre.stopping.BudgetWatch} are
  * immutable or, like the internal estimator, confined to one call.
  */
+@NullMarked
 package io.github.lumbre.stopping;
+
+import org.jspecify.annotations.NullMarked;

@@ -11,4 +11,7 @@
  * io.github.lumbre.texture.NormalMap} bends normals by one. The package {@code internal} has the
  * kinds of textures.
  */
+@NullMarked
 package io.github.lumbre.texture;
+
+import org.jspecify.annotations.NullMarked;
