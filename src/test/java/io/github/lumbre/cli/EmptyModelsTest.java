@@ -87,7 +87,7 @@ class EmptyModelsTest {
         of(
             "other-scene.gltf",
             gltf("", "", "").replace("{\"nodes\": [0]}", "{}"),
-            " (no node of the scene has a mesh; all meshes are left out)"),
+            " (no visible node of the scene has a mesh; all meshes are left out)"),
         of("nothing.gltf", "{\"asset\": {\"version\": \"2.0\"}}", ""),
         of(
             "light.gltf",

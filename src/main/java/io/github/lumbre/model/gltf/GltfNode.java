@@ -55,6 +55,25 @@ record GltfNode(
             : OptionalInt.empty());
   }
 
+  /**
+   * Returns this node without its mesh and light. Its camera stays, as KHR_node_visibility asks.
+   */
+  GltfNode hidden() {
+    return new GltfNode(
+        name,
+        location,
+        children,
+        matrix,
+        translation,
+        rotation,
+        scale,
+        weights,
+        OptionalInt.empty(),
+        skin,
+        camera,
+        OptionalInt.empty());
+  }
+
   private static Optional<GltfMatrix> matrix(GltfJson json) throws ModelFormatException {
     if (!json.has("matrix")) {
       return Optional.empty();

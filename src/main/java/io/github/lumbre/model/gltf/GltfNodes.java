@@ -6,10 +6,14 @@ import io.github.lumbre.model.internal.ModelLimits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /** The nodes of a glTF file: trees, and their transforms to world space. Mutable. */
 final class GltfNodes {
+  /** The extension that hides nodes. */
+  static final String VISIBILITY = "KHR_node_visibility";
+
   private static final int NONE = -1;
 
   private final GltfDocument document;
@@ -32,6 +36,22 @@ final class GltfNodes {
     }
     parents = parents();
     toWorld = new ArrayList<>(nodes.size());
+    for (int hidden : withDescendants(hidden(section))) {
+      nodes.set(hidden, nodes.get(hidden).hidden());
+    }
+  }
+
+  /** Returns the nodes that hide themselves and all below them. */
+  private static int[] hidden(List<GltfJson> section) throws ModelFormatException {
+    int[] hidden = new int[section.size()];
+    int count = 0;
+    for (int i = 0; i < hidden.length; i++) {
+      Optional<GltfJson> extension = section.get(i).extension(VISIBILITY);
+      if (extension.isPresent() && !extension.get().flag("visible", true)) {
+        hidden[count++] = i;
+      }
+    }
+    return Arrays.copyOf(hidden, count);
   }
 
   /** Returns a node. */
@@ -114,19 +134,24 @@ final class GltfNodes {
   }
 
   /** Returns the nodes of the default scene, else of the first one, else all, by their indices. */
-  int[] visible() throws ModelFormatException {
+  int[] shown() throws ModelFormatException {
+    int[] shown = withDescendants(roots());
+    Arrays.sort(shown);
+    return shown;
+  }
+
+  /** Returns nodes and all below them, each once. */
+  private int[] withDescendants(int[] ancestors) {
     int[] queue = new int[nodes.size()];
     boolean[] seen = new boolean[nodes.size()];
     int end = 0;
-    for (int root : roots()) {
-      end = append(root, queue, end, seen);
+    for (int ancestor : ancestors) {
+      end = append(ancestor, queue, end, seen);
     }
     for (int begin = 0; begin < end; begin++) {
       end = appendChildren(queue[begin], queue, end, seen);
     }
-    int[] visible = Arrays.copyOf(queue, end);
-    Arrays.sort(visible);
-    return visible;
+    return Arrays.copyOf(queue, end);
   }
 
   /** Adds a node to a queue unless it was there, and returns the new end of the queue. */

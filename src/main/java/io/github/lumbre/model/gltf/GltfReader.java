@@ -113,7 +113,7 @@ public final class GltfReader {
 
   private Model read() throws ModelFormatException, IOException {
     nodes.place(pose);
-    for (int index : nodes.visible()) {
+    for (int index : nodes.shown()) {
       GltfNode node = nodes.get(index);
       Interrupts.check();
       if (node.mesh().isPresent() || node.camera().isPresent() || node.light().isPresent()) {
@@ -139,13 +139,15 @@ public final class GltfReader {
 
   /** Adds a warning if the scene names none of the file's meshes. */
   private void warnOfUnusedMeshes() throws ModelFormatException {
-    for (int index : nodes.visible()) {
+    for (int index : nodes.shown()) {
       if (nodes.get(index).mesh().isPresent()) {
         return;
       }
     }
     if (document.size("meshes") > 0) {
-      document.warnings().add("", "no node of the scene has a mesh; all meshes are left out");
+      document
+          .warnings()
+          .add("", "no visible node of the scene has a mesh; all meshes are left out");
     }
   }
 

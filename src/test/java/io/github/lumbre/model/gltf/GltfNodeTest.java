@@ -62,6 +62,31 @@ class GltfNodeTest {
     assertThat(part.name()).isEqualTo("leaf");
   }
 
+  /** KHR_node_visibility: with all nodes below, also those that say that they are visible. */
+  @Test
+  void hiddenNodesHaveNeitherMeshesNorLights() throws ModelFormatException, IOException {
+    file.triangle("");
+    file.add("cameras", "{'type': 'perspective', 'perspective': {'yfov': 1, 'znear': 1}}");
+    file.set(
+        "extensions",
+        "{'KHR_lights_punctual': {'lights': [{'type': 'point'}, {'type': 'point'}]}}");
+    file.set("extensionsRequired", "['KHR_node_visibility', 'KHR_lights_punctual']");
+    String hidden = "'KHR_node_visibility': {'visible': false}";
+    String shown = "'KHR_node_visibility': {'visible': true}";
+    node("{'mesh': 0, 'children': [1, 2], 'extensions': {%s}}".formatted(hidden));
+    node("{'mesh': 0, 'camera': 0, 'extensions': {%s}}".formatted(shown));
+    node("{'extensions': {'KHR_lights_punctual': {'light': 0}}}");
+    node("{'mesh': 0, 'extensions': {'KHR_node_visibility': {}}}");
+    node("{'mesh': 0, 'extensions': {%s}}".formatted(shown));
+    node("{'extensions': {'KHR_lights_punctual': {'light': 1}}}");
+    Model model = file.read();
+    assertThat(model.parts())
+        .extracting(ModelPart::location)
+        .containsExactly("nodes[3].mesh.primitives[0]", "nodes[4].mesh.primitives[0]");
+    assertThat(model.cameras()).hasSize(1);
+    assertThat(model.lights()).hasSize(1);
+  }
+
   @Test
   void rotationsAreNormalized() throws ModelFormatException, IOException {
     file.triangle("");

@@ -93,7 +93,9 @@ class GltfPlacedTest {
       strings = {
         "EXT_structural_metadata",
         "EXT_mesh_features",
+        "FB_geometry_metadata",
         "FB_ngon_encoding",
+        "KHR_collision_shapes",
         "KHR_xmp_json_ld",
         "KHR_physics_rigid_bodies",
         "OMI_collider"
