@@ -116,7 +116,10 @@ class EmptyModelsTest {
             "flat.ply",
             PLY + XYZ + FACES.formatted(1) + "3 0 1 2\n",
             " (dropped triangles of zero area: 1)"),
-        of("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", ""),
+        of(
+            "nan.off",
+            "OFF\n2 0 0\nnan 0 0\n1 0 inf\n",
+            " (left out points that are not finite numbers: 2)"),
         of(
             "edges.off",
             "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n",

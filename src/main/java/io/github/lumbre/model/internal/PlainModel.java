@@ -3,6 +3,7 @@ package io.github.lumbre.model.internal;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import java.util.List;
 
@@ -72,6 +73,23 @@ public final class PlainModel {
         .set(MaterialParameter.METALLIC, 0)
         .set(MaterialParameter.SPECULAR, 0)
         .doubleSided(true);
+  }
+
+  /**
+   * Returns a model whose vertices are points; those that are not finite are left out.
+   *
+   * @param location of the points in the file, for warnings
+   */
+  public static Model cloud(
+      String location, ModelGeometry vertices, Transform toWorld, Warnings warnings) {
+    ModelGeometry points = vertices.points();
+    int broken = vertices.vertexCount() - points.vertexCount();
+    if (broken > 0) {
+      warnings.add(location, "left out points that are not finite numbers: " + broken);
+    }
+    showInvisible(location, points.colors(), warnings);
+    ModelPart part = new ModelPart("", "", points, material(points.colors()), toWorld);
+    return of(points.isVisible() ? List.of(part) : List.of(), warnings.all());
   }
 
   /** Returns a model that has parts only. */

@@ -20,7 +20,7 @@ import java.util.Optional;
 /**
  * Reads OFF texts (Geomview manual, "OFF: Object File Format"), with normals, colors and texture
  * coordinates of vertices, and colors of faces. Polygons become triangle fans. Colors of vertices
- * win over those of faces. Not reusable.
+ * win over those of faces. Without faces, the vertices are points. Not reusable.
  */
 public final class OffReader {
   /** The fewest bytes of a triangle: {@code 3 0 1 2} with a line end. */
@@ -51,6 +51,9 @@ public final class OffReader {
     header = OffHeader.read(scanner, size);
     vertices = new OffVertices(header, options.limits());
     colors = new OffColors(header.faces());
+    if (header.faces() == 0) {
+      ModelLimits.require("", "points", options.limits().triangles(), header.vertices());
+    }
     int expected = Math.min(header.faces(), size / TRIANGLE_BYTES);
     ModelLimits.requireTriangles("", expected, options.limits());
     ModelLimits.requireMemory("", 16L * expected, options.limits());
@@ -82,7 +85,9 @@ public final class OffReader {
       warnings.add(scanner.location(), "ignored what follows the last face");
     }
     tally.addTo(warnings);
-    return PlainModel.of(List.of(part()), warnings.all());
+    return header.faces() == 0
+        ? PlainModel.cloud("", vertices.geometry(), options.toWorld(), warnings)
+        : PlainModel.of(List.of(part()), warnings.all());
   }
 
   private void readFace(int face) throws ModelFormatException {

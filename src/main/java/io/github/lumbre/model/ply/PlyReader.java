@@ -138,15 +138,7 @@ public final class PlyReader {
       warnings.add("comment TextureFile", "ignored, since points have no textures");
     }
     ModelGeometry all = vertices.geometry(new int[0]);
-    ModelGeometry points = all.points();
-    int broken = all.vertexCount() - points.vertexCount();
-    if (broken > 0) {
-      warnings.add("element vertex", "left out points that are not finite numbers: " + broken);
-    }
-    PlainModel.showInvisible("element vertex", points.colors(), warnings);
-    ModelMaterial material = PlainModel.material(points.colors());
-    ModelPart part = new ModelPart("", "", points, material, options.toWorld());
-    return PlainModel.of(points.isVisible() ? List.of(part) : List.of(), warnings.all());
+    return PlainModel.cloud("element vertex", all, options.toWorld(), warnings);
   }
 
   private Model mesh(ModelFolder folder) throws ModelFormatException, IOException {

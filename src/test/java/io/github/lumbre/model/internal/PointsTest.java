@@ -23,7 +23,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/** Points of glTF, OBJ and PLY files are spheres. */
+/** Points of glTF, OBJ, PLY and OFF files are spheres. */
 class PointsTest {
   private static final String PLY = "ply\nformat ascii 1.0\nelement vertex %d\n";
   private static final String XYZ = "property float x\nproperty float y\nproperty float z\n";
@@ -73,6 +73,17 @@ class PointsTest {
 
   private String positions(double... numbers) {
     return "'POSITION': " + file.floats("VEC3", numbers);
+  }
+
+  @Test
+  void verticesOfOffWithoutFacesArePoints() throws ModelFormatException {
+    String text = "COFF\n3 0 0\n0 0 0 255 0 0 255\n2 0 0 0 255 0 255\nnan 0 0 0 0 0 255\n";
+    Model model = new ModelFixture("a.off", text).read();
+    assertBounds(model, new Vec3(-1, -1, -1), new Vec3(3, 1, 1));
+    assertThat(surfaces(model)).hasSize(1);
+    assertThat(model.warnings()).containsExactly("left out points that are not finite numbers: 1");
+    float[] colors = model.parts().get(0).geometry().colors();
+    assertThat(colors).containsExactly(1, 0, 0, 1, 0, 1, 0, 1);
   }
 
   @Test
