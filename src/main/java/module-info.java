@@ -30,4 +30,5 @@ module io.github.lumbre {
   exports io.github.lumbre.parser;
   exports io.github.lumbre.audit;
   exports io.github.lumbre.compare;
+  exports io.github.lumbre.thumbnail;
 }

@@ -88,9 +88,14 @@ class JavaPageTest {
     assertThat(exported).hasSizeGreaterThan(50).allMatch(named::contains);
   }
 
-  @Test
-  void exampleOfServersRuns() throws Exception {
-    runs(blocks("servers.md").get(0), blocks("servers.md").get(1));
+  static Stream<Named<String>> examplesOfServers() throws Exception {
+    return examples("servers.md");
+  }
+
+  @ParameterizedTest
+  @MethodSource("examplesOfServers")
+  void exampleOfServersRuns(String example) throws Exception {
+    runs(blocks("servers.md").get(0), example);
   }
 
   /** The page names the six imports of the first picture. */

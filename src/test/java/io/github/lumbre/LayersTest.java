@@ -47,7 +47,7 @@ class LayersTest {
   private static final String LIBRARY =
       "math image sampling texture geometry file text limit json path material camera light scene"
           + " model guiding integrator render parser checkpoint denoise stopping preview audit"
-          + " compare";
+          + " compare thumbnail";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -86,6 +86,7 @@ class LayersTest {
               "math image sampling texture geometry path material camera light scene render"
                   + " parser"),
           Map.entry("compare", "math image"),
+          Map.entry("thumbnail", "image limit scene model render parser denoise"),
           Map.entry("lab", "image file scene render parser"),
           Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),

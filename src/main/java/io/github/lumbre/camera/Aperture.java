@@ -1,5 +1,6 @@
 package io.github.lumbre.camera;
 
+import io.github.lumbre.camera.internal.BokehCache;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.Warp;
@@ -25,6 +26,17 @@ public interface Aperture {
           return x * x + y * y <= 1;
         }
       };
+
+  /**
+   * Returns the shape of a black and white mask, one unit wide, one unit high and centered.
+   *
+   * @param white {@code [row][column]}, with row 0 at the <b>bottom</b>; all rows have the same
+   *     length
+   * @throws IllegalArgumentException if no texel is white
+   */
+  static Aperture mask(boolean[][] white) {
+    return new BokehCache(white);
+  }
 
   /**
    * Samples a uniform point of the lens with the camera dimensions of the current sample. In the

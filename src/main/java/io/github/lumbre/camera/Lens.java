@@ -41,7 +41,7 @@ public sealed interface Lens {
    * @param fovDegrees the full vertical angle of view, in degrees, in (0, 180)
    * @param focusDistance from the lens to the plane of focus, in world units, &gt; 0
    * @param apertureSize in world units, ≥ 0: the radius of a disk, the width of a mask
-   * @param aperture the shape: {@link Aperture#DISK} or a {@link BokehCache}
+   * @param aperture the shape: {@link Aperture#DISK} or {@link Aperture#mask}
    */
   record ThinLens(double fovDegrees, double focusDistance, double apertureSize, Aperture aperture)
       implements Lens {
@@ -57,9 +57,9 @@ public sealed interface Lens {
           position, axes, aspect, fovDegrees, focusDistance, apertureSize, aperture);
     }
 
-    /** Returns this lens with the shape of a mask; see {@link BokehCache}. */
-    public ThinLens shaped(BokehCache mask) {
-      return new ThinLens(fovDegrees, focusDistance, apertureSize, mask);
+    /** Returns this lens with the another shape, such as {@link Aperture#mask}. */
+    public ThinLens shaped(Aperture shape) {
+      return new ThinLens(fovDegrees, focusDistance, apertureSize, shape);
     }
   }
 

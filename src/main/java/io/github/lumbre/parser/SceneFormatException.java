@@ -21,9 +21,11 @@ public final class SceneFormatException extends Exception {
   private final Problem[] problems;
 
   /**
+   * Creates an exception.
+   *
    * @param problems at least one
    */
-  SceneFormatException(Kind kind, List<Problem> problems) {
+  public SceneFormatException(Kind kind, List<Problem> problems) {
     super(
         problems.stream()
             .map(Problem::toString)

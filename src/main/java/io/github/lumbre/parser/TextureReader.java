@@ -1,7 +1,6 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.camera.Aperture;
-import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.limit.internal.Interrupts;
@@ -250,6 +249,6 @@ final class TextureReader {
       camera.error(key, "expected a mask with white pixels, found none");
       return Optional.empty();
     }
-    return Optional.of(new BokehCache(white));
+    return Optional.of(Aperture.mask(white));
   }
 }

@@ -3,9 +3,9 @@ package io.github.lumbre.parser;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.camera.Aperture;
-import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.Viewpoint;
+import io.github.lumbre.camera.internal.BokehCache;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
@@ -238,6 +238,6 @@ final class WrittenObjects {
     if (aperture == Aperture.DISK) {
       return Optional.empty();
     }
-    throw new Unwritable("aperture: a disk or a BokehCache", Written.name(aperture));
+    throw new Unwritable("aperture: a disk or a mask", Written.name(aperture));
   }
 }

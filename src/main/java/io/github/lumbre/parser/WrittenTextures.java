@@ -1,7 +1,7 @@
 package io.github.lumbre.parser;
 
 import com.google.gson.JsonObject;
-import io.github.lumbre.camera.BokehCache;
+import io.github.lumbre.camera.internal.BokehCache;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;

@@ -30,7 +30,7 @@ class CameraTest {
   private static List<Camera> cameras(Vec3 position, Frame axes, double aspect) {
     List<Camera> cameras = new ArrayList<>(camerasWithoutLens(position, axes, aspect));
     cameras.add(new ThinLensCamera(position, axes, aspect, 60, 5, .2, Aperture.DISK));
-    BokehCache mask = new BokehCache(new boolean[][] {{true, false}, {false, false}});
+    Aperture mask = Aperture.mask(new boolean[][] {{true, false}, {false, false}});
     cameras.add(new ThinLensCamera(position, axes, aspect, 60, 5, .2, mask));
     return cameras;
   }

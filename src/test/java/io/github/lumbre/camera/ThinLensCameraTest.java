@@ -184,7 +184,7 @@ class ThinLensCameraTest {
   /** A highlight behind the plane of focus forms an upright image of the lens on the film. */
   @Test
   void highlightBehindTheFocusShowsTheLensUprightAndOneBeforeItTurned() {
-    BokehCache upperRight = new BokehCache(new boolean[][] {{false, false}, {false, true}});
+    Aperture upperRight = Aperture.mask(new boolean[][] {{false, false}, {false, true}});
     ThinLensCamera camera = new ThinLensCamera(Vec3.ZERO, Frame.WORLD, 1.5, FOV, 5, 1, upperRight);
     ScriptedSampler sampler = new ScriptedSampler().with(Sampler.LENS, .75, .75);
     Vec3 lens = camera.rayFor(new Point2(.5, .5), sampler).orElseThrow().origin();

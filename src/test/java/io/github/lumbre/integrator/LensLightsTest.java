@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Aperture;
-import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.geometry.Rectangle;
@@ -134,7 +133,7 @@ class LensLightsTest {
   @ParameterizedTest
   @EnumSource(MisHeuristic.class)
   void masksHideTheLampFromClosedParts(MisHeuristic heuristic) {
-    aperture = new BokehCache(new boolean[][] {{true, false}, {false, true}});
+    aperture = Aperture.mask(new boolean[][] {{true, false}, {false, true}});
     double open = .5 * (2 * RADIUS) * (2 * RADIUS);
     double seen = Math.pow(SIDE * FOCUS / (DISTANCE - FOCUS), 2) / 2;
     assertMean(samples(lamp(), heuristic), RADIANCE * seen / open);

@@ -13,7 +13,7 @@ import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 
-import io.github.lumbre.camera.BokehCache;
+import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Mesh;
@@ -170,7 +170,7 @@ final class RandomScene {
       case 1 -> Lens.thinLens(50, 6 * random.nextDouble() + .1, random.nextDouble());
       case 2 ->
           Lens.thinLens(50, 5, .5)
-              .shaped(new BokehCache(new boolean[][] {{true, false, true}, {false, true, false}}));
+              .shaped(Aperture.mask(new boolean[][] {{true, false, true}, {false, true, false}}));
       case 3 -> Lens.orthographic(3 + random.nextDouble());
       case 4 -> Lens.cylindrical(random.nextDouble() + .5);
       case 5 -> Lens.spherical();

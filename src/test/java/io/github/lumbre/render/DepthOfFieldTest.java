@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Aperture;
-import io.github.lumbre.camera.BokehCache;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.camera.ThinLensCamera;
@@ -58,7 +57,7 @@ class DepthOfFieldTest {
     // The white part is the right quarter of the upper half of the lens, whose mean is (3/8, 1/4)
     // of its width.
     boolean[][] white = {{false, false, false, false}, {false, false, false, true}};
-    Aperture mask = new BokehCache(white);
+    Aperture mask = Aperture.mask(white);
 
     Spot behind = spotOf(mask, .4, 16);
     double shift = pixels(.4 * 8 / FOCUS, 16);

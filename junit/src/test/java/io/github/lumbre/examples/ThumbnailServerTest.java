@@ -106,7 +106,7 @@ class ThumbnailServerTest {
         "noise",
         new Upload("glb", "glTF\2\0\0\0\377noise".getBytes(StandardCharsets.ISO_8859_1), 422));
     all.put("nothing", new Upload("stl", new byte[0], 422));
-    all.put("another format", text("exe", "MZ", 404));
+    all.put("another format", text("exe", "MZ", 422));
     return all;
   }
 
@@ -198,7 +198,7 @@ class ThumbnailServerTest {
   private static List<String> poolThreads() {
     return Thread.getAllStackTraces().keySet().stream()
         .map(Thread::getName)
-        .filter(name -> name.startsWith("pool-") || name.startsWith("lumbre-render"))
+        .filter(name -> name.startsWith("pool-") || name.startsWith("lumbre-"))
         .toList();
   }
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.camera;
+package io.github.lumbre.camera.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,5 +1,6 @@
-package io.github.lumbre.camera;
+package io.github.lumbre.camera.internal;
 
+import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.sampling.Sampler;
 import java.util.Arrays;
@@ -15,13 +16,7 @@ public final class BokehCache implements Aperture {
   private final boolean[] white;
   private final int[] whiteTexels;
 
-  /**
-   * Creates a lens.
-   *
-   * @param white {@code [row][column]}, with row 0 at the <b>bottom</b>; all rows have the same
-   *     length
-   * @throws IllegalArgumentException if no texel is white
-   */
+  /** Creates a lens; see {@link Aperture#mask}. */
   public BokehCache(boolean[][] white) {
     height = white.length;
     width = height == 0 ? 0 : white[0].length;
