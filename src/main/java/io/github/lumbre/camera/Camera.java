@@ -113,4 +113,10 @@ public abstract sealed class Camera
   final double aspect() {
     return aspect;
   }
+
+  /** Returns where it is, for people. */
+  @Override
+  public String toString() {
+    return getClass().getSimpleName() + " at " + position();
+  }
 }

@@ -271,4 +271,10 @@ public final class Box implements Shape {
     }
     return face;
   }
+
+  /** Returns where it is, for people. */
+  @Override
+  public String toString() {
+    return "Box in " + bounds();
+  }
 }

@@ -47,6 +47,25 @@ public enum Kernel {
   }
 
   /**
+   * Returns the reason why vectors are not available although the processor may support them: Java
+   * has no module jdk.incubator.vector, or runs without it. Empty if vectors are available, or if
+   * the processor is known not to support them.
+   */
+  public static Optional<String> moduleObstacle() {
+    if (Vectors.isLoaded()) {
+      return Optional.empty();
+    }
+    boolean isSupported;
+    try {
+      isSupported = processorObstacle().isEmpty();
+    } catch (IllegalStateException e) {
+      // The size of the processor's vectors is unknown: it may suffice.
+      isSupported = VectorLanes.obstacle(WideTree.WIDTH).isEmpty();
+    }
+    return isSupported ? vectorObstacle() : Optional.empty();
+  }
+
+  /**
    * Returns the traversal over items.
    *
    * @throws IllegalStateException if this is {@link #VECTOR} and vectors are not available

@@ -131,4 +131,10 @@ public final class Mesh implements Shape {
   public double pdf(Vec3 reference, SurfaceHit onShape) {
     return surface.pdf(reference, onShape);
   }
+
+  /** Returns the number of triangles, for people. */
+  @Override
+  public String toString() {
+    return "Mesh of " + world.triangleCount() + " triangles";
+  }
 }

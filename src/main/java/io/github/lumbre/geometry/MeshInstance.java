@@ -3,7 +3,6 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import java.util.Optional;
 
 /** One placement of a shared mesh in world space. Rays hit it from both sides. */
 public final class MeshInstance implements Shape {
@@ -94,5 +93,11 @@ public final class MeshInstance implements Shape {
   @Override
   public double pdf(Vec3 reference, SurfaceHit onShape) {
     return surface.pdf(reference, onShape);
+  }
+
+  /** Returns the number of triangles, for people. */
+  @Override
+  public String toString() {
+    return "MeshInstance of " + shared.mesh().triangleCount() + " triangles";
   }
 }

@@ -112,4 +112,10 @@ public final class Plane implements Shape {
   public double pdf(Vec3 reference, SurfaceHit onShape) {
     return 0;
   }
+
+  /** Returns where it is, for people. */
+  @Override
+  public String toString() {
+    return "Plane through " + toWorld.point(Vec3.ZERO) + " with normal " + normal;
+  }
 }

@@ -275,4 +275,10 @@ public final class Rectangle implements Shape {
     boolean isVisible = twoSided || toReference.dot(normal) > 0;
     return isVisible ? Placement.solidAnglePdf(toReference, normal, area) : 0;
   }
+
+  /** Returns where it is, for people. */
+  @Override
+  public String toString() {
+    return "Rectangle in " + bounds();
+  }
 }

@@ -299,4 +299,10 @@ public final class Sphere implements Shape {
     double pdf = Warp.uniformConePdf(oneMinusCosMax) / spread;
     return pdf < Double.POSITIVE_INFINITY ? pdf : 0;
   }
+
+  /** Returns where it is, for people. */
+  @Override
+  public String toString() {
+    return "Sphere around " + toWorld.point(Vec3.ZERO);
+  }
 }

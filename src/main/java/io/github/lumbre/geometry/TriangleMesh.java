@@ -394,4 +394,10 @@ public final class TriangleMesh {
     array[3 * vertex + 1] = value.y();
     array[3 * vertex + 2] = value.z();
   }
+
+  /** Returns the numbers of triangles and vertices, for people. */
+  @Override
+  public String toString() {
+    return "TriangleMesh of " + triangleCount() + " triangles and " + vertexCount() + " vertices";
+  }
 }

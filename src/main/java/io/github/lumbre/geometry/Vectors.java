@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import java.lang.module.ModuleFinder;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Optional;
 
@@ -10,6 +11,10 @@ import java.util.Optional;
 final class Vectors {
   private static final String MODULE = VectorLanes.MODULE;
   private static final String TRAVERSAL = "io.github.lumbre.geometry.VectorTraversal";
+
+  /** Whether the module is loaded; set by {@link #findObstacle}. */
+  private static boolean isLoaded;
+
   private static final Optional<String> OBSTACLE = findObstacle();
 
   private Vectors() {}
@@ -19,11 +24,20 @@ final class Vectors {
     return OBSTACLE;
   }
 
+  /** Returns whether Java has the module and has loaded it. */
+  static boolean isLoaded() {
+    return isLoaded;
+  }
+
   private static Optional<String> findObstacle() {
     Optional<Module> module = ModuleLayer.boot().findModule(MODULE).or(Vectors::loadModule);
     if (module.isEmpty()) {
-      return Optional.of("Java runs without --add-modules " + MODULE);
+      return Optional.of(
+          ModuleFinder.ofSystem().find(MODULE).isPresent()
+              ? "Java runs without --add-modules " + MODULE
+              : "this Java has no module " + MODULE);
     }
+    isLoaded = true;
     Vectors.class.getModule().addReads(module.get());
     return VectorLanes.obstacle(VectorLanes.ofModule());
   }

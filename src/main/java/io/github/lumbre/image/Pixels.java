@@ -136,4 +136,18 @@ public final class Pixels {
   public double value(int x, int y, int channel) {
     return (double) raw(x, y, channel) / max();
   }
+
+  /** Returns the size and the kind of values, for people. */
+  @Override
+  public String toString() {
+    return "Pixels: "
+        + width
+        + "x"
+        + height
+        + ", "
+        + channels
+        + " channels of "
+        + (shorts.length == 0 ? 8 : 16)
+        + " bits";
+  }
 }

@@ -1,6 +1,7 @@
 package io.github.lumbre.math;
 
 import io.github.lumbre.math.internal.Elementary;
+import java.util.List;
 
 /**
  * An affine transform from an object's local space to world space: a 3×3 matrix and a translation,
@@ -325,5 +326,13 @@ public final class Transform {
       world = world.union(point(local.corner(corner)));
     }
     return world;
+  }
+
+  /** Returns the three rows of the matrix, for people. */
+  @Override
+  public String toString() {
+    return List.of(
+            List.of(m00, m01, m02, tx), List.of(m10, m11, m12, ty), List.of(m20, m21, m22, tz))
+        .toString();
   }
 }

@@ -38,7 +38,7 @@ record SettingsChange(
   /** Returns the aspect ratio for which a model is framed. */
   double frameAspect() {
     return change
-        .apply(new RenderSettings.Builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
+        .apply(RenderSettings.builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
         .aspect();
   }
 

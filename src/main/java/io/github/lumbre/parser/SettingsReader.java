@@ -42,7 +42,7 @@ final class SettingsReader {
    */
   static RenderSettings read(JsonNode options, Optional<Mode> mode) {
     options.warnUnknown(KEYS);
-    RenderSettings.Builder builder = new RenderSettings.Builder();
+    RenderSettings.Builder builder = RenderSettings.builder();
     Setting.all().stream()
         .filter(Setting::isInScenes)
         .forEach(setting -> read(setting, options, builder));

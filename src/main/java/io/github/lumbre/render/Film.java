@@ -446,4 +446,16 @@ public final class Film {
   public Optional<PixelHalves> halves(int x, int y) {
     return samples(x, y) < 2 ? Optional.empty() : firstMeans.halves(index(x, y));
   }
+
+  /** Returns the size and the mean number of samples, for people. */
+  @Override
+  public String toString() {
+    return "Film of "
+        + window.width()
+        + "x"
+        + window.height()
+        + " pixels with "
+        + meanSamples()
+        + " samples per pixel";
+  }
 }

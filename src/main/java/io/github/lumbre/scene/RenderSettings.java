@@ -192,6 +192,11 @@ public final class RenderSettings {
     return new ImageWriter.Options(exposure(), toneCurve(), 8, Map.of());
   }
 
+  /** Returns a builder with the defaults. */
+  public static Builder builder() {
+    return new Builder();
+  }
+
   /** Returns a builder with a copy of these settings. */
   public Builder toBuilder() {
     return new Builder(this);

@@ -19,6 +19,7 @@ import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
 import io.github.lumbre.scene.internal.SurfaceNames;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
@@ -299,6 +300,22 @@ public final class Scene {
    */
   public Rgb ambient() {
     return ambient;
+  }
+
+  /**
+   * Returns the name of the object that a primitive is part of: that of the scene file, the model
+   * or {@link SceneBuilder#add(String, Shape, Material)}; made from its number without one.
+   *
+   * @param primitive its number in {@link #primitives}
+   * @throws IndexOutOfBoundsException if there is no such primitive
+   */
+  public String objectName(int primitive) {
+    return names.object(Objects.checkIndex(primitive, primitives.size()));
+  }
+
+  /** Returns the name of the material of a primitive; see {@link #objectName}. */
+  public String materialName(int primitive) {
+    return names.material(Objects.checkIndex(primitive, primitives.size()));
   }
 
   /** Returns the names of the objects and materials of the primitives. */

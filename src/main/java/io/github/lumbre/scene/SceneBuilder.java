@@ -307,4 +307,10 @@ public final class SceneBuilder {
     backplate.ifPresent(assembly::backplate);
     return assembly.build(description, placements, origin);
   }
+
+  /** Returns the number of parts, for people. */
+  @Override
+  public String toString() {
+    return "SceneBuilder with " + nodes.size() + " objects, groups, models and lights";
+  }
 }

@@ -139,6 +139,7 @@ class KernelUpgradeTest {
     assertThat(Files.readAllLines(out))
         .containsExactly(
             "Java runs without --add-modules jdk.incubator.vector",
+            "true",
             "false",
             String.valueOf(WithoutVectors.hash(expected.develop())));
   }

@@ -2,6 +2,7 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.math.internal.FusedMultiplyAdd;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
@@ -32,6 +33,7 @@ final class WithoutVectors {
       }
     }
     System.out.println(Kernel.vectorObstacle().orElse("none"));
+    System.out.println(Kernel.moduleObstacle().isPresent() == FusedMultiplyAdd.isFast());
     System.out.println(scene.mayChangeKernel());
     System.out.println(hash(film.develop()));
   }

@@ -1,16 +1,21 @@
 package io.github.lumbre.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIndexOutOfBoundsException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.geometry.Sphere;
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
 import io.github.lumbre.light.Emission;
@@ -65,6 +70,36 @@ class SceneTest {
     assertThat(new Image(3, 2, new float[18], new float[6]))
         .hasToString("Image of 3x2 pixels with alpha");
     assertThat(Image.black(4, 5)).hasToString("Image of 4x5 pixels");
+    assertThat(Pixels.of(2, 1, 3, new byte[6])).hasToString("Pixels: 2x1, 3 channels of 8 bits");
+    double[] corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    TriangleMesh mesh = TriangleMesh.of(corners, new double[0], new double[0], new int[] {0, 1, 2});
+    assertThat(mesh).hasToString("TriangleMesh of 1 triangles and 3 vertices");
+    assertThat(MeshInstance.of(mesh)).hasToString("MeshInstance of 1 triangles");
+    assertThat(Mesh.of(mesh)).hasToString("Mesh of 1 triangles");
+    assertThat(CAMERA).asString().startsWith("PinholeCamera at Vec3[");
+    assertThat(empty().add(sphere(0), Matte.GREY))
+        .hasToString("SceneBuilder with 1 objects, groups, models and lights");
+    assertThat(Transform.translation(Vec3.X))
+        .hasToString("[[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]");
+    assertThat(sphere(2)).hasToString("Sphere around Vec3[x=2.0, y=0.0, z=0.0]");
+    assertThat(Plane.floor(1))
+        .hasToString(
+            "Plane through Vec3[x=0.0, y=1.0, z=0.0] with normal Vec3[x=0.0, y=1.0, z=0.0]");
+  }
+
+  @Test
+  void primitivesHaveTheNamesOfTheirObjectsAndMaterials() {
+    Scene scene =
+        empty()
+            .name(Matte.GREY, "gray")
+            .add("ball", sphere(0), Matte.GREY)
+            .add(sphere(3), Matte.of(.5, .4, .3))
+            .build();
+    assertThat(scene.objectName(0)).isEqualTo("ball");
+    assertThat(scene.materialName(0)).isEqualTo("gray");
+    assertThat(scene.objectName(1)).isNotEmpty().isNotEqualTo("ball");
+    assertThatIndexOutOfBoundsException().isThrownBy(() -> scene.objectName(2));
+    assertThatIndexOutOfBoundsException().isThrownBy(() -> scene.materialName(-1));
   }
 
   @Test

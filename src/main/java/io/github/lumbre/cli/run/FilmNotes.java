@@ -262,7 +262,7 @@ public final class FilmNotes {
 
   /** Returns a change that sets all named settings of the film's identity. */
   private UnaryOperator<RenderSettings.Builder> namedSettings() throws TaskException {
-    RenderSettings.Builder read = new RenderSettings.Builder();
+    RenderSettings.Builder read = RenderSettings.builder();
     List<Setting<?>> stated =
         FilmHeader.named().stream().filter(s -> header.identity().containsKey(s.name())).toList();
     for (Setting<?> setting : stated) {

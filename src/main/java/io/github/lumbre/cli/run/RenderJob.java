@@ -99,6 +99,7 @@ public record RenderJob(
       throws TaskException {
     RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
     long start = System.nanoTime();
+    boolean isForVectors = file.scene().mayChangeKernel();
     boolean isTimed = budget.secondsLeft().isPresent();
     PassLoop loop = new PassLoop(engine.over(scene, file, renderer, isTimed), film);
     PassResult passes;
@@ -127,6 +128,10 @@ public record RenderJob(
     RendererInside.of(renderer).guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
     RenderResult result = new RenderResult(film.develop(), passes.complete(), statistics);
     finish(film, result, noise, light, seconds);
+    if (isForVectors) {
+      Summary summary = new Summary(file.settings(), result, seconds, film.totalSamples());
+      summary.printKernel(said());
+    }
     if (how.strict() && statistics.rejected() != 0) {
       return ExitCodes.INTERNAL;
     }

@@ -147,11 +147,7 @@ final class PictureInvariants {
   }
 
   private static RenderSettings.Builder settings() {
-    return new RenderSettings.Builder()
-        .size(WIDTH, HEIGHT)
-        .samples(SAMPLES)
-        .maxTraceDepth(8)
-        .seed(42);
+    return RenderSettings.builder().size(WIDTH, HEIGHT).samples(SAMPLES).maxTraceDepth(8).seed(42);
   }
 
   private static Image render(Scene scene, RenderSettings settings) throws InterruptedException {

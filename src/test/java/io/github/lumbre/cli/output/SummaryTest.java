@@ -37,7 +37,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Tests the summary of a render. */
 class SummaryTest {
   private static final RenderSettings SETTINGS =
-      new RenderSettings.Builder().size(4, 2).samples(10).seed(5).build();
+      new RenderSettings.Builder().size(4, 2).samples(10).seed(5).threads(1).build();
 
   private static Summary summary(boolean complete, List<RejectedSample> rejected) {
     RenderStatistics statistics =
@@ -60,6 +60,21 @@ class SummaryTest {
                 + " s")
         .contains("20 samples/s");
     assertThat(lines(messages -> partial.printHint(scene(3), messages))).isEmpty();
+  }
+
+  /** A short render, of 2 s, gains nothing by vectors. */
+  @Test
+  void longRendersSayWhyTheyUsedTheScalarKernel() {
+    Optional<String> obstacle = Optional.of("this Java has no module jdk.incubator.vector");
+    assertThat(lines(m -> summary(true, List.of()).printKernel(obstacle, m))).isEmpty();
+    RenderResult result = new RenderResult(Image.black(4, 2), true, RenderStatistics.ZERO);
+    Summary longer = new Summary(SETTINGS, result, 11);
+    assertThat(lines(m -> longer.printKernel(obstacle, m)))
+        .isEqualToIgnoringNewLines(
+            "hint: the scalar kernel rendered this picture, because this Java has no module"
+                + " jdk.incubator.vector; on a processor with 256-bit vectors, the vector kernel"
+                + " takes 10 % to 40 % less time");
+    assertThat(lines(m -> longer.printKernel(Optional.empty(), m))).isEmpty();
   }
 
   /** Returns a scene of a sphere, at a distance in front of the camera, that covers the center. */
