@@ -150,7 +150,7 @@ final class AttributesDecoder {
           switch (mode) {
             case MODE_BYTES -> sum(value, difference, 0x01010101, 8);
             case MODE_SHORTS -> sum(value, difference, 0x00010001, 16);
-            default -> value ^ Integer.rotateLeft(difference, rotation);
+            default -> value ^ Integer.rotateRight(difference, rotation);
           };
       target.putInt(to + i * stride, value);
     }

@@ -107,4 +107,10 @@ for (const [name, list] of Object.entries(lists)) {
 const far = bytes(Uint32Array.from([0, 4000000000, 5, 2147483648, 1073741824, 7]));
 add('far-triangles', 'TRIANGLES', 'NONE', 6, 4, MeshoptEncoder.encodeGltfBuffer(far, 6, 4, 'TRIANGLES'));
 
+// Random bits across the bounds of bytes, which the encoder rotates, and stores as exclusive disjunctions.
+for (const shift of [1, 2, 3, 4, 5, 6, 7]) {
+  const numbers = Array.from({length: 40}, () => ((256 * random()) << shift) | ((256 * random()) << (16 + shift)));
+  attributes(`rotated-${shift}`, bytes(new Uint32Array(numbers)), 40, 4);
+}
+
 fs.writeFileSync('streams.csv', `${rows.join('\n')}\n`);
