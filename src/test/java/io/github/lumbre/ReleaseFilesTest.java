@@ -44,9 +44,10 @@ class ReleaseFilesTest {
     for (String pom : List.of("spark/pom.xml", "junit/pom.xml")) {
       assertThat(first(pom, "(?m)^  <version>(.+)</version>$")).isEqualTo(version);
     }
-    for (String page : List.of("README.md", "docs/golden.md")) {
+    for (String page : List.of("README.md", "docs/golden.md", "docs/java.md")) {
       assertThat(first(page, "<version>(.+)</version>")).isEqualTo(version);
     }
+    assertThat(first("docs/java.md", "\"io.github.lumbre:lumbre:(.+)\"")).isEqualTo(version);
     assertThat(first("CITATION.cff", "(?m)^version: (.+)$")).isEqualTo(version);
     assertThat(alias(catalog()).get("script-ref").getAsString())
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":cli");
