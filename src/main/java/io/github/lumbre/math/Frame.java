@@ -1,7 +1,6 @@
 package io.github.lumbre.math;
 
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 
 /**
  * An orthonormal frame: the unit axes of a local space, in which {@code normal} is +z. It may have
@@ -175,7 +174,7 @@ public final class Frame {
   }
 
   @Override
-  public boolean equals(@Nullable Object other) {
+  public boolean equals(Object other) {
     return other instanceof Frame frame
         && tangent().equals(frame.tangent())
         && bitangent().equals(frame.bitangent())

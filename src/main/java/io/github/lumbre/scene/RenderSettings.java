@@ -12,7 +12,6 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The settings of a render: a value for each {@link Setting}, and the part of the frame to render.
@@ -203,7 +202,7 @@ public final class RenderSettings {
   }
 
   @Override
-  public boolean equals(@Nullable Object other) {
+  public boolean equals(Object other) {
     return other instanceof RenderSettings that
         && values.equals(that.values)
         && crop.equals(that.crop);
@@ -300,7 +299,7 @@ public final class RenderSettings {
 
     /** Java makes the default one at run time, which takes long at the start of a program. */
     @Override
-    public boolean equals(@Nullable Object other) {
+    public boolean equals(Object other) {
       return other instanceof Crop crop
           && x == crop.x
           && y == crop.y
