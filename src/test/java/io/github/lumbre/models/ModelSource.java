@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.model.internal.ModelReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,7 +32,14 @@ enum ModelSource {
   ROBOSUITE(Tool.PIP, "robosuite==1.5.2"),
   GENESIS_WORLD(Tool.PIP, "genesis-world==1.4.5"),
   /** Unpacked by the profile in pom.xml. */
-  JME3_TESTDATA(Tool.MAVEN, "org.jmonkeyengine:jme3-testdata:3.5.2-stable");
+  JME3_TESTDATA(Tool.MAVEN, "org.jmonkeyengine:jme3-testdata:3.5.2-stable"),
+  WEBXR_INPUT_PROFILES(Tool.NPM, "@webxr-input-profiles/assets@1.0.20"),
+  /** Models of other sources and of this project, compressed by the tools of variants.mjs. */
+  COMPRESSED(
+      Tool.VARIANTS,
+      "@gltf-transform/core@4.5.1 @gltf-transform/extensions@4.5.1"
+          + " @gltf-transform/functions@4.5.1 draco3dgltf@1.5.7 gltfpack@1.3.0"
+          + " ktx2-encoder@0.6.0 meshoptimizer@1.3.0 sharp@0.35.5");
 
   /** Where all sources are. */
   static final Path ROOT = Path.of("target", "models");
@@ -43,7 +51,8 @@ enum ModelSource {
     NPM,
     PIP,
     APT,
-    MAVEN
+    MAVEN,
+    VARIANTS
   }
 
   private final Tool tool;
@@ -98,6 +107,7 @@ enum ModelSource {
       switch (tool) {
         case NPM -> npm(folder);
         case PIP -> pip(folder);
+        case VARIANTS -> variants(folder);
         default -> apt(folder);
       }
       Files.writeString(done, spec);
@@ -163,6 +173,22 @@ enum ModelSource {
   private void apt(Path folder) throws IOException, InterruptedException {
     run(folder, "apt-get", "download", spec);
     run(folder, "dpkg-deb", "-x", only(folder, ".deb"), ".");
+  }
+
+  /** Makes the models in the folder; the tools are removed again. */
+  private void variants(Path folder) throws IOException, InterruptedException {
+    for (ModelSource source : List.of(WEBXR_INPUT_PROFILES, GENESIS_WORLD, ASSIMP_TESTMODELS)) {
+      source.fetch();
+    }
+    Path script = folder.resolve("variants.mjs");
+    try (InputStream in = ModelSource.class.getResourceAsStream("variants.mjs")) {
+      Files.copy(in, script);
+    }
+    List<String> install = new ArrayList<>(List.of("npm", "install", "--silent", "--no-save"));
+    install.addAll(List.of(spec.split(" ")));
+    run(folder, install.toArray(String[]::new));
+    run(folder, "node", script.getFileName().toString());
+    delete(folder.resolve("node_modules"));
   }
 
   /** Returns the name of the one file in a folder that ends so. */

@@ -315,22 +315,9 @@ class RealModelPicturesTest {
     ROWS.forEach(row -> lines.add(row.toString()));
     Files.createDirectories(FOLDER);
     Files.write(FOLDER.resolve("table.md"), lines);
-    write("sheet.png", ROWS.stream().map(Row::picture).toList());
-    write("sheet-front.png", ROWS.stream().map(Row::front).toList());
-  }
-
-  /** Writes pictures in rows, transparent ones on gray. */
-  private static void write(String name, List<BufferedImage> pictures) throws IOException {
-    int rows = Math.max(1, (pictures.size() + COLUMNS - 1) / COLUMNS);
-    BufferedImage sheet =
-        new BufferedImage(COLUMNS * WIDTH, rows * HEIGHT, BufferedImage.TYPE_INT_RGB);
-    var graphics = sheet.createGraphics();
-    graphics.setColor(java.awt.Color.GRAY);
-    graphics.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
-    for (int i = 0; i < pictures.size(); i++) {
-      graphics.drawImage(pictures.get(i), i % COLUMNS * WIDTH, i / COLUMNS * HEIGHT, null);
-    }
-    graphics.dispose();
-    ImageIO.write(sheet, "png", FOLDER.resolve(name).toFile());
+    ContactSheet.write(
+        FOLDER.resolve("sheet.png"), ROWS.stream().map(Row::picture).toList(), COLUMNS);
+    ContactSheet.write(
+        FOLDER.resolve("sheet-front.png"), ROWS.stream().map(Row::front).toList(), COLUMNS);
   }
 }
