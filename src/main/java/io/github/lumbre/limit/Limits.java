@@ -1,5 +1,7 @@
 package io.github.lumbre.limit;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
@@ -116,6 +118,16 @@ public record Limits(
   /** Returns whether the bytes of files are limited, as in {@link #UPLOADS}. */
   public boolean hasLimitedBytes() {
     return bytes < Long.MAX_VALUE / 2;
+  }
+
+  /**
+   * Returns the bytes of a stream to its end, or one more than {@link #bytes}, which readers
+   * refuse.
+   *
+   * @throws IOException if the stream fails
+   */
+  public byte[] bytesOf(InputStream stream) throws IOException {
+    return stream.readNBytes((int) Math.min(bytes, Integer.MAX_VALUE - 9) + 1);
   }
 
   /** Returns the heap bytes that reading may use: {@link #memory}, but not more than the heap. */

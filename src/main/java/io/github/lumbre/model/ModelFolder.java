@@ -1,10 +1,14 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.model.internal.FileFolder;
+import io.github.lumbre.model.internal.NamedFiles;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** Reads the files that a model names: those in the model's own folder and below. */
@@ -22,6 +26,30 @@ public interface ModelFolder {
   /** Returns access to the files in a folder and below. */
   static ModelFolder of(Path folder) {
     return new FileFolder(folder.toAbsolutePath().normalize());
+  }
+
+  /**
+   * Returns access to files in memory, such as those of an upload.
+   *
+   * @param files bytes by names, with / between the names of folders; neither is copied
+   */
+  static ModelFolder of(Map<String, byte[]> files) {
+    return new NamedFiles("", (path, location) -> Optional.ofNullable(files.get(path)));
+  }
+
+  /**
+   * Returns access to the resources in a folder of the class path and below.
+   *
+   * @param folder without a slash at its beginning and end, such as {@code com/example/models}
+   */
+  static ModelFolder of(ClassLoader loader, String folder) {
+    return new NamedFiles(
+        "",
+        (path, location) -> {
+          try (InputStream in = loader.getResourceAsStream(folder + "/" + path)) {
+            return in == null ? Optional.empty() : Optional.of(in.readAllBytes());
+          }
+        });
   }
 
   /**

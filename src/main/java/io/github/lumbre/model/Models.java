@@ -1,9 +1,12 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelFormat;
+import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -30,7 +33,8 @@ public final class Models {
   }
 
   /**
-   * Reads a glTF, OBJ, PLY, STL, OFF or 3MF file and the files that it names.
+   * Reads a glTF, OBJ, PLY, STL, OFF or 3MF file, or a ZIP archive of one, and the files that it
+   * names.
    *
    * @throws ModelFormatException if the file is damaged, unsupported or too large
    * @throws IOException if the file cannot be read
@@ -48,8 +52,8 @@ public final class Models {
   }
 
   /**
-   * Reads a model from the bytes of a file that names no other files, such as GLB, PLY, STL and
-   * OFF.
+   * Reads a model from the bytes of a file that names no other files, such as GLB, PLY, STL, OFF,
+   * 3MF and ZIP.
    *
    * @param name of the file; its ending chooses the format
    * @throws ModelFormatException if the file is damaged, unsupported or too large, or names another
@@ -58,6 +62,19 @@ public final class Models {
   public static ModelFile read(String name, byte[] content)
       throws ModelFormatException, IOException {
     return read(name, content, ModelFolder.NONE, ModelOptions.DEFAULT);
+  }
+
+  /**
+   * Reads a model from a stream; see {@link #read(String, byte[], ModelFolder, ModelOptions)}.
+   *
+   * @param content is read to its end, or to one byte more than the options' {@link Limits#bytes};
+   *     not closed
+   * @throws IOException if the stream fails, or the thread is interrupted
+   */
+  public static ModelFile read(
+      String name, InputStream content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return read(name, options.limits().bytesOf(content), folder, options);
   }
 
   /**
@@ -71,6 +88,7 @@ public final class Models {
   public static ModelFile read(
       String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
+    ModelLimits.require("", "bytes", options.limits().bytes(), content.length);
     Map<String, byte[]> files = new LinkedHashMap<>();
     ModelFolder recording =
         (other, location) -> {

@@ -146,6 +146,22 @@ final class AssetData {
     return files.searchedBy(name -> search.map(s -> s.of(name)).orElse(List.of()));
   }
 
+  /** Returns a folder whose files are counted and noted as files of the scene. */
+  ModelFolder counted(ModelFolder files) {
+    ModelFolder counting =
+        (name, location) -> {
+          byte[] bytes = files.read(name, location);
+          Optional<String> excess = allowance.addBytes(bytes.length);
+          if (excess.isPresent()) {
+            throw new ModelFormatException(
+                ModelFormatException.Kind.TOO_LARGE, location, excess.get());
+          }
+          note(name, bytes);
+          return bytes;
+        };
+    return counting.searchedBy(files::similar);
+  }
+
   /** Returns the model files that objects name, and the files that these name, if they exist. */
   Set<Path> modelFiles(List<JsonNode> models) throws IOException {
     Set<Path> all = new LinkedHashSet<>(files(models));

@@ -15,7 +15,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 
-/** Reads objects that are model files: glTF, OBJ, PLY, STL, OFF and 3MF. */
+/** Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP. */
 final class ModelObjects {
   private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
   private static final Map<String, Up> UPS = new LinkedHashMap<>();

@@ -5,6 +5,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.internal.CountingParser;
@@ -150,7 +151,7 @@ public final class SceneParser {
    * size; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or 4:3.
    * The model may lack pictures.
    *
-   * @param model path of a glTF, OBJ, PLY, STL, OFF or 3MF file
+   * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF or ZIP file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
@@ -159,16 +160,25 @@ public final class SceneParser {
   }
 
   /**
+   * Builds the scene around a model in one file, such as a GLB file or a ZIP archive, whose bytes
+   * are known; see {@link #parse(String, byte[], ModelFolder, Stage)}.
+   */
+  public SceneFile parse(String name, byte[] model, Stage stage)
+      throws SceneFormatException, IOException {
+    return parse(name, model, ModelFolder.NONE, stage);
+  }
+
+  /**
    * Builds the scene around a model whose bytes are known; see {@link #parse(Path, Stage)}. Nothing
-   * is read from files, except a picture of a sky that the stage names.
+   * is read from files, except what the folder reads and a picture of a sky that the stage names.
    *
    * @param name of the model without folders; its ending chooses the format
-   * @param model bytes of a GLB, PLY, STL, OFF or 3MF file, or of a glTF or OBJ file that names no
-   *     others
+   * @param model bytes of the file
+   * @param files has other files that the model names
    * @throws SceneFormatException if the model cannot be used; it lists the errors
    * @throws IOException if the calling thread is interrupted
    */
-  public SceneFile parse(String name, byte[] model, Stage stage)
+  public SceneFile parse(String name, byte[] model, ModelFolder files, Stage stage)
       throws SceneFormatException, IOException {
     Path here = Path.of("").toAbsolutePath();
     Path file = here.resolve(name).normalize();
@@ -181,7 +191,8 @@ public final class SceneParser {
         limits(),
         problemsOf(file),
         () ->
-            new StagedModel(lenient, stage.folderOf(file), file, model, true, limits())
+            new StagedModel(
+                    lenient, stage.folderOf(file), file, model, Optional.of(files), limits())
                 .scene(this));
   }
 
@@ -190,7 +201,7 @@ public final class SceneParser {
    * hierarchies and textures; their pictures have the bits of {@link #parse(Path, Stage)} with
    * {@link Stage#seenFrom}.
    *
-   * @param model path of a glTF, OBJ, PLY, STL, OFF or 3MF file
+   * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF or ZIP file
    * @param views at least one
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
@@ -221,7 +232,7 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     byte[] content =
         InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits().bytes());
-    return new StagedModel(stage, folder, file, content, false, limits());
+    return new StagedModel(stage, folder, file, content, Optional.empty(), limits());
   }
 
   /**

@@ -71,11 +71,17 @@ final class StagedModel {
    * @param folder where asset paths start; contains the model and the sky's picture
    * @param file absolute path of the model
    * @param content of the file
-   * @param isAlone whether the model may name no other files
+   * @param others has the files that the model names; empty for those in its own folder
    * @throws SceneFormatException if the model cannot be used
    * @throws IOException if the thread is interrupted
    */
-  StagedModel(Stage stage, Path folder, Path file, byte[] content, boolean isAlone, Limits limits)
+  StagedModel(
+      Stage stage,
+      Path folder,
+      Path file,
+      byte[] content,
+      Optional<ModelFolder> others,
+      Limits limits)
       throws SceneFormatException, IOException {
     this.stage = stage;
     this.folder = folder;
@@ -88,7 +94,7 @@ final class StagedModel {
     String name = WrittenStage.slashed(folder.relativize(file));
     data = new AssetData(folder.resolve(file.getFileName()), hash, allowance);
     data.note(name, content);
-    model = read(name, content, isAlone ? ModelFolder.NONE : data.folderOf(name));
+    model = read(name, content, others.map(data::counted).orElseGet(() -> data.folderOf(name)));
     requireSky();
     framing = Framing.of(model);
     ShapeReader.isMeasurable(place.spot(), new Bounds3(framing.min(), framing.max()));

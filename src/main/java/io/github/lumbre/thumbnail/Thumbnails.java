@@ -157,7 +157,7 @@ public final class Thumbnails implements AutoCloseable {
    */
   public byte[] png(String name, InputStream model, int side)
       throws SceneFormatException, IOException, InterruptedException {
-    return answer(name, bytes(model), side, ImageFormat.PNG);
+    return answer(name, limits.bytesOf(model), side, ImageFormat.PNG);
   }
 
   /** Returns the bytes of a square JPEG file; see {@link #png(String, byte[], int)}. */
@@ -169,11 +169,7 @@ public final class Thumbnails implements AutoCloseable {
   /** Returns the bytes of a square JPEG file; see {@link #png(String, InputStream, int)}. */
   public byte[] jpeg(String name, InputStream model, int side)
       throws SceneFormatException, IOException, InterruptedException {
-    return answer(name, bytes(model), side, ImageFormat.JPG);
-  }
-
-  private byte[] bytes(InputStream model) throws IOException {
-    return model.readNBytes((int) Math.min(limits.bytes() + 1, Integer.MAX_VALUE - 8));
+    return answer(name, limits.bytesOf(model), side, ImageFormat.JPG);
   }
 
   private byte[] answer(String name, byte[] model, int side, ImageFormat format)

@@ -87,7 +87,8 @@ class FileKindsTest {
         "PK\3\4..........................word/document.xml".getBytes(StandardCharsets.US_ASCII);
     Path other = Files.write(folder.resolve("b.3mf"), start);
     render(other)
-        .assertFailed(ExitCodes.ASSET, "expected a 3MF file, found a ZIP archive; unpack it");
+        .assertFailed(
+            ExitCodes.ASSET, "expected a 3MF file, found ZIP; give its name the ending .zip");
   }
 
   private Outcome onStandardInput(byte[] content, String... command) {
@@ -140,7 +141,7 @@ class FileKindsTest {
         "a.wrl|#VRML V2.0 utf8\\n|VRML; export it to GLB",
         "a.usdz|PK\\3\\4..........................mesh.usdc|USDZ; export it to GLB",
         "a.usda|#usda 1.0|USD; export it to GLB",
-        "a.zip|PK\\3\\4..........................car.obj|a ZIP archive; unpack it",
+        "a.rar|Rar!....|a RAR archive; unpack it",
         "a.dae|<?xml version='1.0'?><COLLADA>|COLLADA; export it to GLB",
         "a.blend|BLENDER-v300|a Blender file; export it to GLB",
         "a.step|ISO-10303-21;|STEP; export it to GLB",
@@ -162,7 +163,8 @@ class FileKindsTest {
     Path file = folder.resolve(name);
     Files.write(file, content.translateEscapes().getBytes(StandardCharsets.ISO_8859_1));
     String message =
-        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off, .3mf), found ";
+        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off, .3mf, .zip),"
+            + " found ";
     render(file).assertFailed(ExitCodes.SCENE, name + ": " + message + found);
     Outcome.of("check", file.toString())
         .assertFailed(ExitCodes.SCENE, name + ": " + message + found);

@@ -10,6 +10,7 @@ import io.github.lumbre.model.off.OffReader;
 import io.github.lumbre.model.ply.PlyReader;
 import io.github.lumbre.model.stl.StlReader;
 import io.github.lumbre.model.threemf.ThreeMfReader;
+import io.github.lumbre.model.zip.ZipReader;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
@@ -27,10 +28,11 @@ public enum ModelFormat {
   PLY("a PLY file", PlyReader::startsIn, PlyReader::read, "ply"),
   STL("an STL file", StlReader::startsIn, StlReader::read, "stl"),
   OFF("an OFF file", OffReader::startsIn, OffReader::read, "off"),
-  THREE_MF("a 3MF file", ThreeMfReader::startsIn, ThreeMfReader::read, "3mf");
+  THREE_MF("a 3MF file", ThreeMfReader::startsIn, ThreeMfReader::read, "3mf"),
+  ZIP("a ZIP archive", ZipReader::startsIn, ZipReader::read, "zip");
 
   /** The formats for texts in which a line may not break after the dot of an ending. */
-  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL, OFF or 3MF";
+  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP";
 
   /** The name endings of the formats, for messages: {@code .gltf, .glb}. */
   public static final String ENDINGS =

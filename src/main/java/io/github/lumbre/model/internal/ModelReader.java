@@ -68,7 +68,7 @@ public final class ModelReader {
   public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     ModelFormat format = format(name, content);
-    if (format != ModelFormat.GLTF) {
+    if (format != ModelFormat.GLTF && format != ModelFormat.ZIP) {
       requireNone("animations", "an animation", options.pose().map(Pose::animation));
       requireNone("variants", "a variant", options.variant());
     }

@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.threemf.ThreeMfObject.Component;
 import io.github.lumbre.model.threemf.ThreeMfObject.Surface;
+import io.github.lumbre.model.zip.ZipInput;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.ArrayList;

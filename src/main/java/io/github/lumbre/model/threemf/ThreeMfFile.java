@@ -7,6 +7,7 @@ import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.Warnings;
 import io.github.lumbre.model.obj.ObjTextures;
+import io.github.lumbre.model.zip.ZipParts;
 
 /** What the readers of all parts of one 3MF file share. Mutable. */
 final class ThreeMfFile {

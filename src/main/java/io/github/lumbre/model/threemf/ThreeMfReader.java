@@ -12,6 +12,8 @@ import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.threemf.ThreeMfObject.Component;
+import io.github.lumbre.model.zip.ZipInput;
+import io.github.lumbre.model.zip.ZipParts;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;

@@ -3,6 +3,7 @@ package io.github.lumbre.model.threemf;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.TextScanner;
+import io.github.lumbre.model.zip.ZipInput;
 import io.github.lumbre.text.PrintableText;
 import java.util.ArrayList;
 import java.util.List;

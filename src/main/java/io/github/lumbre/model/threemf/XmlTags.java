@@ -2,6 +2,7 @@ package io.github.lumbre.model.threemf;
 
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.zip.ZipInput;
 
 /**
  * Splits an XML text in UTF-8 into its tags. Texts between them, comments and processing

@@ -1,4 +1,4 @@
-package io.github.lumbre.model.threemf;
+package io.github.lumbre.model.zip;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;

@@ -1,4 +1,4 @@
-package io.github.lumbre.model.threemf;
+package io.github.lumbre.model.zip;
 
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
@@ -19,9 +19,10 @@ import java.util.Optional;
 /**
  * The parts of a ZIP archive by its central directory (APPNOTE 6.3, sections 4.3.12 to 4.3.16, with
  * 64-bit sizes). Nothing is inflated before it is used. Names have no regard to case, as the Open
- * Packaging Conventions demand. Mutable: it counts the bytes of what is read.
+ * Packaging Conventions demand, and as file systems have none where many archives are made.
+ * Mutable: it counts the bytes of what is read.
  */
-final class ZipParts implements ModelFolder {
+public final class ZipParts implements ModelFolder {
   /** The most entries of an archive. */
   static final int MAX_ENTRIES = 10_000;
 
@@ -73,7 +74,7 @@ final class ZipParts implements ModelFolder {
    *
    * @throws ModelFormatException if its directory is damaged or too long, or a name leaves it
    */
-  static ZipParts of(byte[] bytes, Limits limits) throws ModelFormatException {
+  public static ZipParts of(byte[] bytes, Limits limits) throws ModelFormatException {
     ZipParts parts = new ZipParts(bytes, limits);
     parts.readDirectory();
     return parts;
@@ -195,12 +196,12 @@ final class ZipParts implements ModelFolder {
   }
 
   /** Returns the names of all entries as in the archive. */
-  Collection<String> names() {
+  public Collection<String> names() {
     return entries.values().stream().map(Entry::name).toList();
   }
 
   /** Returns whether there is a part of a name. */
-  boolean has(String name) {
+  public boolean has(String name) {
     return entries.containsKey(key(name));
   }
 
@@ -210,7 +211,7 @@ final class ZipParts implements ModelFolder {
    * @param location of the reference to it, for messages
    * @throws ModelFormatException if it is missing, or its size exceeds a limit
    */
-  ZipInput open(String name, String location) throws ModelFormatException {
+  public ZipInput open(String name, String location) throws ModelFormatException {
     Entry entry =
         Optional.ofNullable(entries.get(key(name)))
             .orElseThrow(

@@ -1,4 +1,4 @@
-package io.github.lumbre.model.threemf;
+package io.github.lumbre.model.zip;
 
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.model.ModelFormatException;
@@ -12,7 +12,7 @@ import java.util.zip.Inflater;
  * The bytes of one part of an archive, inflated block by block. Never more than the stated size is
  * inflated; at the end, size and checksum are compared. Mutable.
  */
-final class ZipInput implements AutoCloseable {
+public final class ZipInput implements AutoCloseable {
   private final String part;
   private final Inflater inflater = new Inflater(true);
   private final boolean isDeflated;
@@ -27,7 +27,7 @@ final class ZipInput implements AutoCloseable {
    * @param size after inflating
    * @param crc the stated CRC-32 of the inflated bytes
    */
-  ZipInput(String part, boolean isDeflated, ByteBuffer compressed, long size, long crc) {
+  public ZipInput(String part, boolean isDeflated, ByteBuffer compressed, long size, long crc) {
     this.part = part;
     this.isDeflated = isDeflated;
     this.compressed = compressed;
@@ -38,12 +38,12 @@ final class ZipInput implements AutoCloseable {
   }
 
   /** Returns the name of the part, for messages. */
-  String part() {
+  public String part() {
     return part;
   }
 
   /** Returns the stated size in bytes. */
-  long size() {
+  public long size() {
     return size;
   }
 
@@ -54,7 +54,7 @@ final class ZipInput implements AutoCloseable {
    * @return the number of bytes that were read; 0 at the end, or if the target is full
    * @throws ModelFormatException if they are damaged
    */
-  int read(byte[] target, int from) throws ModelFormatException {
+  public int read(byte[] target, int from) throws ModelFormatException {
     Interrupts.check();
     int count = (int) Math.min(left, target.length - from);
     if (count > 0) {
