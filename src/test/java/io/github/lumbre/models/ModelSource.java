@@ -184,7 +184,7 @@ enum ModelSource {
     try (InputStream in = ModelSource.class.getResourceAsStream("variants.mjs")) {
       Files.copy(in, script);
     }
-    List<String> install = new ArrayList<>(List.of("npm", "install", "--silent", "--no-save"));
+    List<String> install = new ArrayList<>(List.of("npm", "install", "--silent", "--prefix", "."));
     install.addAll(List.of(spec.split(" ")));
     run(folder, install.toArray(String[]::new));
     run(folder, "node", script.getFileName().toString());
