@@ -35,7 +35,7 @@ import java.util.concurrent.TimeoutException;
  * Renders small, denoised pictures of models that nobody vouches for. Create one for the whole
  * program; any number of threads may use it at once.
  *
- * <p>A picture is a function of the model's bytes, the stage and the size: the same bytes on every
+ * <p>A picture is a function of the model's bytes, the stage and the size: the same pixels on every
  * machine, whatever else is rendered. Each is rendered by one thread of a pool of its own, while
  * the caller waits. There is a thread for each processor, but no more than half of the heap can
  * serve with {@link Limits#memory}. The pool begins with a model of its own, so that the classes
