@@ -6,9 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
 import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.png.PngFixture;
 import io.github.lumbre.limit.Limits;
 import java.awt.color.ColorSpace;
@@ -16,6 +16,7 @@ import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Base64;
@@ -289,8 +290,10 @@ class ImageReaderTest {
             .chunk("zTXt", text.toByteArray())
             .data(2, 2, 8, PngFixture.GREY, false, noise(8))
             .end();
-    assertThat(PngFile.read(file).content()).hasSizeLessThan(100);
+    var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long before = threads.getCurrentThreadAllocatedBytes();
     assertThat(ImageReader.decode(file).width()).isEqualTo(2);
+    assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(1 << 20);
   }
 
   @Test

@@ -5,7 +5,6 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.png.PngTransparency;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -87,10 +86,6 @@ public final class BmpFile {
         width,
         height,
         BYTES_PER_PIXEL,
-        () ->
-            JdkDecoder.decode(
-                "BMP",
-                in.array(),
-                reader -> RasterPixels.of(reader.read(0), PngTransparency.NONE)));
+        () -> JdkDecoder.decode("BMP", in.array(), reader -> RasterPixels.of(reader.read(0))));
   }
 }

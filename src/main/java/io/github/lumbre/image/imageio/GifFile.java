@@ -6,7 +6,6 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.png.PngTransparency;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -60,9 +59,7 @@ public record GifFile(int left, int top, int width, int height, int screenWidth,
         BYTES_PER_PIXEL,
         () ->
             JdkDecoder.decode(
-                "GIF",
-                file,
-                reader -> gif.onScreen(RasterPixels.of(reader.read(0), PngTransparency.NONE))));
+                "GIF", file, reader -> gif.onScreen(RasterPixels.of(reader.read(0)))));
   }
 
   private static GifFile read(byte[] file) throws ImageFormatException {

@@ -5,8 +5,6 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.jpeg.JpegFile;
-import io.github.lumbre.image.png.PngFile;
-import io.github.lumbre.image.png.PngTransparency;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.io.EOFException;
 import java.io.IOException;
@@ -33,12 +31,6 @@ public final class JdkDecoder {
     Pixels from(ImageReader reader) throws IOException;
   }
 
-  /** Decodes a PNG file. */
-  public static Pixels decode(PngFile png) throws ImageFormatException {
-    return decode(
-        "PNG", png.content(), reader -> RasterPixels.of(reader.read(0), png.transparency()));
-  }
-
   /** Decodes a JPEG file. */
   public static Pixels decode(JpegFile jpeg) throws ImageFormatException {
     return decode(
@@ -47,7 +39,7 @@ public final class JdkDecoder {
         reader ->
             jpeg.components() == 4
                 ? jpeg.inks(reader.readRaster(0, null))
-                : RasterPixels.of(reader.read(0), PngTransparency.NONE));
+                : RasterPixels.of(reader.read(0)));
   }
 
   static Pixels decode(String format, byte[] content, Decoding decoding)

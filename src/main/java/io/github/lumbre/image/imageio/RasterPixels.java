@@ -1,7 +1,6 @@
 package io.github.lumbre.image.imageio;
 
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.image.png.PngTransparency;
 import java.awt.image.BufferedImage;
 import java.awt.image.ComponentSampleModel;
 import java.awt.image.DataBufferByte;
@@ -24,29 +23,25 @@ final class RasterPixels {
    * Returns the values of a picture of gray or RGB, with or without alpha, or of a palette. Values
    * of less than 8 bits are scaled to 8 bits, and of 9 to 15 bits to 16 bits. Bands beyond color
    * and alpha are left out.
-   *
-   * @param transparency of colors of a picture without alpha
    */
-  static Pixels of(BufferedImage picture, PngTransparency transparency) {
+  static Pixels of(BufferedImage picture) {
     Raster raster = picture.getRaster();
     if (picture.getColorModel() instanceof IndexColorModel palette) {
-      return looked(raster, palette, transparency);
+      return looked(raster, palette);
     }
-    int[] key = transparency.key();
     int bands =
         picture.getColorModel().hasAlpha()
             ? raster.getNumBands()
             : picture.getColorModel().getNumColorComponents();
-    return key.length == 0
-            && bands == raster.getNumBands()
+    return bands == raster.getNumBands()
             && raster.getSampleModel() instanceof ComponentSampleModel model
         ? stored(raster, model)
-        : scaled(raster, bands, key);
+        : scaled(raster, bands);
   }
 
   /** Returns the values of a picture without its palette and without the bands beyond color. */
   static Pixels withoutAlpha(BufferedImage picture) {
-    return scaled(picture.getRaster(), picture.getColorModel().getNumColorComponents(), new int[0]);
+    return scaled(picture.getRaster(), picture.getColorModel().getNumColorComponents());
   }
 
   /** Returns the values of a picture, in its own array if possible. */
@@ -67,7 +62,7 @@ final class RasterPixels {
         return Pixels.of(raster.getWidth(), raster.getHeight(), bands, values);
       }
     }
-    return scaled(raster, bands, new int[0]);
+    return scaled(raster, bands);
   }
 
   private static boolean isNatural(int[] offsets) {
@@ -96,13 +91,11 @@ final class RasterPixels {
   /**
    * Returns the values of a picture as 8 or 16 bits.
    *
-   * @param used the number of bands that are color or alpha
-   * @param key the samples of the color that is transparent; empty if there is none
+   * @param channels the number of bands that are color or alpha
    */
-  private static Pixels scaled(Raster raster, int used, int[] key) {
+  private static Pixels scaled(Raster raster, int channels) {
     int width = raster.getWidth();
     int bands = raster.getNumBands();
-    int channels = key.length == 0 ? used : used + 1;
     boolean isWide = raster.getSampleModel().getSampleSize(0) > Byte.SIZE;
     int size = Math.multiplyExact(channels, width * raster.getHeight());
     byte[] bytes = new byte[isWide ? 0 : size];
@@ -114,8 +107,7 @@ final class RasterPixels {
       raster.getPixels(0, y, width, 1, row);
       for (int x = 0; x < width; x++) {
         for (int c = 0; c < channels; c++, to++) {
-          int value = c < used ? scaled(raster, c, row[bands * x + c], most) : most;
-          value = c == used && isKey(row, bands * x, key) ? 0 : value;
+          int value = scaled(raster, c, row[bands * x + c], most);
           if (isWide) {
             shorts[to] = (short) value;
           } else {
@@ -134,19 +126,9 @@ final class RasterPixels {
     return max == most ? sample : (sample * most + max / 2) / max;
   }
 
-  private static boolean isKey(int[] row, int at, int[] key) {
-    for (int i = 0; i < key.length; i++) {
-      if (row[at + i] != key[i]) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private static Pixels looked(
-      Raster raster, IndexColorModel palette, PngTransparency transparency) {
+  private static Pixels looked(Raster raster, IndexColorModel palette) {
     int width = raster.getWidth();
-    int channels = transparency.isPresent() || palette.hasAlpha() ? 4 : 3;
+    int channels = palette.hasAlpha() ? 4 : 3;
     byte[] rgb = new byte[Math.multiplyExact(channels, width * raster.getHeight())];
     int[] row = new int[width];
     int i = 0;
@@ -158,9 +140,7 @@ final class RasterPixels {
         rgb[i++] = (byte) palette.getGreen(index);
         rgb[i++] = (byte) palette.getBlue(index);
         if (channels == 4) {
-          rgb[i++] =
-              (byte)
-                  (transparency.isPresent() ? transparency.alpha(index) : palette.getAlpha(index));
+          rgb[i++] = (byte) palette.getAlpha(index);
         }
       }
     }

@@ -6,7 +6,6 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.png.PngTransparency;
 import java.awt.image.BufferedImage;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -174,7 +173,7 @@ public final class TiffFile {
           picture.coerceData(false);
           return one(EXTRA_CHANNELS, ALPHA) == UNSPECIFIED
               ? RasterPixels.withoutAlpha(picture)
-              : RasterPixels.of(picture, PngTransparency.NONE);
+              : RasterPixels.of(picture);
         });
   }
 

@@ -27,7 +27,7 @@ import java.util.stream.Collectors;
  * file is compared with them. {@link ImageFormat} adds those of linear light.
  */
 public enum EncodedFormat {
-  PNG("PNG", PngFile::startsIn, EncodedFormat::png),
+  PNG("PNG", PngFile::startsIn, PngFile::open),
   JPEG("JPEG", JpegFile::startsIn, EncodedFormat::jpeg),
   WEBP("WebP", WebpFile::startsIn, WebpFile::open),
   KTX("KTX 2", KtxFile::startsIn, KtxFile::open),
@@ -96,11 +96,6 @@ public enum EncodedFormat {
     String titles = Arrays.stream(values()).map(f -> f.title).collect(Collectors.joining(", "));
     int last = titles.lastIndexOf(',');
     return titles.substring(0, last) + " or" + titles.substring(last + 1);
-  }
-
-  private static EncodedPicture png(byte[] file) throws ImageFormatException {
-    PngFile png = PngFile.read(file);
-    return new EncodedPicture(png.width(), png.height(), 1, () -> JdkDecoder.decode(png));
   }
 
   private static EncodedPicture jpeg(byte[] file) throws ImageFormatException {

@@ -3,28 +3,43 @@ package io.github.lumbre.image.png;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.CRC32;
+import java.util.zip.Inflater;
 
 /**
  * The structure of a PNG file, read without decoding it (PNG specification, third edition).
  *
  * @param width in pixels
  * @param height in pixels
+ * @param depth bits per sample
+ * @param colorType as in the header
+ * @param isInterlaced whether the pixels are stored in seven passes
+ * @param palette red, green and blue of each index; empty without a palette
  * @param transparency of colors
- * @param content the file without the chunks that decoding does not need, see {@link PngContent}.
- *     Without them, no profile or gamma can change the values, and no compressed text can exhaust
- *     memory
+ * @param file the bytes of the file
  */
-public record PngFile(int width, int height, PngTransparency transparency, byte[] content) {
+public record PngFile(
+    int width,
+    int height,
+    int depth,
+    int colorType,
+    boolean isInterlaced,
+    byte[] palette,
+    PngTransparency transparency,
+    byte[] file) {
   private static final long SIGNATURE = 0x89504e470d0a1a0aL;
   private static final int IHDR = 0x49484452;
   private static final int PLTE = 0x504c5445;
   static final int IDAT = 0x49444154;
-  private static final int IEND = 0x49454e44;
+  static final int IEND = 0x49454e44;
   private static final int TRNS = 0x74524e53;
+  private static final int PALETTE = 3;
   private static final int HEADER_BYTES = 13;
 
   /** The largest number of colors of a palette. */
@@ -42,22 +57,29 @@ public record PngFile(int width, int height, PngTransparency transparency, byte[
     return file.length >= Long.BYTES && ByteBuffer.wrap(file).getLong() == SIGNATURE;
   }
 
+  /** Reads the structure of a file that {@link #startsIn} recognizes; see {@link #read}. */
+  public static EncodedPicture open(byte[] file) throws ImageFormatException {
+    PngFile png = read(file);
+    return new EncodedPicture(png.width, png.height, 1, png::decode);
+  }
+
   /**
    * Reads the structure of a file that {@link #startsIn} recognizes.
    *
    * @throws ImageFormatException if the chunks are damaged, or the picture exceeds the limits or is
    *     larger than its data can hold
    */
-  public static PngFile read(byte[] file) throws ImageFormatException {
+  private static PngFile read(byte[] file) throws ImageFormatException {
     ByteBuffer in = ByteBuffer.wrap(file);
-    PngContent content = new PngContent(file);
     ByteBuffer header = header(file);
     int width = header.getInt();
     int height = header.getInt();
     PictureLimits.checkSize(width, height);
     int depth = header.get();
     int colorType = header.get();
-    int bits = bitsPerPixel(depth, colorType);
+    requireDepth(depth, colorType);
+    int interlacing = interlacing(header);
+    byte[] palette = {};
     byte[] transparency = {};
     long deflated = 0;
     int type;
@@ -71,7 +93,10 @@ public record PngFile(int width, int height, PngTransparency transparency, byte[
       }
       if (type == IHDR || type == PLTE || type == IDAT || type == IEND) {
         checkSum(file, start, length);
-        content.add(type, start, length);
+        if (type == PLTE) {
+          requirePalette(colorType, deflated, palette);
+          palette = palette(file, start + 8, length, depth, colorType);
+        }
         deflated += type == IDAT ? length : 0;
       }
       if (type == TRNS) {
@@ -81,11 +106,23 @@ public record PngFile(int width, int height, PngTransparency transparency, byte[
       }
       in.position(start + length + FRAME_BYTES);
     } while (type != IEND);
-    if ((long) width * height * bits / 8 > MAX_INFLATION * deflated) {
+    if (colorType == PALETTE && palette.length == 0) {
+      throw malformed("PNG has no palette");
+    }
+    PngFile png =
+        new PngFile(
+            width,
+            height,
+            depth,
+            colorType,
+            interlacing == 1,
+            palette,
+            new PngTransparency(colorType, depth, transparency),
+            file);
+    if ((long) width * height * png.samples() * depth / 8 > MAX_INFLATION * deflated) {
       throw malformed("PNG data are too short for " + width + "x" + height + " pixels");
     }
-    return new PngFile(
-        width, height, new PngTransparency(colorType, depth, transparency), content.bytes());
+    return png;
   }
 
   private static ByteBuffer header(byte[] file) throws ImageFormatException {
@@ -115,15 +152,72 @@ public record PngFile(int width, int height, PngTransparency transparency, byte[
     }
   }
 
-  private static int bitsPerPixel(int depth, int colorType) throws ImageFormatException {
-    int channels =
+  private static void requireDepth(int depth, int colorType) throws ImageFormatException {
+    String depths =
         switch (colorType) {
-          case 0, 3 -> 1;
-          case 2 -> 3;
-          case 4 -> 2;
-          case 6 -> 4;
+          case 0 -> "1, 2, 4, 8 or 16";
+          case PALETTE -> "1, 2, 4 or 8";
+          case 2, 4, 6 -> "8 or 16";
           default -> throw malformed("PNG has the unknown color type " + colorType);
         };
-    return channels * depth;
+    if (!List.of(depths.split(", | or ")).contains("" + depth)) {
+      throw malformed(
+          "PNG has %d bits per sample with color type %d, expected %s"
+              .formatted(depth, colorType, depths));
+    }
+  }
+
+  /** Reads the rest of the header, and returns the kind of interlacing. */
+  private static int interlacing(ByteBuffer header) throws ImageFormatException {
+    int compression = header.get();
+    int filters = header.get();
+    int interlacing = header.get();
+    if (compression != 0 || filters != 0 || interlacing < 0 || interlacing > 1) {
+      throw malformed(
+          "PNG has compression %d, filters %d and interlacing %d, expected 0, 0 and 0 or 1"
+              .formatted(compression, filters, interlacing));
+    }
+    return interlacing;
+  }
+
+  private static void requirePalette(int colorType, long deflated, byte[] palette)
+      throws ImageFormatException {
+    if (palette.length > 0 || deflated > 0 || colorType == 0 || colorType == 4) {
+      throw malformed("PNG is damaged: a palette that does not belong here");
+    }
+  }
+
+  /** Returns the colors of a palette; those without a color of their own are black. */
+  private static byte[] palette(byte[] file, int start, int length, int depth, int colorType)
+      throws ImageFormatException {
+    int colors = colorType == PALETTE ? 1 << depth : MAX_COLORS;
+    if (length < 3 || length / 3 > colors) {
+      throw malformed(
+          "PNG has a palette of %d colors, expected 1 to %d".formatted(length / 3, colors));
+    }
+    return Arrays.copyOf(Arrays.copyOfRange(file, start, start + length / 3 * 3), 3 * colors);
+  }
+
+  boolean hasPalette() {
+    return colorType == PALETTE;
+  }
+
+  /** Returns the number of samples of a pixel. */
+  int samples() {
+    return switch (colorType) {
+      case 2 -> 3;
+      case 4 -> 2;
+      case 6 -> 4;
+      default -> 1;
+    };
+  }
+
+  private Pixels decode() throws ImageFormatException {
+    Inflater inflater = new Inflater();
+    try {
+      return new PngDecoder(this, inflater).decode();
+    } finally {
+      inflater.end();
+    }
   }
 }

@@ -1,5 +1,8 @@
 package io.github.lumbre.image.png;
 
+import static io.github.lumbre.image.ImageFormatException.malformed;
+
+import io.github.lumbre.image.ImageFormatException;
 import java.io.IOException;
 import java.io.OutputStream;
 
@@ -86,6 +89,44 @@ final class PngFilter {
   private static int put(byte[] bytes, int at, int value) {
     bytes[at] = (byte) value;
     return Math.abs(bytes[at]);
+  }
+
+  /**
+   * Undoes the filter of a row.
+   *
+   * @param filter the number of the filter
+   * @param row a pixel of zeros, and the filtered row
+   * @param above a pixel of zeros, and the row above
+   */
+  static void undo(int filter, byte[] row, byte[] above, int bytesPerPixel)
+      throws ImageFormatException {
+    int end = row.length - bytesPerPixel;
+    switch (filter) {
+      case 0 -> {}
+      case 1 -> {
+        for (int i = 0; i < end; i++) {
+          row[i + bytesPerPixel] += row[i];
+        }
+      }
+      case 2 -> {
+        for (int i = bytesPerPixel; i < row.length; i++) {
+          row[i] += above[i];
+        }
+      }
+      case 3 -> {
+        for (int i = 0; i < end; i++) {
+          row[i + bytesPerPixel] +=
+              (byte) ((row[i] & 0xff) + (above[i + bytesPerPixel] & 0xff) >> 1);
+        }
+      }
+      case 4 -> {
+        for (int i = 0; i < end; i++) {
+          int top = above[i + bytesPerPixel] & 0xff;
+          row[i + bytesPerPixel] += (byte) paeth(row[i] & 0xff, top, above[i] & 0xff);
+        }
+      }
+      default -> throw malformed("PNG is damaged: the unknown filter " + filter);
+    }
   }
 
   /** Returns which of the three is nearest to {@code left + up - corner}. */

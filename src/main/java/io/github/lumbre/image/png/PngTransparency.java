@@ -10,14 +10,11 @@ import java.util.stream.IntStream;
  * @param depth bits per sample
  * @param data of the chunk tRNS; empty if the file has none
  */
-public record PngTransparency(int type, int depth, byte[] data) {
+record PngTransparency(int type, int depth, byte[] data) {
   private static final int GRAY = 0;
   private static final int RGB = 2;
   private static final int PALETTE = 3;
   private static final int OPAQUE = 255;
-
-  /** No transparency. */
-  public static final PngTransparency NONE = new PngTransparency(GRAY, 8, new byte[0]);
 
   /** Returns whether any color may be transparent. A chunk of a wrong size is ignored. */
   public boolean isPresent() {
@@ -40,17 +37,11 @@ public record PngTransparency(int type, int depth, byte[] data) {
   }
 
   /**
-   * Returns the alpha of a sample of a palette or of gray, from 0 to 255.
+   * Returns the alpha of a color of a palette, from 0 to 255.
    *
-   * @param sample index into the palette, or gray of at most 8 bits
+   * @param index of the color
    */
-  public int alpha(int sample) {
-    if (!isPresent()) {
-      return OPAQUE;
-    }
-    if (type == PALETTE) {
-      return sample < data.length ? data[sample] & 0xff : OPAQUE;
-    }
-    return sample == key()[0] ? 0 : OPAQUE;
+  public int alpha(int index) {
+    return index < data.length ? data[index] & 0xff : OPAQUE;
   }
 }

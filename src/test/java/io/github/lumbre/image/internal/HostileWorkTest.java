@@ -8,7 +8,6 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.jpeg.ProgressiveJpeg;
-import io.github.lumbre.image.png.PngFile;
 import io.github.lumbre.image.png.PngFixture;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -86,19 +85,14 @@ class HostileWorkTest {
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isEqualTo(128);
   }
 
-  /** The JDK's decoder is slow for each chunk of image data, so it receives a single chunk. */
   @Test
-  void chunksOfImageDataBecomeOne() throws IOException {
+  void chunksOfImageDataMayBeShortOrEmpty() throws IOException {
     PngFixture fixture = new PngFixture().header(1, 1, 8, PngFixture.RGB, false);
     byte[] data = PngFixture.deflated(new byte[4]);
     for (int i = 0; i < 1000; i++) {
       fixture.chunk("IDAT", i < data.length ? new byte[] {data[i]} : new byte[0]);
     }
     byte[] file = fixture.end();
-    byte[] content = PngFile.read(file).content();
-    assertThat(content)
-        .isEqualTo(
-            new PngFixture().header(1, 1, 8, PngFixture.RGB, false).chunk("IDAT", data).end());
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isZero();
   }
 }

@@ -20,7 +20,7 @@ public final class PngFixture {
   private static final int[][] WHOLE = {{0, 0, 1, 1}};
 
   /** The first column, first row, column step and row step of the seven Adam7 passes. */
-  private static final int[][] ADAM7 = {
+  static final int[][] ADAM7 = {
     {0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}
   };
 
