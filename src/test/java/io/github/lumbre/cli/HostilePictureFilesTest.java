@@ -121,11 +121,11 @@ class HostilePictureFilesTest {
 
   @Test
   void otherCompressionsAndChannelsOfOpenExr() throws IOException {
-    for (int compression : new int[] {5, 6, 9, 255}) {
+    for (int compression : new int[] {10, 11, 12, 255}) {
       assertRefused(
-          with("compression", compression), 4, "expected no compression, RLE, ZIPS, ZIP or PIZ");
+          with("compression", compression), 4, "expected no compression, RLE, ZIPS, ZIP, PIZ,");
     }
-    for (int compression : new int[] {1, 4}) {
+    for (int compression : new int[] {1, 4, 5, 6, 7, 8, 9}) {
       assertRefused(with("compression", compression), 4, "OpenEXR");
     }
     assertRefused(with("channels", 2, 1), 4, "damaged");
