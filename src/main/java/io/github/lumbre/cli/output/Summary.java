@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 
 /** The summary that is printed after a render. */
 public final class Summary {
@@ -166,18 +167,23 @@ public final class Summary {
 
   /** Prints the reason why a long render used the scalar kernel, if it is not the processor. */
   public void printKernel(Messages messages) {
-    printKernel(Kernel.moduleObstacle(), messages);
+    printKernel(Kernel::moduleObstacle, messages);
   }
 
-  void printKernel(Optional<String> obstacle, Messages messages) {
+  /**
+   * @param obstacle is asked for after long renders only, since the answer loads the module
+   */
+  void printKernel(Supplier<Optional<String>> obstacle, Messages messages) {
     if (seconds * threads() > LONG_SECONDS) {
-      obstacle.ifPresent(
-          reason ->
-              messages.line(
-                  "hint: the scalar kernel rendered this picture, because "
-                      + reason
-                      + "; on a processor with 256-bit vectors, the vector kernel takes 10 % to"
-                      + " 40 % less time"));
+      obstacle
+          .get()
+          .ifPresent(
+              reason ->
+                  messages.line(
+                      "hint: the scalar kernel rendered this picture, because "
+                          + reason
+                          + "; on a processor with 256-bit vectors, the vector kernel takes 10 % to"
+                          + " 40 % less time"));
     }
   }
 
