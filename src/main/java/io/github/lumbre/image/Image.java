@@ -134,7 +134,7 @@ public final class Image {
    * #toPng(ImageWriter.Options)} in 8 bits: {@code TYPE_4BYTE_ABGR} if there is alpha, otherwise
    * {@code TYPE_3BYTE_BGR}.
    *
-   * @param options of which exposure and tone curve are used
+   * @param options whose exposure and tone curve are used; the others are ignored
    */
   public BufferedImage toBufferedImage(ImageWriter.Options options) {
     return DisplayPicture.of(DisplayRows.of(this, options, Byte.SIZE, hasAlpha()));

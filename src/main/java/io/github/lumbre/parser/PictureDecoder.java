@@ -4,6 +4,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -82,6 +83,9 @@ record PictureDecoder(Allowance allowance, boolean lenient) {
     allowance.addTexels((long) pixels.width() * pixels.height());
     warnOfBomb(content, pixels);
     warnOfColorSpace(content);
+    if (EncodedFormat.hasMorePictures(content.bytes())) {
+      content.warn("the file has several pictures; only the first one is shown");
+    }
     return pixels;
   }
 

@@ -124,7 +124,7 @@ class UploadLimitsTest {
     assertThat(allowing.parse(scene).warnings().toString()).doesNotContain("GIF");
   }
 
-  /** Files of 2 KB that claim 10000x10000 pixels, of which their formats need few bytes. */
+  /** Files of 2 KB that claim 10000x10000 pixels, in formats that need few bytes for them. */
   @Test
   void claimsOfLegacyPicturesAreRefused() throws IOException {
     Limits limits = Limits.UPLOADS.withLegacyPictures(true);

@@ -32,9 +32,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Thumbnails under load: eight clients, one of which stalls in the middle of its upload, send good
- * models and mutated ones in turn. The long test measures: {@code -Pendurance} on a quiet machine
- * of two processors, of {@code -Dlumbre.thumbnail.calls} calls.
+ * Thumbnails under load: eight clients send good models and mutated ones in turn, and one of the
+ * clients stalls in the middle of its upload. The long test measures: {@code -Pendurance} on a
+ * quiet machine of two processors, of {@code -Dlumbre.thumbnail.calls} calls.
  */
 @Timeout(value = 30, unit = TimeUnit.MINUTES)
 class ThumbnailLoadTest {

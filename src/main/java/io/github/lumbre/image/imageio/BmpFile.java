@@ -7,6 +7,8 @@ import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Checks the header of a BMP file before Java decodes the picture (Microsoft, "Bitmap Storage" and
@@ -18,12 +20,16 @@ public final class BmpFile {
   private static final int CORE_HEADER = 12;
   private static final int INFO_HEADER = 40;
   private static final int V4_HEADER = 108;
+  private static final int V5_HEADER = 124;
   private static final int FILE_SIZE_AT = 2;
   private static final int RESERVED_AT = 6;
   private static final int DATA_AT = 10;
   private static final int DATA_SIZE_AT = 34;
   private static final int COLOR_SPACE_AT = 70;
+  private static final int PROFILE_AT = 126;
+  private static final int PROFILE_SIZE_AT = 130;
   private static final int SRGB = 0x73524742;
+  private static final int EMBEDDED = 0x4d424544;
   private static final int RLE8 = 1;
   private static final int RLE4 = 2;
   private static final int BIT_FIELDS = 3;
@@ -45,6 +51,21 @@ public final class BmpFile {
 
   private static ByteBuffer buffer(byte[] file) {
     return ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /**
+   * Returns the ICC profile of a file that {@link #startsIn} recognizes; empty if there is none.
+   *
+   * @throws IndexOutOfBoundsException if the file is truncated
+   */
+  public static byte[] profile(byte[] file) {
+    ByteBuffer in = buffer(file);
+    if (in.getInt(FILE_HEADER) < V5_HEADER || in.getInt(COLOR_SPACE_AT) != EMBEDDED) {
+      return new byte[0];
+    }
+    int size = in.getInt(PROFILE_SIZE_AT);
+    int from = Objects.checkFromIndexSize(FILE_HEADER + in.getInt(PROFILE_AT), size, file.length);
+    return Arrays.copyOfRange(file, from, from + size);
   }
 
   /**

@@ -13,6 +13,7 @@ import java.nio.ByteOrder;
  * The place of the first picture of a GIF file, whose other pictures are ignored (CompuServe,
  * "Graphics Interchange Format, version 89a").
  *
+ * @param start position of the picture in the file
  * @param left column of the picture's left edge on the screen
  * @param top row of the picture's upper edge on the screen
  * @param width of the picture in pixels
@@ -20,7 +21,8 @@ import java.nio.ByteOrder;
  * @param screenWidth in pixels; at least up to the picture's right edge
  * @param screenHeight in pixels; at least down to the picture's lower edge
  */
-public record GifFile(int left, int top, int width, int height, int screenWidth, int screenHeight) {
+public record GifFile(
+    int start, int left, int top, int width, int height, int screenWidth, int screenHeight) {
   private static final int HEADER = 13;
   private static final int DESCRIPTOR = 10;
   private static final int IMAGE = 0x2c;
@@ -62,10 +64,28 @@ public record GifFile(int left, int top, int width, int height, int screenWidth,
                 "GIF", file, reader -> gif.onScreen(RasterPixels.of(reader.read(0)))));
   }
 
+  /**
+   * Returns whether a file that {@link #startsIn} recognizes has a second picture.
+   *
+   * @throws ImageFormatException if the file is damaged or truncated before it
+   */
+  public static boolean hasMorePictures(byte[] file) throws ImageFormatException {
+    int start = read(file).start;
+    // After the colors and the size of codes, the blocks of the picture; then extensions.
+    int at = afterBlocks(file, start + DESCRIPTOR + colorBytes(file[start + 9]) + 1);
+    while (at + 1 < file.length && file[at] == EXTENSION) {
+      at = afterBlocks(file, at + 2);
+    }
+    return at < file.length && file[at] == IMAGE;
+  }
+
+  private static int colorBytes(int flags) {
+    return (flags & 0x80) == 0 ? 0 : 3 << (flags & 7) + 1;
+  }
+
   private static GifFile read(byte[] file) throws ImageFormatException {
     ByteBuffer in = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
-    int flags = file[10];
-    int at = HEADER + ((flags & 0x80) == 0 ? 0 : 3 << (flags & 7) + 1);
+    int at = HEADER + colorBytes(file[10]);
     while (at + DESCRIPTOR <= file.length) {
       if (file[at] == IMAGE) {
         int left = in.getShort(at + 1) & 0xffff;
@@ -73,6 +93,7 @@ public record GifFile(int left, int top, int width, int height, int screenWidth,
         int width = in.getShort(at + 5) & 0xffff;
         int height = in.getShort(at + 7) & 0xffff;
         return new GifFile(
+            at,
             left,
             top,
             width,

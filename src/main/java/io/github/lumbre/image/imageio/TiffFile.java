@@ -149,6 +149,17 @@ public final class TiffFile {
     return new byte[0];
   }
 
+  /**
+   * Returns whether a file that {@link #startsIn} recognizes has a second directory.
+   *
+   * @throws IndexOutOfBoundsException if the file is truncated
+   */
+  public static boolean hasMorePictures(byte[] file) {
+    ByteBuffer in = ByteBuffer.wrap(file).order(order(file));
+    int start = in.getInt(4);
+    return in.getInt(start + Short.BYTES + ENTRY * (in.getShort(start) & 0xffff)) != 0;
+  }
+
   private EncodedPicture open() throws ImageFormatException {
     if (file.getShort(2) == BIG_VERSION) {
       throw malformed("TIFF is a BigTIFF file, expected one of at most 4 GB; save it as a PNG");

@@ -2,6 +2,7 @@ package io.github.lumbre.image.internal;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.image.imageio.BmpFile;
 import io.github.lumbre.image.imageio.TiffFile;
 import io.github.lumbre.image.jpeg.JpegFile;
 import io.github.lumbre.image.png.PngFile;
@@ -16,7 +17,7 @@ import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 
 /**
- * Finds the color space that a PNG, JPEG, WebP or TIFF file states if it is not sRGB, because
+ * Finds the color space that a PNG, JPEG, WebP, TIFF or BMP file states if it is not sRGB, because
  * {@link ImageReader} ignores it. Only the description of an ICC profile is decoded. Sources: PNG
  * specification, third edition, sec. 11.3.2; ICC.1:2022, sec. 7 and B.4.
  */
@@ -49,16 +50,26 @@ public final class ColorTag {
       if (PngFile.startsIn(file)) {
         return ofPng(ByteBuffer.wrap(file));
       }
-      boolean isWebp = WebpFile.startsIn(file);
-      if (isWebp || TiffFile.startsIn(file)) {
-        byte[] profile = isWebp ? WebpFile.profile(file) : TiffFile.profile(file);
-        return profile.length == 0 ? Optional.empty() : profile(profile);
+      if (JpegFile.startsIn(file)) {
+        return ofJpeg(ByteBuffer.wrap(file));
       }
-      return JpegFile.startsIn(file) ? ofJpeg(ByteBuffer.wrap(file)) : Optional.empty();
+      byte[] profile = whole(file);
+      return profile.length == 0 ? Optional.empty() : profile(profile);
     } catch (IndexOutOfBoundsException | ImageFormatException e) {
       // The file is damaged. Decoding reports that.
       return Optional.empty();
     }
+  }
+
+  /** Returns the profile of a file of a format that has it in one piece. */
+  private static byte[] whole(byte[] file) throws ImageFormatException {
+    if (WebpFile.startsIn(file)) {
+      return WebpFile.profile(file);
+    }
+    if (TiffFile.startsIn(file)) {
+      return TiffFile.profile(file);
+    }
+    return BmpFile.startsIn(file) ? BmpFile.profile(file) : new byte[0];
   }
 
   private static Optional<String> ofPng(ByteBuffer file) {

@@ -82,6 +82,16 @@ public enum EncodedFormat {
     return picture;
   }
 
+  /** Returns whether a file has pictures besides the one that is decoded. */
+  public static boolean hasMorePictures(byte[] file) {
+    try {
+      return GifFile.startsIn(file) && GifFile.hasMorePictures(file)
+          || TiffFile.startsIn(file) && TiffFile.hasMorePictures(file);
+    } catch (IndexOutOfBoundsException | ImageFormatException e) {
+      return false; // The file is damaged. Decoding reports that.
+    }
+  }
+
   /** Returns whether a file is of any of the formats. */
   static boolean isIn(byte[] file) {
     return of(file).isPresent();
@@ -100,6 +110,8 @@ public enum EncodedFormat {
 
   private static EncodedPicture jpeg(byte[] file) throws ImageFormatException {
     JpegFile jpeg = JpegFile.read(file);
-    return new EncodedPicture(jpeg.width(), jpeg.height(), 1, () -> JdkDecoder.decode(jpeg));
+    // Inks are decoded first, and then become colors.
+    int bytes = jpeg.components() == 4 ? 4 + 3 : jpeg.components();
+    return new EncodedPicture(jpeg.width(), jpeg.height(), bytes, () -> JdkDecoder.decode(jpeg));
   }
 }

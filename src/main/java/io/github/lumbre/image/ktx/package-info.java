@@ -3,7 +3,7 @@
  * of 8 bits per channel. The module does not export it. {@link
  * io.github.lumbre.image.ktx.KtxFile} is the entry.
  *
- * <p>A file has levels, of which the first, largest one is decoded. Its texels come in blocks of 4x4
+ * <p>A file has levels; the first one, the largest, is decoded. Its texels come in blocks of 4x4
  * ({@link io.github.lumbre.image.ktx.TexelBlocks}). In UASTC, each block has 16 bytes, which {@link
  * io.github.lumbre.image.ktx.UastcBlock} decodes. In ETC1S, blocks refer to two code books, {@link
  * io.github.lumbre.image.ktx.Etc1sCodeBooks}, in streams of Huffman codes, which {@link

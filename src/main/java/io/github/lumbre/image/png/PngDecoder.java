@@ -29,8 +29,7 @@ final class PngDecoder {
     depth = png.depth();
     samples = png.samples();
     key = png.transparency().key();
-    boolean hasMore = png.transparency().isPresent();
-    channels = (png.hasPalette() ? 3 : samples) + (hasMore ? 1 : 0);
+    channels = png.channels();
     int values = Math.multiplyExact(channels, Math.multiplyExact(png.width(), png.height()));
     bytes = new byte[depth == WIDE ? 0 : values];
     shorts = new short[depth == WIDE ? values : 0];
@@ -61,7 +60,7 @@ final class PngDecoder {
     for (int i = 0; i < rows; i++) {
       Interrupts.check();
       data.read(row, distance - 1, length + 1);
-      int filter = row[distance - 1];
+      int filter = row[distance - 1] & 0xff;
       row[distance - 1] = 0;
       PngFilter.undo(filter, row, above, distance);
       int to = channels * (png.width() * (pass[1] + i * pass[3]) + pass[0]);

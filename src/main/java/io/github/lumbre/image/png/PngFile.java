@@ -60,7 +60,8 @@ public record PngFile(
   /** Reads the structure of a file that {@link #startsIn} recognizes; see {@link #read}. */
   public static EncodedPicture open(byte[] file) throws ImageFormatException {
     PngFile png = read(file);
-    return new EncodedPicture(png.width, png.height, 1, png::decode);
+    int bytes = png.channels() * (png.depth > Byte.SIZE ? Short.BYTES : 1);
+    return new EncodedPicture(png.width, png.height, bytes, png::decode);
   }
 
   /**
@@ -75,8 +76,8 @@ public record PngFile(
     int width = header.getInt();
     int height = header.getInt();
     PictureLimits.checkSize(width, height);
-    int depth = header.get();
-    int colorType = header.get();
+    int depth = header.get() & 0xff;
+    int colorType = header.get() & 0xff;
     requireDepth(depth, colorType);
     int interlacing = interlacing(header);
     byte[] palette = {};
@@ -169,10 +170,10 @@ public record PngFile(
 
   /** Reads the rest of the header, and returns the kind of interlacing. */
   private static int interlacing(ByteBuffer header) throws ImageFormatException {
-    int compression = header.get();
-    int filters = header.get();
-    int interlacing = header.get();
-    if (compression != 0 || filters != 0 || interlacing < 0 || interlacing > 1) {
+    int compression = header.get() & 0xff;
+    int filters = header.get() & 0xff;
+    int interlacing = header.get() & 0xff;
+    if (compression != 0 || filters != 0 || interlacing > 1) {
       throw malformed(
           "PNG has compression %d, filters %d and interlacing %d, expected 0, 0 and 0 or 1"
               .formatted(compression, filters, interlacing));
@@ -210,6 +211,11 @@ public record PngFile(
       case 6 -> 4;
       default -> 1;
     };
+  }
+
+  /** Returns the number of values of a pixel after decoding. */
+  int channels() {
+    return (hasPalette() ? 3 : samples()) + (transparency.isPresent() ? 1 : 0);
   }
 
   private Pixels decode() throws ImageFormatException {

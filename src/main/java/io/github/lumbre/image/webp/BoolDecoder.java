@@ -88,7 +88,7 @@ final class BoolDecoder {
     return flag() ? signed(bits) : 0;
   }
 
-  /** Returns some numbers, each of which is {@link #optional}. */
+  /** Returns numbers that are {@link #optional} each. */
   int[] optionals(int count, int bits) throws ImageFormatException {
     int[] numbers = new int[count];
     for (int i = 0; i < count; i++) {

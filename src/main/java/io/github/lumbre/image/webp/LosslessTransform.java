@@ -62,7 +62,9 @@ record LosslessTransform(int kind, int width, int bits, int[] data) {
     }
   }
 
-  /** Replaces indices, of which one pixel may hold several, from the last one to the first. */
+  /**
+   * Replaces indices by colors, from the last one to the first; a pixel may hold several indices.
+   */
   private void look(int[] pixels, int y) {
     int indexBits = Byte.SIZE >> bits;
     int row = y * blocks(width, bits);

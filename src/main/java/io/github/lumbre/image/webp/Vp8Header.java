@@ -64,7 +64,7 @@ record Vp8Header(
       throw malformed("VP8 is truncated");
     }
     BoolDecoder bits = new BoolDecoder(file, start, first);
-    bits.unsigned(2); // The color space, of which there is one, and a promise about clamping.
+    bits.unsigned(2); // The color space (there is only one), and a promise about clamping.
     Segments segments = Segments.read(bits);
     Vp8Filters filters = filters(bits, segments);
     BoolDecoder[] residuals = residuals(file, first, end, 1 << bits.unsigned(2));

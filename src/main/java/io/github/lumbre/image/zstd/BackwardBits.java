@@ -17,7 +17,7 @@ final class BackwardBits {
   private long left;
 
   /**
-   * @param in all of which are the bits
+   * @param in the bytes of the bits, and no others
    */
   BackwardBits(ZstdInput in) throws ImageFormatException {
     this.in = in;

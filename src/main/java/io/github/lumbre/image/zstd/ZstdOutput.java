@@ -58,7 +58,7 @@ final class ZstdOutput {
     }
   }
 
-  /** Returns the bytes, all of which must have been written. */
+  /** Returns all bytes, after the last one was written. */
   byte[] complete() throws ImageFormatException {
     if (at < bytes.length) {
       throw in.malformed("expected " + bytes.length + " decoded bytes, found " + at);

@@ -22,7 +22,7 @@ public record NamedFiles(String folder, Source source) implements ModelFolder {
     /**
      * Returns the bytes of a file; empty if there is none of that name.
      *
-     * @param path names with / between them, none of which is empty, {@code .} or {@code ..}
+     * @param path names with / between them; no name is empty, {@code .} or {@code ..}
      */
     Optional<byte[]> read(String path, String location) throws ModelFormatException, IOException;
   }

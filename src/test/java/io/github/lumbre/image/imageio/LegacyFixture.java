@@ -57,6 +57,26 @@ public final class LegacyFixture {
     return out.toByteArray();
   }
 
+  /** Returns a file of two pictures. */
+  public static byte[] two(String format) {
+    ImageWriter writer = ImageIO.getImageWritersByFormatName(format).next();
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+      writer.setOutput(stream);
+      writer.prepareWriteSequence(null);
+      for (int i = 0; i < 2; i++) {
+        writer.writeToSequence(
+            new IIOImage(picture(BufferedImage.TYPE_BYTE_INDEXED), null, null), null);
+      }
+      writer.endWriteSequence();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    } finally {
+      writer.dispose();
+    }
+    return out.toByteArray();
+  }
+
   public static Stream<byte[]> bmps() {
     return Stream.concat(
         Stream.of(

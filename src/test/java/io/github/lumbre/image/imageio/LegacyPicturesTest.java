@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.limit.Limits;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -87,6 +88,20 @@ class LegacyPicturesTest {
   void valuesAreThoseOfTheFile(String format, int type, String packing) throws IOException {
     Pixels pixels = ImageReader.decode(LegacyFixture.file(format, type, packing));
     assertSame(pixels, LegacyFixture.picture(type));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"gif", "tiff"})
+  void furtherPicturesAreFound(String format) throws IOException {
+    byte[] two = LegacyFixture.two(format);
+    assertSame(ImageReader.decode(two), LegacyFixture.picture(PALETTE));
+    assertThat(EncodedFormat.hasMorePictures(two)).isTrue();
+    assertThat(EncodedFormat.hasMorePictures(LegacyFixture.file(format, PALETTE, ""))).isFalse();
+    int first = 0;
+    for (int length = 0; length < two.length; length++) {
+      first += EncodedFormat.hasMorePictures(Arrays.copyOf(two, length)) ? 0 : 1;
+    }
+    assertThat(first).isBetween(1, two.length);
   }
 
   @ParameterizedTest

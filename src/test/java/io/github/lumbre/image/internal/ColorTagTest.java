@@ -74,6 +74,14 @@ class ColorTagTest {
     return file.putInt(0).put(profile).array();
   }
 
+  /** Returns a BMP of the fifth header with a profile. */
+  private static byte[] bmp(byte[] profile) {
+    ByteBuffer file = ByteBuffer.allocate(14 + 124 + profile.length);
+    file.order(ByteOrder.LITTLE_ENDIAN).put((byte) 'B').put((byte) 'M');
+    file.putInt(14, 124).putInt(70, 0x4d424544).putInt(126, 124).putInt(130, profile.length);
+    return file.position(138).put(profile).array();
+  }
+
   private static byte[] profile(int space) {
     return ICC_Profile.getInstance(space).getData();
   }
@@ -108,6 +116,8 @@ class ColorTagTest {
       assertThat(ImageReader.ignoredColorSpace(tiff(adobe, order))).contains(found);
       assertThat(ImageReader.ignoredColorSpace(tiff(srgb, order))).isEmpty();
     }
+    assertThat(ImageReader.ignoredColorSpace(bmp(adobe))).contains(found);
+    assertThat(ImageReader.ignoredColorSpace(bmp(srgb))).isEmpty();
     byte[] linear = profile(ColorSpace.CS_LINEAR_RGB);
     assertThat(ImageReader.ignoredColorSpace(profiled(linear)).orElseThrow())
         .startsWith("an ICC profile");
@@ -133,6 +143,10 @@ class ColorTagTest {
     byte[] tiff = tiff(named("Adobe RGB (1998)"), ByteOrder.BIG_ENDIAN);
     for (int length = 0; length < tiff.length; length++) {
       assertThat(ImageReader.ignoredColorSpace(Arrays.copyOf(tiff, length))).isEmpty();
+    }
+    byte[] bmp = bmp(named("Adobe RGB (1998)"));
+    for (int length = 0; length < bmp.length; length++) {
+      assertThat(ImageReader.ignoredColorSpace(Arrays.copyOf(bmp, length))).isEmpty();
     }
     byte[] wild = named("x");
     ByteBuffer.wrap(wild).putInt(136, Integer.MAX_VALUE);

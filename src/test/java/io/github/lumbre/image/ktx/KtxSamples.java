@@ -1,15 +1,13 @@
 package io.github.lumbre.image.ktx;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import io.github.lumbre.testing.SampleFiles;
 import java.util.Base64;
 import java.util.List;
 
 /** Small files that Basis Universal has encoded; generate.mjs beside their table makes them. */
 public final class KtxSamples {
-  private static final List<Sample> ALL = read();
+  private static final List<Sample> ALL =
+      SampleFiles.rows(KtxSamples.class, "pictures.csv").map(KtxSamples::sample).toList();
 
   private KtxSamples() {}
 
@@ -39,18 +37,6 @@ public final class KtxSamples {
         .orElseThrow()
         .file
         .clone();
-  }
-
-  private static List<Sample> read() {
-    try (InputStream in = KtxSamples.class.getResourceAsStream("pictures.csv")) {
-      return new String(in.readAllBytes(), StandardCharsets.US_ASCII)
-          .lines()
-          .skip(1)
-          .map(line -> sample(line.split(",")))
-          .toList();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   private static Sample sample(String... cells) {

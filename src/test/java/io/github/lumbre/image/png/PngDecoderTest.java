@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EncodedFormat;
+import io.github.lumbre.limit.Limits;
 import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -87,16 +89,24 @@ class PngDecoderTest {
     }
   }
 
+  @ParameterizedTest
+  @CsvSource({"0, 1, 1", "2, 8, 3", "2, 16, 6", "3, 4, 3", "4, 16, 4", "6, 8, 4", "6, 16, 8"})
+  void memoryIsCountedBeforeDecoding(int colorType, int depth, int bytes)
+      throws ImageFormatException {
+    byte[] file = file(new Random(1), colorType, depth, false);
+    assertThat(EncodedFormat.open(file, Limits.NONE).bytesPerPixel()).isEqualTo(bytes);
+  }
+
   @Test
   void unknownFiltersAreDamage() {
     byte[] file =
         new PngFixture()
             .header(2, 1, 8, PngFixture.GREY, false)
-            .chunk("IDAT", PngFixture.deflated(new byte[] {5, 1, 2}))
+            .chunk("IDAT", PngFixture.deflated(new byte[] {(byte) 200, 1, 2}))
             .end();
     assertThatThrownBy(() -> ImageReader.decode(file))
         .isInstanceOf(ImageFormatException.class)
-        .hasMessage("PNG is damaged: the unknown filter 5");
+        .hasMessage("PNG is damaged: the unknown filter 200");
   }
 
   @Test

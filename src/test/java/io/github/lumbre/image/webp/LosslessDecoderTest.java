@@ -50,7 +50,7 @@ class LosslessDecoderTest {
     return file.fullCode().fullCode().code(0).code(0).code(0);
   }
 
-  /** The codes of 65,536 groups are read, of which one is used. */
+  /** The codes of 65,536 groups are read, and one group is used. */
   @Test
   void unusedGroupsTakeNoMemory() throws ImageFormatException {
     LosslessWriter file = grouped(1, 1).number(255, 8).number(255, 8);

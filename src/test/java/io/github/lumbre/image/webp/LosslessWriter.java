@@ -29,7 +29,7 @@ final class LosslessWriter {
     return number(0b101, 3).number(symbol, 8);
   }
 
-  /** Writes five codes, each of which has a single symbol: 0, except that of green. */
+  /** Writes five codes with a single symbol each: 0, but another one for green. */
   LosslessWriter codes(int green) {
     return code(green).code(0).code(0).code(0).code(0);
   }

@@ -1,9 +1,6 @@
 package io.github.lumbre.image.webp;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import io.github.lumbre.testing.SampleFiles;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -28,10 +25,7 @@ public final class WebpSamples {
 
   /** Returns what the files of still pictures contain. */
   static List<Sample> all() {
-    return new String(bytes("decoded.csv"), StandardCharsets.US_ASCII)
-        .lines()
-        .skip(1)
-        .map(line -> line.split(","))
+    return SampleFiles.rows(WebpSamples.class, "decoded.csv")
         .map(
             s ->
                 new Sample(
@@ -45,19 +39,11 @@ public final class WebpSamples {
 
   /** Returns the content of a file. */
   public static byte[] file(String name) {
-    return bytes(name + ".webp");
+    return SampleFiles.bytes(WebpSamples.class, name + ".webp");
   }
 
   /** Returns the contents of all files of still pictures. */
   public static Stream<byte[]> files() {
     return all().stream().map(sample -> file(sample.name));
-  }
-
-  private static byte[] bytes(String name) {
-    try (InputStream in = WebpSamples.class.getResourceAsStream(name)) {
-      return in.readAllBytes();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 }

@@ -1,9 +1,6 @@
 package io.github.lumbre.model.draco;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import io.github.lumbre.testing.SampleFiles;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -30,29 +27,18 @@ public final class DracoSamples {
 
   /** Returns what the files contain. */
   static List<Sample> all() {
-    return new String(bytes("decoded.csv"), StandardCharsets.US_ASCII)
-        .lines()
-        .skip(1)
-        .map(line -> line.split(","))
+    return SampleFiles.rows(DracoSamples.class, "decoded.csv")
         .map(s -> new Sample(s[0], Integer.parseInt(s[1]), Integer.parseInt(s[2]), s[3]))
         .toList();
   }
 
   /** Returns the content of a file. */
   public static byte[] file(String name) {
-    return bytes(name + ".drc");
+    return SampleFiles.bytes(DracoSamples.class, name + ".drc");
   }
 
   /** Returns the contents of all files. */
   static Stream<byte[]> files() {
     return all().stream().map(sample -> file(sample.name));
-  }
-
-  private static byte[] bytes(String name) {
-    try (InputStream in = DracoSamples.class.getResourceAsStream(name)) {
-      return in.readAllBytes();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 }

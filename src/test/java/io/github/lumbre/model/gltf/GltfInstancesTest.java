@@ -69,7 +69,7 @@ class GltfInstancesTest {
     assertThat(lowest.x()).isCloseTo(3 * (MANY - 1), within(1e-6));
   }
 
-  /** Returns points with colors and indices, of which a node has two copies. */
+  /** Returns points with colors and indices; a node has two copies of them. */
   private GltfFile withPoints() {
     String attributes =
         "'POSITION': %d, 'COLOR_0': %d"

@@ -1,17 +1,15 @@
 package io.github.lumbre.model.meshopt;
 
 import io.github.lumbre.model.ModelFormatException;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
+import io.github.lumbre.testing.SampleFiles;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 
 /** Small streams that meshoptimizer has compressed; generate.mjs beside their file makes them. */
 public final class MeshoptSamples {
-  private static final List<Sample> ALL = read();
+  private static final List<Sample> ALL =
+      SampleFiles.rows(MeshoptSamples.class, "streams.csv").map(MeshoptSamples::sample).toList();
 
   private MeshoptSamples() {}
 
@@ -48,18 +46,6 @@ public final class MeshoptSamples {
   /** Returns a stream by its name. */
   public static Sample of(String name) {
     return ALL.stream().filter(sample -> sample.name.equals(name)).findFirst().orElseThrow();
-  }
-
-  private static List<Sample> read() {
-    try (InputStream in = MeshoptSamples.class.getResourceAsStream("streams.csv")) {
-      return new String(in.readAllBytes(), StandardCharsets.US_ASCII)
-          .lines()
-          .skip(1)
-          .map(line -> sample(line.split(",")))
-          .toList();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   private static Sample sample(String... cells) {

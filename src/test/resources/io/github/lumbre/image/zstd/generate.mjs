@@ -18,12 +18,12 @@ function add(name, content, ...options) {
   rows.push([name, content.length, sha256, frame.toString('base64')].join(','));
 }
 
-/** Returns bytes of which the low ones are more frequent. */
+/** Returns bytes; low ones are more frequent. */
 function skewed(count, values) {
   return Buffer.from(Array.from({length: count}, () => Math.floor(values * random() ** 3)));
 }
 
-/** Returns bytes, many of which repeat those before them. */
+/** Returns bytes that often repeat earlier ones. */
 function repeating(count, values, longest) {
   const bytes = [...skewed(64, values)];
   while (bytes.length < count) {

@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.image.imageio.LegacyFixture;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -13,9 +14,11 @@ import java.util.List;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tests the warning about an ignored color space. */
-class ColorSpaceWarningTest {
+/** What a picture has and textures lack is a warning: a color space, further pictures. */
+class PictureWarningsTest {
   private static final int AFTER_HEADER = 33;
 
   private static String pngWithGamma(int gamma) throws IOException {
@@ -32,7 +35,7 @@ class ColorSpaceWarningTest {
     return Base64.getEncoder().encodeToString(all.array());
   }
 
-  private static List<String> warnings(int gamma) throws IOException, SceneFormatException {
+  private static List<String> warnings(String picture) throws IOException, SceneFormatException {
     String scene =
         """
         {"mainCameraId": 1,
@@ -44,7 +47,7 @@ class ColorSpaceWarningTest {
           {"id": 4, "type": "Shape", "shapeType": "Sphere", "materialID": 3, "radius": 1},
           {"id": 5, "type": "Light", "lightType": "Point"}]}
         """
-            .formatted(pngWithGamma(gamma));
+            .formatted(picture);
     byte[] content = scene.getBytes(StandardCharsets.UTF_8);
     return new SceneParser()
         .parse(content, Path.of("s.json")).warnings().stream().map(Object::toString).toList();
@@ -52,11 +55,21 @@ class ColorSpaceWarningTest {
 
   @Test
   void aGammaThatIsIgnoredIsAWarningAtTheTexture() throws IOException, SceneFormatException {
-    assertThat(warnings(100000))
+    assertThat(warnings(pngWithGamma(100000)))
         .filteredOn(warning -> warning.contains("gamma"))
         .containsExactly(
             "s.json: $.assets[0].base64PNG: the picture has a gamma of 1.0, which is ignored; its"
                 + " colors are read as sRGB; convert it to sRGB");
-    assertThat(warnings(45455)).noneMatch(warning -> warning.contains("gamma"));
+    assertThat(warnings(pngWithGamma(45455))).noneMatch(warning -> warning.contains("gamma"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"gif", "tiff"})
+  void picturesThatAreIgnoredAreAWarning(String format) throws IOException, SceneFormatException {
+    assertThat(warnings(Base64.getEncoder().encodeToString(LegacyFixture.two(format))))
+        .filteredOn(warning -> warning.contains("base64PNG"))
+        .containsExactly(
+            "s.json: $.assets[0].base64PNG: the file has several pictures; only the first one is"
+                + " shown");
   }
 }
