@@ -79,6 +79,10 @@ public final class Thumbnails implements AutoCloseable {
 
   private final Stage stage;
   private final Limits limits;
+
+  /** Limits of the reader alone: {@link #answer} watches the time of reading and rendering. */
+  private final Limits withoutTime;
+
   private final ThreadPoolExecutor pool;
 
   /** Creates thumbnails on {@link Stage#DEFAULT}. */
@@ -95,6 +99,7 @@ public final class Thumbnails implements AutoCloseable {
   public Thumbnails(Stage stage, Limits limits) {
     this.stage = Objects.requireNonNull(stage, "stage");
     this.limits = limits;
+    this.withoutTime = limits.withTime(Limits.NO_TIME_LIMIT);
     Runtime runtime = Runtime.getRuntime();
     long fitting = runtime.maxMemory() / 2 / limits.heap();
     int threads = (int) Math.max(1, Math.min(runtime.availableProcessors(), fitting));
@@ -210,7 +215,7 @@ public final class Thumbnails implements AutoCloseable {
       throws SceneFormatException, IOException, InterruptedException {
     SceneFile file =
         new SceneParser()
-            .limitedTo(limits)
+            .limitedTo(withoutTime)
             .overriding(settings -> small(settings, side))
             .parse(name, model, stage);
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene()).on(pool);
