@@ -11,6 +11,12 @@ public interface ScalarChannel extends Channel {
   /** Returns the value at a point of a surface. */
   double at(SurfacePoint point);
 
+  /** Returns the value at a point of a surface, clamped to [0,1]; NaN becomes 0. */
+  default double fractionAt(SurfacePoint point) {
+    double value = at(point);
+    return value > 0 ? Math.min(1, value) : 0;
+  }
+
   /** Returns a channel with the same value everywhere. */
   static ScalarChannel of(double value) {
     return of(ScalarTexture.constant(value), 0);

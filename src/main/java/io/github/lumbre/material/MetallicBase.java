@@ -1,0 +1,162 @@
+package io.github.lumbre.material;
+
+import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Dielectric;
+import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.RoughDielectric;
+import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.math.Vec3;
+import java.util.Optional;
+
+/**
+ * What lies below sheen and clear coat in a {@link MetallicRoughness} material: a mixture of metal,
+ * plastic and glass. Immutable.
+ */
+final class MetallicBase {
+  /** The smallest α of reflections; smoother surfaces reflect as this one. */
+  static final double MIN_ALPHA = 1e-3;
+
+  private final ColorChannel baseColor;
+  private final ScalarChannel metallic;
+  private final ScalarChannel roughness;
+  private final ScalarChannel specular;
+  private final ColorChannel specularColor;
+  private final ScalarChannel transmission;
+  private final ScalarChannel anisotropy;
+  private final ScalarChannel anisotropyRotation;
+  private final Optional<NormalChannel> anisotropyDirection;
+  private final double ior;
+  private final boolean isAnisotropic;
+  private final boolean isThin;
+  private final boolean isThinlyTransmissive;
+
+  /**
+   * Creates the base of a material.
+   *
+   * @param isThin whether glass is a thin pane, not the boundary of a volume
+   */
+  MetallicBase(MetallicRoughness.Builder values, boolean isThin) {
+    baseColor = values.color(MaterialParameter.BASE_COLOR);
+    metallic = values.number(MaterialParameter.METALLIC);
+    roughness = values.number(MaterialParameter.ROUGHNESS);
+    specular = values.number(MaterialParameter.SPECULAR);
+    specularColor = values.color(MaterialParameter.SPECULAR_COLOR);
+    transmission = values.number(MaterialParameter.TRANSMISSION);
+    anisotropy = values.number(MaterialParameter.ANISOTROPY);
+    anisotropyRotation = values.number(MaterialParameter.ANISOTROPY_ROTATION);
+    anisotropyDirection = values.normals(MaterialParameter.ANISOTROPY_DIRECTION);
+    isAnisotropic = values.states(MaterialParameter.ANISOTROPY);
+    ior = values.constant(MaterialParameter.IOR);
+    this.isThin = isThin;
+    isThinlyTransmissive = isThin && values.states(MaterialParameter.TRANSMISSION);
+  }
+
+  /** Returns whether smooth parts may let rays pass straight through. */
+  boolean isThinlyTransmissive() {
+    return isThinlyTransmissive;
+  }
+
+  /** Returns the square of a perceptual roughness. */
+  static double alpha(ScalarChannel roughness, SurfaceHit hit) {
+    double perceptual = roughness.fractionAt(hit);
+    return perceptual * perceptual;
+  }
+
+  /** Returns how the surface scatters at a hit. */
+  Bsdf at(SurfaceHit hit) {
+    double metal = metallic.fractionAt(hit);
+    double glass = glassShare(hit);
+    Rgb color = baseColor(hit);
+    double alpha = alpha(roughness, hit);
+    if (glass == 1) {
+      return glass(hit, color, alpha);
+    }
+    // Rounding must not make more than all of the rest a metal.
+    Bsdf solid = solid(hit, color, Math.min(1, metal / (1 - glass)), alpha);
+    return glass == 0 ? solid : new Blend(glass(hit, color, alpha), solid, glass);
+  }
+
+  /** Returns a mixture of metal and plastic. */
+  private Bsdf solid(SurfaceHit hit, Rgb color, double metallic, double alpha) {
+    Rgb f0 = dielectricF0(hit);
+    double f90 = f90(hit);
+    double facetAlpha = Math.max(MIN_ALPHA, alpha);
+    double strength = isAnisotropic ? anisotropy.fractionAt(hit) : 0;
+    // Schlick's approximation is linear in F0 and F90: the mean of both reflections is one lobe.
+    Rgb mixedF0 = f0.times(1 - metallic).plus(color.times(metallic));
+    double mixedF90 = f90 * (1 - metallic) + metallic;
+    Lobe reflection =
+        strength > 0
+            ? anisotropic(hit, mixedF0, mixedF90, facetAlpha, strength)
+            : new SchlickReflection(mixedF0, mixedF90, new Ggx(facetAlpha));
+    if (metallic == 1 || color.isBlack()) {
+      return reflection;
+    }
+    Rgb albedo = color.times(1 - metallic);
+    LayeredDiffuse diffuse =
+        strength > 0
+            ? AnisotropicReflection.below(albedo, f0.max(), f90, facetAlpha, strength)
+            : new LayeredDiffuse(albedo, f0.max(), f90, facetAlpha);
+    return new Mixture(diffuse, reflection);
+  }
+
+  private Lobe anisotropic(SurfaceHit hit, Rgb f0, double f90, double alpha, double strength) {
+    Vec3 direction =
+        anisotropyDirection
+            .map(texture -> texture.map().normal(hit.u(texture.uvSet()), hit.v(texture.uvSet())))
+            .orElse(Vec3.X);
+    double degrees = anisotropyRotation.at(hit);
+    return AnisotropicReflection.along(direction, degrees, f0, f90, alpha, strength);
+  }
+
+  private Bsdf glass(SurfaceHit hit, Rgb tint, double alpha) {
+    if (isThin) {
+      Rgb f0 = dielectricF0(hit);
+      Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
+      return alpha < CookTorrance.SMOOTH
+          ? new SchlickReflection(f0, f90(hit), facets)
+          : new ThinGlass(tint, f0, f90(hit), facets);
+    }
+    double index = ior == 0 ? 1e6 : Math.max(1, ior);
+    return alpha < CookTorrance.SMOOTH || index - 1 < 1e-8
+        ? new Dielectric(Rgb.WHITE, tint, index)
+        : new RoughDielectric(Rgb.WHITE, tint, index, new Ggx(alpha));
+  }
+
+  /**
+   * Returns what smooth thin transmission passes; black for other surfaces.
+   *
+   * @param coverings sheen and clear coat, which leave a part of the light to transmission
+   */
+  Rgb smoothlyTransmitted(SurfaceHit hit, Coverings coverings) {
+    if (!isThinlyTransmissive || alpha(roughness, hit) >= CookTorrance.SMOOTH) {
+      return Rgb.BLACK;
+    }
+    double cosine = Math.abs(hit.wo().dot(hit.shadingNormal()));
+    Rgb reflected = SchlickReflection.fresnel(dielectricF0(hit), f90(hit), cosine);
+    Rgb tint = baseColor(hit).times(glassShare(hit) * coverings.passed(hit, cosine));
+    return ThinGlass.passed(tint, reflected);
+  }
+
+  /** Returns the fraction of the surface that transmits light. */
+  private double glassShare(SurfaceHit hit) {
+    return (1 - metallic.fractionAt(hit)) * transmission.fractionAt(hit);
+  }
+
+  private Rgb baseColor(SurfaceHit hit) {
+    return baseColor.at(hit).clampedToOne();
+  }
+
+  private Rgb dielectricF0(SurfaceHit hit) {
+    double ratio = ior == 0 ? 1 : (ior - 1) / (ior + 1);
+    Rgb color = specularColor.at(hit).times(ratio * ratio);
+    return color.clampedToOne().times(specular.fractionAt(hit));
+  }
+
+  private double f90(SurfaceHit hit) {
+    return specular.fractionAt(hit);
+  }
+}
