@@ -1,2 +1,2 @@
-/** The masks of lenses, which the module does not export. */
+/** The masks of lenses, and the matrices of cameras, which the module does not export. */
 package io.github.lumbre.camera.internal;
