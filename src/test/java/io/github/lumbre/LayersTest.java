@@ -45,9 +45,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String LIBRARY =
-      "math image sampling texture geometry file text limit json path material camera light scene"
-          + " model guiding integrator render parser checkpoint denoise stopping preview audit"
-          + " compare thumbnail";
+      "math image drawing sampling texture geometry file text limit json path material camera light"
+          + " scene model guiding integrator render parser checkpoint denoise stopping preview"
+          + " audit compare thumbnail";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -59,6 +59,7 @@ class LayersTest {
           Map.entry("json", "text limit"),
           Map.entry("image", "file limit"),
           Map.entry("path", "math image"),
+          Map.entry("drawing", "image"),
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
           Map.entry("geometry", "math image sampling texture"),

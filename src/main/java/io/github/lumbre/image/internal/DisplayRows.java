@@ -63,6 +63,24 @@ public record DisplayRows(Image image, ToneCurve curve, double factor, int bits,
     }
   }
 
+  /** Returns the linear light that a screen emits for each pixel, in [0,1], with straight alpha. */
+  public Image light() {
+    float[] rgb = new float[image.rgb().length];
+    float[] alpha = new float[image.hasAlpha() ? rgb.length / 3 : 0];
+    for (int i = 0; i < rgb.length / 3; i++) {
+      int x = i % image.width();
+      int y = i / image.width();
+      Rgb shown = curve.mapped(exposed(image.pixel(x, y)));
+      rgb[3 * i] = (float) Srgb.clamp(shown.r());
+      rgb[3 * i + 1] = (float) Srgb.clamp(shown.g());
+      rgb[3 * i + 2] = (float) Srgb.clamp(shown.b());
+      if (alpha.length > 0) {
+        alpha[i] = image.alpha(x, y);
+      }
+    }
+    return new Image(image.width(), image.height(), rgb, alpha);
+  }
+
   private int quantized(double shown) {
     return (int) Math.round(((1 << bits) - 1) * shown);
   }
