@@ -20,7 +20,8 @@ final class GltfExtensions {
           GltfNodes.VISIBILITY,
           "KHR_lights_punctual",
           "KHR_materials_emissive_strength",
-          "KHR_materials_unlit",
+          GltfMaterials.GLOSSY,
+          GltfMaterials.UNLIT,
           "KHR_materials_variants",
           "KHR_mesh_quantization",
           "KHR_meshopt_compression",
@@ -70,10 +71,16 @@ final class GltfExtensions {
           "VRMC_vrm");
 
   private static final Map<String, String> ADVICE =
+      Map.of("EXT_texture_avif", "convert its textures to PNG or JPEG");
+
+  private static final String NO_SCATTERING = "volumes absorb light and do not scatter it";
+
+  /** What a picture lacks without some extensions. */
+  private static final Map<String, String> LACKING =
       Map.of(
-          "EXT_texture_avif", "convert its textures to PNG or JPEG",
-          "KHR_materials_pbrSpecularGlossiness",
-              "convert the materials to metallic-roughness, for example with gltf-transform");
+          "KHR_materials_scatter", NO_SCATTERING,
+          "KHR_materials_subsurface", NO_SCATTERING,
+          "KHR_materials_volume_scatter", NO_SCATTERING);
 
   private GltfExtensions() {}
 
@@ -102,7 +109,9 @@ final class GltfExtensions {
             .warnings()
             .add(
                 "extensionsUsed",
-                PrintableText.shortened(name) + " is not supported; the model may look different");
+                PrintableText.shortened(name)
+                    + " is not supported; "
+                    + LACKING.getOrDefault(name, "the model may look different"));
       }
     }
   }

@@ -22,6 +22,12 @@ import java.util.OptionalInt;
  * each material is built once.
  */
 final class GltfMaterials {
+  /** An extension whose parameters replace those of all others that have parameters. */
+  static final String GLOSSY = "KHR_materials_pbrSpecularGlossiness";
+
+  /** An extension that replaces {@link #GLOSSY}, too. */
+  static final String UNLIT = "KHR_materials_unlit";
+
   private final GltfDocument document;
   private final GltfTextures textures;
   private final ModelMaterial standard = ModelMaterial.builder("", "").build();
@@ -78,15 +84,44 @@ final class GltfMaterials {
                     json.choice("alphaMode", "OPAQUE", List.of("OPAQUE", "MASK", "BLEND"))))
             .alphaCutoff(json.number("alphaCutoff", .5))
             .doubleSided(json.flag("doubleSided", false))
-            .unlit(json.extension("KHR_materials_unlit").isPresent())
+            .unlit(json.extension(UNLIT).isPresent())
             .emission(emission(json));
+    Optional<GltfJson> glossy = json.extension(GLOSSY);
+    boolean isGlossy = glossy.isPresent() && json.extension(UNLIT).isEmpty();
+    if (isGlossy) {
+      readGlossy(glossy.get(), material);
+    }
     for (String name : MaterialParameter.gltfObjects()) {
-      Optional<GltfJson> found = name.startsWith("KHR_") ? json.extension(name) : json.object(name);
-      if (found.isPresent() && isValid(name, found.get())) {
+      boolean isExtension = name.startsWith("KHR_");
+      Optional<GltfJson> found = isExtension ? json.extension(name) : json.object(name);
+      if (found.isPresent() && isGlossy && isExtension) {
+        warn(
+            "an extension of a material is left out",
+            found.get().location(),
+            "has no effect beside " + GLOSSY);
+      } else if (found.isPresent() && !isGlossy && isValid(name, found.get())) {
         readParameters(found.get(), name, material);
       }
     }
     return material.build();
+  }
+
+  private void readGlossy(GltfJson json, ModelMaterial.Builder out)
+      throws ModelFormatException, IOException {
+    double[] color = clamped(json, "diffuseFactor", 1, 1, 1, 1, 1);
+    double opacity = clamped(json, "diffuseFactor", color[3], 1);
+    Optional<ModelTexture> diffuse = textures.read(json, "diffuseTexture");
+    double[] f0 = clamped(json, "specularFactor", 1, 1, 1, 1);
+    double glossiness = clamped(json, "glossinessFactor", json.number("glossinessFactor", 1), 1);
+    Optional<ModelTexture> specular = textures.read(json, "specularGlossinessTexture");
+    // With the index 0, the specular color alone is the reflectance (KHR_materials_ior).
+    out.glossy(true)
+        .set(MaterialParameter.BASE_COLOR, new MaterialInput(rgb(color), diffuse, 0))
+        .set(MaterialParameter.OPACITY, new MaterialInput(Rgb.grey(opacity), diffuse, 3))
+        .set(MaterialParameter.METALLIC, 0)
+        .set(MaterialParameter.IOR, 0)
+        .set(MaterialParameter.SPECULAR_COLOR, new MaterialInput(rgb(f0), specular, 0))
+        .set(MaterialParameter.ROUGHNESS, new MaterialInput(Rgb.grey(glossiness), specular, 3));
   }
 
   /** Returns whether the parameters of an object count: a volume needs a thickness. */
@@ -172,7 +207,10 @@ final class GltfMaterials {
         parameter == MaterialParameter.BASE_COLOR
             ? new double[] {1, 1, 1, 1}
             : new double[] {missing.r(), missing.g(), missing.b()};
-    double[] c = clamped(json, parameter.gltfFactor(), parameter.most(), fallback);
+    return rgb(clamped(json, parameter.gltfFactor(), parameter.most(), fallback));
+  }
+
+  private static Rgb rgb(double... c) {
     return new Rgb(c[0], c[1], c[2]);
   }
 
@@ -189,19 +227,21 @@ final class GltfMaterials {
   private double clamped(GltfJson json, String member, double value, double max) {
     double clamped = Math.max(0, Math.min(value, max));
     if (clamped != value) {
-      document
-          .warnings()
-          .add(
-              "a number of a material is out of range",
-              json.location(member),
-              "expected "
-                  + (max == 1 ? "0 to 1" : "at least 0")
-                  + ", found "
-                  + PrintableText.number(value)
-                  + "; "
-                  + PrintableText.number(clamped)
-                  + " is used");
+      warn(
+          "a number of a material is out of range",
+          json.location(member),
+          "expected "
+              + (max == 1 ? "0 to 1" : "at least 0")
+              + ", found "
+              + PrintableText.number(value)
+              + "; "
+              + PrintableText.number(clamped)
+              + " is used");
     }
     return clamped;
+  }
+
+  private void warn(String kind, String location, String message) {
+    document.warnings().add(kind, location, message);
   }
 }

@@ -20,6 +20,9 @@ import java.util.Optional;
  * @param alphaCutoff the threshold of {@link AlphaMode#MASK}
  * @param doubleSided whether back faces are visible
  * @param unlit whether the base color is emitted instead of lit (KHR_materials_unlit)
+ * @param glossy whether {@link MaterialParameter#ROUGHNESS} is the glossiness, 1 - roughness, and
+ *     {@link MaterialParameter#BASE_COLOR} is multiplied by 1 - the largest component of {@link
+ *     MaterialParameter#SPECULAR_COLOR} (KHR_materials_pbrSpecularGlossiness)
  */
 public record ModelMaterial(
     String name,
@@ -30,7 +33,8 @@ public record ModelMaterial(
     AlphaMode alphaMode,
     double alphaCutoff,
     boolean doubleSided,
-    boolean unlit) {
+    boolean unlit,
+    boolean glossy) {
   /** The meaning of {@link MaterialParameter#OPACITY}. */
   public enum AlphaMode {
     /** Opacity is ignored. */
@@ -86,6 +90,7 @@ public record ModelMaterial(
     private double alphaCutoff = .5;
     private boolean doubleSided;
     private boolean unlit;
+    private boolean glossy;
 
     private Builder(String name, String location) {
       this.name = name;
@@ -144,10 +149,25 @@ public record ModelMaterial(
       return this;
     }
 
+    /** Sets {@link ModelMaterial#glossy}. */
+    public Builder glossy(boolean value) {
+      glossy = value;
+      return this;
+    }
+
     /** Returns the material. */
     public ModelMaterial build() {
       return new ModelMaterial(
-          name, location, inputs, normalMap, emission, alphaMode, alphaCutoff, doubleSided, unlit);
+          name,
+          location,
+          inputs,
+          normalMap,
+          emission,
+          alphaMode,
+          alphaCutoff,
+          doubleSided,
+          unlit,
+          glossy);
     }
   }
 }

@@ -135,8 +135,15 @@ final class ModelMaterials {
         value.ifPresent(channel -> builder.set(parameter, channel));
       }
     }
-    ColorChannel baseColor = color(m.input(MaterialParameter.BASE_COLOR));
-    builder.set(MaterialParameter.BASE_COLOR, timesVertexColor(baseColor));
+    ColorChannel baseColor = timesVertexColor(color(m.input(MaterialParameter.BASE_COLOR)));
+    if (m.glossy()) {
+      ColorChannel specular = color(m.input(MaterialParameter.SPECULAR_COLOR));
+      ScalarChannel glossiness = scalar(m.input(MaterialParameter.ROUGHNESS));
+      builder.set(MaterialParameter.BASE_COLOR, below(specular, baseColor));
+      builder.set(MaterialParameter.ROUGHNESS, complement(glossiness));
+    } else {
+      builder.set(MaterialParameter.BASE_COLOR, baseColor);
+    }
     if (m.uses(MaterialParameter.ATTENUATION_DISTANCE)) {
       double distance = m.input(MaterialParameter.ATTENUATION_DISTANCE).number();
       builder.set(MaterialParameter.ATTENUATION_DISTANCE, distance * unit);
@@ -145,6 +152,15 @@ final class ModelMaterials {
 
   private static ColorChannel timesVertexColor(ColorChannel color) {
     return point -> color.at(point).times(point.vertexColor());
+  }
+
+  /** Returns a diffuse color times the part of light that a reflection leaves head-on. */
+  private static ColorChannel below(ColorChannel specular, ColorChannel diffuse) {
+    return point -> diffuse.at(point).times(Math.max(0, 1 - specular.at(point).max()));
+  }
+
+  private static ScalarChannel complement(ScalarChannel number) {
+    return point -> 1 - number.at(point);
   }
 
   private ScalarChannel opacity(ModelMaterial m) throws ModelFormatException {

@@ -246,6 +246,79 @@ class GltfMaterialTest {
     assertThat(material.input(SHEEN_ROUGHNESS).channel()).isEqualTo(3);
   }
 
+  private ModelMaterial glossy(String more) throws ModelFormatException, IOException {
+    addTextures();
+    return material(
+        """
+        {'pbrMetallicRoughness': {'baseColorFactor': [1, 0, 0, 1], 'roughnessFactor': 0.1},
+         'extensions': {'KHR_materials_pbrSpecularGlossiness':
+           {'diffuseFactor': [0.1, 0.2, 0.3, 0.4], 'diffuseTexture': {'index': 0},
+            'specularFactor': [0.5, 0.6, 0.7], 'glossinessFactor': 0.8,
+            'specularGlossinessTexture': {'index': 1, 'texCoord': 1}}\
+        """
+            + more
+            + "}}");
+  }
+
+  /** Of both models of a material, the extension's rule selects specular-glossiness. */
+  @Test
+  void specularGlossinessReplacesMetallicRoughness() throws ModelFormatException, IOException {
+    ModelMaterial material = glossy("");
+    assertThat(material.glossy()).isTrue();
+    assertThat(material.input(BASE_COLOR).factor()).isEqualTo(new Rgb(.1, .2, .3));
+    assertThat(image(material.input(BASE_COLOR).texture())).containsExactly(1, 2, 3);
+    assertThat(material.input(OPACITY).number()).isEqualTo(.4);
+    assertThat(material.input(OPACITY).channel()).isEqualTo(3);
+    assertThat(image(material.input(OPACITY).texture())).containsExactly(1, 2, 3);
+    assertThat(material.input(METALLIC)).isEqualTo(MaterialInput.of(0));
+    assertThat(material.input(IOR)).isEqualTo(MaterialInput.of(0));
+    assertThat(material.input(SPECULAR_COLOR).factor()).isEqualTo(new Rgb(.5, .6, .7));
+    assertThat(image(material.input(SPECULAR_COLOR).texture())).containsExactly(4, 5);
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(.8);
+    assertThat(material.input(ROUGHNESS).channel()).isEqualTo(3);
+    assertThat(material.input(ROUGHNESS).texture())
+        .isEqualTo(material.input(SPECULAR_COLOR).texture());
+    assertThat(material.input(ROUGHNESS).texture().orElseThrow().uvSet()).isEqualTo(1);
+  }
+
+  @Test
+  void specularGlossinessHasDefaults() throws ModelFormatException, IOException {
+    ModelMaterial material = extended("KHR_materials_pbrSpecularGlossiness", "{}");
+    assertThat(material.input(BASE_COLOR)).isEqualTo(MaterialInput.of(Rgb.WHITE));
+    assertThat(material.input(SPECULAR_COLOR)).isEqualTo(MaterialInput.of(Rgb.WHITE));
+    assertThat(material.input(ROUGHNESS).number()).isEqualTo(1);
+    assertThat(material.input(OPACITY).number()).isEqualTo(1);
+  }
+
+  @Test
+  void unlitReplacesSpecularGlossiness() throws ModelFormatException, IOException {
+    ModelMaterial material = glossy(", 'KHR_materials_unlit': {}");
+    assertThat(material.glossy()).isFalse();
+    assertThat(material.unlit()).isTrue();
+    assertThat(material.input(BASE_COLOR).factor()).isEqualTo(new Rgb(1, 0, 0));
+  }
+
+  @Test
+  void extensionsBesideSpecularGlossinessAreLeftOut() throws ModelFormatException, IOException {
+    addTextures();
+    Model model =
+        model(
+            """
+            {'emissiveFactor': [1, 1, 1], 'extensions': {'KHR_materials_ior': {'ior': 1.4},
+              'KHR_materials_emissive_strength': {'emissiveStrength': 3},
+              'KHR_materials_pbrSpecularGlossiness': {'glossinessFactor': 1.5}}}
+            """);
+    ModelMaterial material = model.parts().get(0).material();
+    assertThat(material.input(IOR)).isEqualTo(MaterialInput.of(0));
+    assertThat(material.emission().factor()).isEqualTo(Rgb.grey(3));
+    assertThat(model.warnings())
+        .containsExactly(
+            "materials[0].extensions.KHR_materials_pbrSpecularGlossiness.glossinessFactor:"
+                + " expected 0 to 1, found 1.5; 1 is used",
+            "materials[0].extensions.KHR_materials_ior: has no effect beside"
+                + " KHR_materials_pbrSpecularGlossiness");
+  }
+
   @Test
   void unlitIsRead() throws ModelFormatException, IOException {
     assertThat(extended("KHR_materials_unlit", "{}").unlit()).isTrue();

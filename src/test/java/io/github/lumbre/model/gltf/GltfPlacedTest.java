@@ -117,4 +117,14 @@ class GltfPlacedTest {
             "extensionsUsed: EXT_a is not supported; the model may look different",
             "extensionsUsed: EXT_b is not supported; the model may look different");
   }
+
+  @Test
+  void warningOfScatteringVolumesNamesWhatThePictureLacks()
+      throws ModelFormatException, IOException {
+    file.set("extensionsUsed", "['KHR_materials_volume_scatter']");
+    assertThat(file.read().warnings())
+        .containsExactly(
+            "extensionsUsed: KHR_materials_volume_scatter is not supported; volumes absorb light"
+                + " and do not scatter it");
+  }
 }

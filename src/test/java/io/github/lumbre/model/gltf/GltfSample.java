@@ -55,7 +55,8 @@ final class GltfSample {
         """
             .formatted(indices, delta, delta));
     file.mesh(
-        attributes + ", 'JOINTS_0': %d, 'WEIGHTS_0': %d".formatted(joints, weights), ", 'mode': 5");
+        attributes + ", 'JOINTS_0': %d, 'WEIGHTS_0': %d".formatted(joints, weights),
+        ", 'mode': 5, 'material': 2");
   }
 
   private static void addMaterials(GltfFile file) {
@@ -78,6 +79,13 @@ final class GltfSample {
            'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationDistance': 3},
            'KHR_materials_clearcoat': {'clearcoatFactor': 1, 'clearcoatTexture': {'index': 0}},
            'KHR_materials_sheen': {'sheenColorFactor': [1, 0, 0]}}}
+        """);
+    file.add(
+        "materials",
+        """
+        {'extensions': {'KHR_materials_pbrSpecularGlossiness': {'diffuseFactor': [1, 0.5, 0.25, 1],
+          'diffuseTexture': {'index': 0}, 'specularFactor': [0.5, 1, 1], 'glossinessFactor': 0.5,
+          'specularGlossinessTexture': {'index': 0}}}}
         """);
     file.add("textures", "{'source': 0, 'sampler': 0}");
     file.add("samplers", "{'wrapS': 33071, 'wrapT': 33648, 'magFilter': 9728}");

@@ -66,7 +66,15 @@ class TextureRolesTest {
         "sheen",
         "'sheenColorFactor': [1, 1, 1], 'sheenRoughnessFactor': 1, 'sheenRoughnessTexture': T",
         true),
-    ANISOTROPY("anisotropy", "'anisotropyStrength': 1, 'anisotropyTexture': T", true);
+    ANISOTROPY("anisotropy", "'anisotropyStrength': 1, 'anisotropyTexture': T", true),
+    DIFFUSE(glossy("", "'specularFactor': [0.2, 0.1, 0.3], 'diffuseTexture': T")),
+    DIFFUSE_MASK(
+        glossy(
+            ", 'alphaMode': 'MASK', 'alphaCutoff': 0.3",
+            "'specularFactor': [0, 0, 0], 'diffuseTexture': T")),
+    DIFFUSE_BLEND(
+        glossy(", 'alphaMode': 'BLEND'", "'specularFactor': [0, 0, 0], 'diffuseTexture': T")),
+    SPECULAR_GLOSSINESS(glossy("", "'specularGlossinessTexture': T"));
 
     private final String material;
 
@@ -87,6 +95,15 @@ class TextureRolesTest {
       material =
           "{'pbrMetallicRoughness': {%s, 'roughnessFactor': 0.3}, ".formatted(FACTOR)
               + "'extensions': {'KHR_materials_%s': {%s}}}".formatted(extension, json);
+    }
+
+    Role(String material) {
+      this.material = material;
+    }
+
+    private static String glossy(String more, String specularGlossiness) {
+      return "{'extensions': {'KHR_materials_pbrSpecularGlossiness': {'diffuseFactor': [COLOR], %s}}%s}"
+          .formatted(specularGlossiness, more);
     }
   }
 
