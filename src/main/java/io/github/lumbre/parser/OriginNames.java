@@ -1,10 +1,9 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.parser.internal.Origin;
+import io.github.lumbre.scene.internal.Names;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Map;
-import java.util.Set;
 
 /**
  * Gives each place in a scene file its own name: the name in the file, followed by a number if
@@ -14,11 +13,7 @@ final class OriginNames {
   /** The names by path and name in the file, between them a NUL, which is in neither. */
   private final Map<String, String> names = new HashMap<>();
 
-  private final Set<String> taken = new HashSet<>();
-
-  /** The next number for each name that has been given. */
-  private final Map<String, Integer> next = new HashMap<>();
-
+  private final Names given;
   private final String missing;
 
   /**
@@ -26,7 +21,7 @@ final class OriginNames {
    */
   OriginNames(String missing) {
     this.missing = missing;
-    taken.add(missing);
+    given = new Names(missing);
   }
 
   String of(Origin origin) {
@@ -35,11 +30,6 @@ final class OriginNames {
   }
 
   private String unused(Origin origin) {
-    String wanted = origin.name().isEmpty() ? origin.path() : origin.name();
-    String name = wanted;
-    while (!taken.add(name)) {
-      name = wanted + " " + next.merge(wanted, 2, (number, two) -> number + 1);
-    }
-    return name;
+    return given.unused(origin.name().isEmpty() ? origin.path() : origin.name());
   }
 }

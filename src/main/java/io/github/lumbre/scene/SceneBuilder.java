@@ -13,6 +13,7 @@ import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.internal.LightGroups;
+import io.github.lumbre.scene.internal.Names;
 import io.github.lumbre.scene.internal.SceneDescription;
 import io.github.lumbre.scene.internal.SceneNode;
 import java.util.ArrayList;

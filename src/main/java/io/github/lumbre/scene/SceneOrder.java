@@ -3,6 +3,7 @@ package io.github.lumbre.scene;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.scene.internal.Names;
 import io.github.lumbre.scene.internal.SceneNode;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;

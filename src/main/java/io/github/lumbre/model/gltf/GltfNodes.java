@@ -3,11 +3,15 @@ package io.github.lumbre.model.gltf;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.ModelNode;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.IntStream;
 
 /** The nodes of a glTF file: trees, and their transforms to world space. Mutable. */
 final class GltfNodes {
@@ -20,6 +24,9 @@ final class GltfNodes {
   private final List<GltfNode> nodes = new ArrayList<>();
   private final int[] parents;
   private final List<GltfMatrix> toWorld;
+
+  /** Nodes above others, as parts. */
+  private final Map<Integer, ModelNode> groups = new HashMap<>();
 
   /**
    * Reads the nodes.
@@ -62,6 +69,27 @@ final class GltfNodes {
   /** Returns the number of nodes. */
   int size() {
     return nodes.size();
+  }
+
+  /**
+   * Returns a node as a part of the model, with the nodes above it.
+   *
+   * @param otherwise the name of a node that has none; may be empty
+   */
+  ModelNode part(int node, String otherwise) {
+    IntStream above = IntStream.iterate(parents[node], n -> n != NONE, n -> parents[n]);
+    Optional<ModelNode> parent = Optional.empty();
+    int[] ancestors = above.toArray();
+    for (int i = ancestors.length - 1; i >= 0; i--) {
+      Optional<ModelNode> outer = parent;
+      parent = Optional.of(groups.computeIfAbsent(ancestors[i], n -> part(n, "", outer)));
+    }
+    return part(node, otherwise, parent);
+  }
+
+  private ModelNode part(int node, String otherwise, Optional<ModelNode> parent) {
+    String name = nodes.get(node).name();
+    return ModelNode.of(name.isEmpty() ? otherwise : name, "node " + node, parent);
   }
 
   private int[] parents() {

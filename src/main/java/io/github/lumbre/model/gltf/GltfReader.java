@@ -15,6 +15,7 @@ import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLight;
 import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -55,7 +56,7 @@ public final class GltfReader {
   private final List<ModelLight> placedLights = new ArrayList<>();
 
   /** A node with a mesh, and the weights of its morph targets. */
-  private record Placement(GltfNode node, String name, GltfMatrix matrix, double[] weights) {}
+  private record Placement(GltfNode node, ModelNode part, GltfMatrix matrix, double[] weights) {}
 
   private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
       throws ModelFormatException, IOException {
@@ -186,13 +187,13 @@ public final class GltfReader {
   private void addMeshes(int index, GltfNode node, GltfMatrix matrix)
       throws ModelFormatException, IOException {
     GltfJson mesh = document.section("meshes").get(node.mesh().getAsInt());
-    String name = node.name().isEmpty() ? mesh.text("name", "") : node.name();
+    ModelNode part = nodes.part(index, mesh.text("name", ""));
     double[] weights = weights(index, node, mesh);
     List<GltfMatrix> copies =
         node.skin().isPresent() ? List.of(GltfMatrix.IDENTITY) : instances.ofNode(index);
     for (GltfMatrix copy : copies) {
       Interrupts.check();
-      addMesh(new Placement(node, name, matrix.times(copy), weights), mesh);
+      addMesh(new Placement(node, part, matrix.times(copy), weights), mesh);
     }
   }
 
@@ -246,7 +247,7 @@ public final class GltfReader {
     }
     geometry = meshes.shown(primitive, geometry);
     ModelMaterial material = materials.get(variants.material(primitive), geometry.isPoints());
-    parts.add(new ModelPart(placement.name, location, geometry, material, toWorld));
+    parts.add(new ModelPart(placement.part, location, geometry, material, toWorld));
   }
 
   private GltfSkin skin(int index) throws ModelFormatException, IOException {

@@ -6,22 +6,27 @@ import java.util.Objects;
 /**
  * A triangle mesh, or points, with one material, placed in the model's world space.
  *
- * @param name of the node or object in the file; empty if it has none
+ * @param node the part of the file that the surface belongs to
  * @param location of the part in the file, such as {@code nodes[3].mesh.primitives[0]}
  * @param geometry in local space; instances share one object
  * @param toWorld from local space to the model's world space, invertible
  */
 public record ModelPart(
-    String name,
+    ModelNode node,
     String location,
     ModelGeometry geometry,
     ModelMaterial material,
     Transform toWorld) {
   public ModelPart {
-    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(node, "node");
     Objects.requireNonNull(location, "location");
     Objects.requireNonNull(geometry, "geometry");
     Objects.requireNonNull(material, "material");
     Objects.requireNonNull(toWorld, "toWorld");
+  }
+
+  /** Returns the name of the node or object in the file; empty if it has none. */
+  public String name() {
+    return node.name();
   }
 }

@@ -88,7 +88,8 @@ public final class PlainModel {
       warnings.add(location, "left out points that are not finite numbers: " + broken);
     }
     showInvisible(location, points.colors(), warnings);
-    ModelPart part = new ModelPart("", "", points, material(points.colors()), toWorld);
+    ModelPart part =
+        new ModelPart(ModelNode.undivided(""), "", points, material(points.colors()), toWorld);
     return of(points.isVisible() ? List.of(part) : List.of(), warnings.all());
   }
 

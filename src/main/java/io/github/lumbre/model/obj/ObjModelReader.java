@@ -10,6 +10,7 @@ import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.TextScanner;
@@ -17,6 +18,7 @@ import io.github.lumbre.model.internal.Warnings;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -77,6 +79,7 @@ public final class ObjModelReader {
   private final ModelOptions options;
   private final Warnings warnings;
   private final Map<Key, Part> parts = new LinkedHashMap<>();
+  private final Map<String, ModelNode> nodes = new HashMap<>();
   private final Map<String, String> libraries = new LinkedHashMap<>();
   private final ObjSurface none = new ObjSurface(0);
   private String object = "";
@@ -298,7 +301,18 @@ public final class ObjModelReader {
             colors,
             part.surface().triangles().toArray());
     ModelMaterial shown = found.orElse(PlainModel.material(colors));
-    result.add(new ModelPart(key.object(), part.location(), geometry, shown, options.toWorld()));
+    result.add(
+        new ModelPart(node(key.object()), part.location(), geometry, shown, options.toWorld()));
+  }
+
+  /** Returns the part of an object; without any, the file is not divided. */
+  private ModelNode node(String name) {
+    return nodes.computeIfAbsent(
+        name,
+        n ->
+            parts.keySet().stream().allMatch(key -> key.object().isEmpty())
+                ? ModelNode.undivided(n)
+                : ModelNode.of(n, "unnamed", Optional.empty()));
   }
 
   private Optional<ModelMaterial> material(
@@ -332,7 +346,8 @@ public final class ObjModelReader {
     }
     if (points.isVisible()) {
       ModelMaterial shown = found.orElse(PlainModel.material(colors));
-      result.add(new ModelPart(key.object(), part.location(), points, shown, options.toWorld()));
+      result.add(
+          new ModelPart(node(key.object()), part.location(), points, shown, options.toWorld()));
     }
   }
 }

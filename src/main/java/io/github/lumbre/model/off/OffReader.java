@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.Tally;
@@ -140,6 +141,7 @@ public final class OffReader {
     ModelGeometry mesh =
         isPainted ? vertices.geometry(indices, faces, colors) : vertices.geometry(indices);
     PlainModel.showInvisible("", mesh.colors(), warnings);
-    return new ModelPart("", "", mesh, PlainModel.material(mesh.colors()), options.toWorld());
+    return new ModelPart(
+        ModelNode.undivided(""), "", mesh, PlainModel.material(mesh.colors()), options.toWorld());
   }
 }

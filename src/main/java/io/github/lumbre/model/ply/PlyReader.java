@@ -11,6 +11,7 @@ import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.Tally;
@@ -162,7 +163,8 @@ public final class PlyReader {
     List<ModelPart> parts =
         textures.isPresent()
             ? textures.parts(mesh, material, this::textureOf, options)
-            : List.of(new ModelPart("", "", mesh, material, options.toWorld()));
+            : List.of(
+                new ModelPart(ModelNode.undivided(""), "", mesh, material, options.toWorld()));
     return PlainModel.of(parts, warnings.all());
   }
 

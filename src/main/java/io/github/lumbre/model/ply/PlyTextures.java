@@ -9,6 +9,7 @@ import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelTexture;
 import io.github.lumbre.model.internal.ModelTexture.Wrap;
@@ -63,13 +64,14 @@ final class PlyTextures {
   List<ModelPart> parts(
       ModelGeometry mesh, ModelMaterial plain, IntUnaryOperator texture, ModelOptions options) {
     List<ModelPart> parts = new ArrayList<>();
+    ModelNode whole = ModelNode.undivided("");
     for (int i = 0; i <= textures.size(); i++) {
       int[] indices = triangles(mesh.indices(), texture, i);
       if (indices.length > 0) {
         Optional<ModelTexture> picture = i < textures.size() ? textures.get(i) : Optional.empty();
         parts.add(
             new ModelPart(
-                "",
+                whole,
                 "",
                 of(mesh, picture.isPresent() ? new float[0] : mesh.colors(), indices),
                 picture.map(PlyTextures::material).orElse(plain),

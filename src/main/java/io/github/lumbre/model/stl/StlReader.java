@@ -48,8 +48,9 @@ public final class StlReader {
             ? StlText.read(file, warnings)
             : List.of(readBinary(file, claimed, options, warnings));
     List<ModelPart> parts = new ArrayList<>();
-    for (StlSolid solid : solids) {
-      solid.part(options, warnings).ifPresent(parts::add);
+    for (int i = 0; i < solids.size(); i++) {
+      int number = solids.size() == 1 ? 0 : i + 1;
+      solids.get(i).part(number, options, warnings).ifPresent(parts::add);
     }
     return PlainModel.of(parts, warnings.all());
   }

@@ -2,6 +2,7 @@ package io.github.lumbre.model.stl;
 
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.Tally;
@@ -63,8 +64,12 @@ final class StlSolid {
     return f[0] * (uy * vz - uz * vy) + f[1] * (uz * vx - ux * vz) + f[2] * (ux * vy - uy * vx);
   }
 
-  /** Returns the part; empty if no triangle has an area. */
-  Optional<ModelPart> part(ModelOptions options, Warnings warnings) {
+  /**
+   * Returns the part; empty if no triangle has an area.
+   *
+   * @param number of the solid in the file, from 1; 0 for the only one
+   */
+  Optional<ModelPart> part(int number, ModelOptions options, Warnings warnings) {
     double[] points = positions.positions();
     int dropped = triangles.removeFlat(points);
     if (dropped > 0) {
@@ -85,7 +90,11 @@ final class StlSolid {
     }
     ModelGeometry geometry =
         new ModelGeometry(points, NONE, NONE, NONE, NONE, NO_COLORS, triangles.toArray());
+    ModelNode node =
+        number == 0
+            ? ModelNode.undivided(name)
+            : ModelNode.of(name, "solid " + number, Optional.empty());
     return Optional.of(
-        new ModelPart(name, location, geometry, PlainModel.defaultMaterial(), options.toWorld()));
+        new ModelPart(node, location, geometry, PlainModel.defaultMaterial(), options.toWorld()));
   }
 }

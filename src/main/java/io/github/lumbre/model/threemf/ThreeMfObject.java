@@ -5,8 +5,10 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * An object of a model: surfaces of its own, or other objects as components. Components are defined
@@ -60,16 +62,17 @@ record ThreeMfObject(
   /**
    * Adds the surfaces in the object.
    *
-   * @param otherwise the name of objects that have none
+   * @param parent the object that this one is a component of; an object without a name has its name
    */
-  void addTo(List<ModelPart> all, Transform toWorld, String otherwise) {
-    String shown = name.isEmpty() ? otherwise : name;
+  void addTo(List<ModelPart> all, Transform toWorld, Optional<ModelNode> parent) {
+    String shown = name.isEmpty() ? parent.map(ModelNode::name).orElse("") : name;
+    ModelNode node = ModelNode.of(shown, "object", parent);
     for (Surface surface : surfaces) {
-      all.add(new ModelPart(shown, location, surface.geometry, surface.material, toWorld));
+      all.add(new ModelPart(node, location, surface.geometry, surface.material, toWorld));
     }
     for (Component component : components) {
       if (component.object.parts > 0) {
-        component.object.addTo(all, toWorld.times(component.toParent), shown);
+        component.object.addTo(all, toWorld.times(component.toParent), Optional.of(node));
       }
     }
   }

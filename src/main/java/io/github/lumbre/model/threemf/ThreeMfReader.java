@@ -63,7 +63,7 @@ public final class ThreeMfReader {
     }
     List<ModelPart> parts = new ArrayList<>();
     for (Component item : root.items()) {
-      item.object().addTo(parts, toWorld.times(item.toParent()), "");
+      item.object().addTo(parts, toWorld.times(item.toParent()), Optional.empty());
     }
     file.tally().addTo(file.warnings());
     return PlainModel.of(parts, file.warnings().all());

@@ -41,6 +41,20 @@ class GltfNodeTest {
   }
 
   @Test
+  void nodesArePartsOfTheNodesAbove() throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'name': 'car', 'children': [1, 2]}");
+    node("{'children': [3]}");
+    node("{'mesh': 0, 'name': 'door'}");
+    node("{'mesh': 0}");
+    List<ModelPart> parts = file.read().parts();
+    assertThat(parts).extracting(part -> part.node().label()).containsExactly("door", "node 3");
+    assertThat(parts).allMatch(part -> part.node().matches("car"::equals));
+    assertThat(parts.get(0).node().matches("node 1"::equals)).isFalse();
+    assertThat(parts.get(1).node().matches("node 1"::equals)).isTrue();
+  }
+
+  @Test
   void matricesAreStoredByColumns() throws ModelFormatException, IOException {
     file.triangle("");
     node("{'mesh': 0, 'matrix': [1, 2, 3, 0, 0, 5, 6, 0, 0, 0, 9, 0, 10, 11, 12, 1]}");

@@ -115,6 +115,20 @@ class ThreeMfReaderTest {
   }
 
   @Test
+  void itemsAndComponentsAreParts() throws ModelFormatException {
+    String lid =
+        "<object id=\"2\" name=\"lid\"><components><component objectid=\"1\"/></components>"
+            + "</object>";
+    String items = "<item objectid=\"2\"/><item objectid=\"1\"/><item objectid=\"1\"/>";
+    Model model = read(object("name=\"plate\"", "", "") + lid, items);
+    assertThat(model.parts()).extracting(ModelPart::name).containsOnly("plate").hasSize(3);
+    assertThat(model.parts().stream().map(ModelPart::node).distinct()).hasSize(3);
+    assertThat(model.parts())
+        .extracting(part -> part.node().matches("lid"::equals))
+        .containsExactly(true, false, false);
+  }
+
+  @Test
   void colorsOfCornersAreInterpolated() throws ModelFormatException {
     Model model =
         read(COLORS + object("pid=\"3\" pindex=\"1\"", "pid=\"3\" p1=\"0\" p2=\"1\" p3=\"2\"", ""));

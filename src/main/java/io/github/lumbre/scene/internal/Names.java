@@ -1,12 +1,12 @@
-package io.github.lumbre.scene;
+package io.github.lumbre.scene.internal;
 
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Names of the objects of a scene that code builds: as readers of scene files name objects. */
-final class Names {
+/** Gives each object its own name: the wanted one, followed by a number if it is taken. Mutable. */
+public final class Names {
   private static final int LONGEST = 60;
 
   private final Set<String> taken = new HashSet<>();
@@ -15,12 +15,12 @@ final class Names {
   /**
    * @param reserved a name that stands for no object
    */
-  Names(String reserved) {
+  public Names(String reserved) {
     taken.add(reserved);
   }
 
   /** Returns a name that no object has yet: the wanted one, or that and a number. */
-  String unused(String wanted) {
+  public String unused(String wanted) {
     String name = wanted;
     while (!taken.add(name)) {
       name = wanted + " " + next.merge(wanted, 2, (number, two) -> number + 1);
@@ -33,7 +33,7 @@ final class Names {
    *
    * @throws IllegalArgumentException if it is empty or too long, or has control characters
    */
-  static String require(String what, String name) {
+  public static String require(String what, String name) {
     if (name.isEmpty() || name.length() > LONGEST) {
       throw new IllegalArgumentException(
           what + ": expected 1 to " + LONGEST + " characters, found " + name.length());
