@@ -163,6 +163,11 @@ final class Path {
     return now > 0 ? Math.min(1, now / first) : 0;
   }
 
+  /** Returns the throughput per color. */
+  Rgb colors() {
+    return new Rgb(throughputRed, throughputGreen, throughputBlue);
+  }
+
   /** Returns the largest component of the throughput, not divided by the number of branches. */
   double throughput() {
     return branches * Math.max(throughputRed, Math.max(throughputGreen, throughputBlue));

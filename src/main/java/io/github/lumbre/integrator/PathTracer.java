@@ -35,6 +35,9 @@ public final class PathTracer implements Integrator {
   /** Whether rays may pass straight through some surface or an absorbing medium. */
   private final boolean hasPassing;
 
+  /** Whether some surface refracts colors to different directions. */
+  private final boolean mayDisperse;
+
   private final LightTechniques techniques;
   private final FoundLights found;
   private final DirectionStrategy directions;
@@ -68,6 +71,7 @@ public final class PathTracer implements Integrator {
     maxDepth = options.maxDepth();
     split = options.split();
     hasPassing = Passing.isNeeded(scene);
+    mayDisperse = Vertex.mayDisperse(scene);
     directions = DirectionStrategy.of(options, guide);
     techniques = new LightTechniques(new LightSampling(scene, options, selector, directions));
     found = new FoundLights(scene, options, techniques);
@@ -160,6 +164,9 @@ public final class PathTracer implements Integrator {
     // Sample lights, and the next direction.
     Vertex vertex = context.vertex;
     vertex.moveTo(surface, primitive.material());
+    if (mayDisperse) {
+      vertex.narrow(path.colors());
+    }
     context.lift(scene);
     context.listener.vertexReached(hit.shape(), surface, vertex.bsdf());
     found.addAmbient(vertex, context);

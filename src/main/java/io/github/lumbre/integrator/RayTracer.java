@@ -11,6 +11,7 @@ import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.RoughDielectric;
+import io.github.lumbre.material.internal.ThreeColors;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -48,6 +49,9 @@ public final class RayTracer implements Integrator {
   /** Whether rays may pass straight through some surface or an absorbing medium. */
   private final boolean hasPassing;
 
+  /** Whether some surface refracts colors to different directions. */
+  private final boolean mayDisperse;
+
   /**
    * Creates a ray tracer.
    *
@@ -71,6 +75,7 @@ public final class RayTracer implements Integrator {
     this.maxRefractions = maxRefractions;
     backplate = transparent ? Optional.of(Rgb.BLACK) : scene.backplate();
     hasPassing = Passing.isNeeded(scene);
+    mayDisperse = Vertex.mayDisperse(scene);
   }
 
   /** A ray still to be traced, its throughput, and how many surfaces it has left. */
@@ -143,6 +148,9 @@ public final class RayTracer implements Integrator {
       }
     }
     context.vertex.moveTo(surface, primitive.material());
+    if (mayDisperse) {
+      context.vertex.narrow(throughput);
+    }
     context.lift(scene);
     context.listener.vertexReached(hit.shape(), surface, context.vertex.bsdf());
     return shade(branch, number, emitted, sampler, context);
@@ -165,7 +173,7 @@ public final class RayTracer implements Integrator {
     int dimension = Sampler.vertex(number);
     if (vertex.bsdf() instanceof Dielectric glass) {
       splitAtGlass(branch, glass, sampler.get1d(dimension + Sampler.LOBE), context, pending);
-    } else if (vertex.bsdf() instanceof RoughDielectric || isFadedGlass(vertex.bsdf())) {
+    } else if (isFollowedAtRandom(vertex.bsdf())) {
       scatterInGlass(branch, sampler, dimension, context, pending);
     } else if (isSpecular) {
       reflect(branch, context, pending);
@@ -176,9 +184,14 @@ public final class RayTracer implements Integrator {
     return light;
   }
 
-  /** Returns whether a BSDF is smooth glass that reflects and refracts only a part of the light. */
-  private static boolean isFadedGlass(Bsdf bsdf) {
-    return bsdf.isSpecular() && bsdf.choosesLobe();
+  /**
+   * Returns whether a BSDF is glass that is rough or disperses light, or smooth glass that reflects
+   * and refracts only a part of the light.
+   */
+  private static boolean isFollowedAtRandom(Bsdf bsdf) {
+    return bsdf instanceof RoughDielectric
+        || bsdf instanceof ThreeColors
+        || bsdf.isSpecular() && bsdf.choosesLobe();
   }
 
   private static Rgb emittedBySpecular(Rgb emitted, RenderContext context) {

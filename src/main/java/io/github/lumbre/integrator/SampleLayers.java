@@ -43,6 +43,9 @@ public final class SampleLayers implements PathListener {
   /** Whether light is collected, so that all events of a path matter. */
   private final boolean hasLight;
 
+  /** Whether paths may have one color of three. */
+  private final boolean mayDisperse;
+
   private Optional<RenderContext> context = Optional.empty();
   private double originX, originY, originZ;
 
@@ -70,6 +73,7 @@ public final class SampleLayers implements PathListener {
    * @param layers the layers to collect, of those that a film stores
    */
   public SampleLayers(Set<Layer> layers, Scene scene) {
+    mayDisperse = Vertex.mayDisperse(scene);
     groups = SceneInside.of(scene).lightGroups();
     for (Layer layer : layers) {
       int count = layer == Layer.LIGHTS ? 3 * groups.names().size() : layer.channels().size();
@@ -235,16 +239,29 @@ public final class SampleLayers implements PathListener {
   /** Sets the color of the surface that the last ray hit, tinted by what the path passed before. */
   private void setColor(double[] array, Rgb color) {
     if (array.length != 0) {
+      double most = mostThroughput();
       set(
           array,
-          tinted(red, color.r() + glowRed),
-          tinted(green, color.g() + glowGreen),
-          tinted(blue, color.b() + glowBlue));
+          tinted(red, color.r() + glowRed, most),
+          tinted(green, color.g() + glowGreen, most),
+          tinted(blue, color.b() + glowBlue, most));
     }
   }
 
-  private static double tinted(double throughput, double color) {
-    return Math.min(1, throughput * Math.min(1, color));
+  /**
+   * Returns the largest throughput of the last ray that counts: 3 if glass dispersed the light, so
+   * that the path has one color and stands for three paths.
+   */
+  private double mostThroughput() {
+    if (!mayDisperse) {
+      return 1;
+    }
+    int colors = (red > 0 ? 1 : 0) + (green > 0 ? 1 : 0) + (blue > 0 ? 1 : 0);
+    return colors == 1 ? 3 : 1;
+  }
+
+  private static double tinted(double throughput, double color, double most) {
+    return Math.min(most, throughput * Math.min(1, color));
   }
 
   @Override

@@ -2,6 +2,7 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.internal.LightChoice;
 import io.github.lumbre.material.Bsdf;
@@ -10,6 +11,7 @@ import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.Scene;
 
 /**
  * A point where a path hits a surface: evaluates and samples the surface's BSDF in world space.
@@ -52,6 +54,20 @@ final class Vertex {
       lookBack();
     }
     bsdf = material.at(surface);
+  }
+
+  /** Returns whether some surface of a scene disperses light, so that {@link #narrow} is needed. */
+  static boolean mayDisperse(Scene scene) {
+    return scene.primitives().stream().anyMatch(p -> p.material().isDispersive());
+  }
+
+  /**
+   * Samples for the colors that the path carries.
+   *
+   * @param throughput of the path at this vertex
+   */
+  void narrow(Rgb throughput) {
+    bsdf = bsdf.narrowed(throughput);
   }
 
   /**

@@ -13,6 +13,11 @@ record Blend(Bsdf first, Bsdf second, double share) implements Bsdf {
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
   @Override
+  public Bsdf narrowed(Rgb throughput) {
+    return new Blend(first.narrowed(throughput), second.narrowed(throughput), share);
+  }
+
+  @Override
   public boolean choosesLobe() {
     return true;
   }

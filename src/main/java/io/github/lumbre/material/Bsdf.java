@@ -89,6 +89,16 @@ public interface Bsdf {
   }
 
   /**
+   * Returns the same scattering, sampled for a path whose throughput is known. Only materials that
+   * {@linkplain Material#isDispersive disperse} light make a difference.
+   *
+   * @param throughput each component at least 0
+   */
+  default Bsdf narrowed(Rgb throughput) {
+    return this;
+  }
+
+  /**
    * Returns the albedo of the diffuse lobe, which reflects ambient light; black if there is none.
    */
   default Rgb diffuseAlbedo() {

@@ -25,6 +25,11 @@ record Faded(Bsdf bsdf, double factor) implements Bsdf {
   }
 
   @Override
+  public Bsdf narrowed(Rgb throughput) {
+    return new Faded(bsdf.narrowed(throughput), factor);
+  }
+
+  @Override
   public boolean choosesLobe() {
     return bsdf.choosesLobe();
   }

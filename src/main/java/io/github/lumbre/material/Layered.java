@@ -30,6 +30,11 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
   }
 
   @Override
+  public Bsdf narrowed(Rgb throughput) {
+    return new Layered(layer, base.narrowed(throughput), reflected);
+  }
+
+  @Override
   public boolean choosesLobe() {
     return true;
   }

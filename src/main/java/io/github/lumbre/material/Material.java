@@ -42,6 +42,14 @@ public interface Material {
     return Rgb.BLACK;
   }
 
+  /**
+   * Returns whether the surface may refract colors to different directions, so that samples of
+   * {@link Bsdf#narrowed} should be used.
+   */
+  default boolean isDispersive() {
+    return false;
+  }
+
   /** Returns whether the camera sees only the surface's shadows; see {@link ShadowCatcher}. */
   default boolean catchesShadows() {
     return false;

@@ -89,6 +89,16 @@ public final class MaterialParameter {
           .gltf(VOLUME_EXTENSION, "attenuationDistance")
           .of(TRANSMISSION);
 
+  /**
+   * Spread of the index of refraction over the colors: 20 / Abbe's number. It matters where an
+   * attenuation distance makes the surface the boundary of a volume.
+   */
+  public static final MaterialParameter DISPERSION =
+      number("dispersion", 0)
+          .within(0, Double.MAX_VALUE)
+          .gltf("KHR_materials_dispersion", "dispersion")
+          .of(TRANSMISSION);
+
   /** Strength of the clear coat. */
   public static final MaterialParameter CLEARCOAT =
       number("clearcoat", 0)

@@ -4,6 +4,7 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.Dielectric;
+import io.github.lumbre.material.internal.DispersiveGlass;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.RoughDielectric;
@@ -29,6 +30,7 @@ final class MetallicBase {
   private final ScalarChannel anisotropyRotation;
   private final Optional<NormalChannel> anisotropyDirection;
   private final double ior;
+  private final double dispersion;
   private final boolean isAnisotropic;
   private final boolean isThin;
   private final boolean isThinlyTransmissive;
@@ -50,6 +52,7 @@ final class MetallicBase {
     anisotropyDirection = values.normals(MaterialParameter.ANISOTROPY_DIRECTION);
     isAnisotropic = values.states(MaterialParameter.ANISOTROPY);
     ior = values.constant(MaterialParameter.IOR);
+    dispersion = isThin ? 0 : values.constant(MaterialParameter.DISPERSION);
     this.isThin = isThin;
     isThinlyTransmissive = isThin && values.states(MaterialParameter.TRANSMISSION);
   }
@@ -57,6 +60,11 @@ final class MetallicBase {
   /** Returns whether smooth parts may let rays pass straight through. */
   boolean isThinlyTransmissive() {
     return isThinlyTransmissive;
+  }
+
+  /** Returns whether glass refracts colors to different directions. */
+  boolean isDispersive() {
+    return dispersion > 0 && ior > 1;
   }
 
   /** Returns the square of a perceptual roughness. */
@@ -120,10 +128,25 @@ final class MetallicBase {
           ? new SchlickReflection(f0, f90(hit), facets)
           : new ThinGlass(tint, f0, f90(hit), facets);
     }
+    if (isDispersive()) {
+      return alpha < CookTorrance.SMOOTH
+          ? new DispersiveGlass(tint, indices())
+          : DispersiveGlass.rough(tint, indices(), new Ggx(alpha));
+    }
     double index = ior == 0 ? 1e6 : Math.max(1, ior);
     return alpha < CookTorrance.SMOOTH || index - 1 < 1e-8
         ? new Dielectric(Rgb.WHITE, tint, index)
         : new RoughDielectric(Rgb.WHITE, tint, index, new Ggx(alpha));
+  }
+
+  /**
+   * Returns the index of refraction of each color: green has the stated one, and blue less red is
+   * (ior - 1) / V, where V = 20 / dispersion is Abbe's number (KHR_materials_dispersion).
+   */
+  private Rgb indices() {
+    double half = (ior - 1) * dispersion / 40;
+    // The least is an index of which a refracted direction has half of its digits.
+    return new Rgb(Math.max(1 + 1e-8, ior - half), ior, ior + half);
   }
 
   /**

@@ -89,7 +89,8 @@ public final class MetallicRoughness implements Material {
 
   @Override
   public Material simplified() {
-    return isUniform && isOpaque && absorption().isBlack() ? new UniformMaterial(at(0, 0)) : this;
+    boolean isPlain = isOpaque && absorption().isBlack() && !isDispersive();
+    return isUniform && isPlain ? new UniformMaterial(at(0, 0)) : this;
   }
 
   @Override
@@ -112,6 +113,11 @@ public final class MetallicRoughness implements Material {
 
   private double opacity(SurfaceHit hit) {
     return isTransparent ? opacity.fractionAt(hit) : 1;
+  }
+
+  @Override
+  public boolean isDispersive() {
+    return base.isDispersive();
   }
 
   @Override

@@ -58,6 +58,11 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   }
 
   @Override
+  public boolean isDispersive() {
+    return material.isDispersive();
+  }
+
+  @Override
   public Rgb absorption() {
     return material.absorption();
   }

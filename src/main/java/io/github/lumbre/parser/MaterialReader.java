@@ -275,8 +275,11 @@ final class MaterialReader {
   }
 
   private static Range range(MaterialParameter parameter) {
-    return parameter == MaterialParameter.ATTENUATION_DISTANCE
-        ? Range.POSITIVE
+    if (parameter == MaterialParameter.ATTENUATION_DISTANCE) {
+      return Range.POSITIVE;
+    }
+    return parameter.least() == 0 && parameter.most() == Double.MAX_VALUE
+        ? Range.NOT_NEGATIVE
         : Range.closed(parameter.least(), parameter.most());
   }
 

@@ -59,6 +59,11 @@ public record Tilted(Bsdf bsdf, Frame frame) implements Bsdf {
   }
 
   @Override
+  public Bsdf narrowed(Rgb throughput) {
+    return new Tilted(bsdf.narrowed(throughput), frame);
+  }
+
+  @Override
   public boolean choosesLobe() {
     return bsdf.choosesLobe();
   }

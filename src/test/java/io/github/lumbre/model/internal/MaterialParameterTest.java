@@ -135,6 +135,8 @@ class MaterialParameterTest {
       material.set(MaterialParameter.ATTENUATION_DISTANCE, 2);
     } else if (parameter == MaterialParameter.ATTENUATION_DISTANCE) {
       material.set(MaterialParameter.ATTENUATION_COLOR, COLOR);
+    } else if (parameter == MaterialParameter.DISPERSION) {
+      material.set(MaterialParameter.ATTENUATION_DISTANCE, 2);
     }
     String before = effect(material);
     switch (parameter.kind()) {
