@@ -8,7 +8,7 @@ import java.util.Optional;
 
 /** A light that can be sampled. Immutable. */
 public sealed interface Light
-    permits PointLight, SpotLight, DirectionalLight, AreaLight, EnvironmentLight {
+    permits PointLight, SpotLight, ProfileLight, DirectionalLight, AreaLight, EnvironmentLight {
   /**
    * Samples light that may arrive at a point. This method is for the hot path: with plain numbers
    * and a reused result it allocates nothing. Other callers use {@link #sample(Vec3, Point2)}.

@@ -102,12 +102,17 @@ final class AssetData {
     return asset.string(base64Key).flatMap(text -> decoded(asset.spot(base64Key), text));
   }
 
-  /** Returns the files that assets name, if they exist and are in the scene's folder or below. */
-  Set<Path> files(List<JsonNode> assets) throws IOException {
+  /**
+   * Returns the files that assets or objects name, if they exist and are in the scene's folder or
+   * below.
+   *
+   * @param key that holds the name
+   */
+  Set<Path> files(List<JsonNode> assets, String key) throws IOException {
     Path folder = folder();
     Set<Path> files = new LinkedHashSet<>();
     for (JsonNode asset : assets) {
-      Optional<String> name = asset.has(FILE_KEY) ? asset.string(FILE_KEY) : Optional.empty();
+      Optional<String> name = asset.has(key) ? asset.string(key) : Optional.empty();
       name.flatMap(AssetData::validRelative)
           .map(path -> folder.resolve(path).normalize())
           .filter(path -> path.startsWith(folder) && Files.isRegularFile(path))
@@ -164,7 +169,7 @@ final class AssetData {
 
   /** Returns the model files that objects name, and the files that these name, if they exist. */
   Set<Path> modelFiles(List<JsonNode> models) throws IOException {
-    Set<Path> all = new LinkedHashSet<>(files(models));
+    Set<Path> all = new LinkedHashSet<>(files(models, FILE_KEY));
     for (Path model : List.copyOf(all)) {
       Path folder = model.getParent();
       ModelFolder recording =

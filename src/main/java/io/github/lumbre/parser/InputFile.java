@@ -60,8 +60,10 @@ final class InputFile {
       throw problems.exception();
     }
     AssetData data = new AssetData(file, new SceneHash(), Allowance.unlimited());
-    Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets")));
-    files.addAll(data.modelFiles(ObjectTree.of(root).models()));
+    Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets"), AssetData.FILE_KEY));
+    ObjectTree tree = ObjectTree.of(root);
+    files.addAll(data.modelFiles(tree.nodes(ObjectTree.Type.MODEL)));
+    files.addAll(data.files(tree.nodes(ObjectTree.Type.LIGHT), LightProfiles.KEY));
     return files;
   }
 }

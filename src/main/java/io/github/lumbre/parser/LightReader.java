@@ -11,6 +11,7 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.light.internal.Directions;
+import io.github.lumbre.light.internal.LightProfile;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.ObjectTree.Placed;
@@ -72,6 +73,7 @@ final class LightReader {
   }
 
   private final TextureReader textures;
+  private final LightProfiles profiles;
   private final boolean hasGlass;
   private int count;
   private boolean hasDome;
@@ -79,7 +81,7 @@ final class LightReader {
   private final Family<Reader> family =
       new Family<Reader>("lightType", ObjectTree.EMITTER_KEYS)
           .with("Directional", this::directional, "intensity", "color")
-          .with("Point", this::point, "falloff")
+          .with("Point", this::point, "falloff", LightProfiles.KEY)
           .with("Spot", this::spot, "spotAngle", "penumbra", "falloff")
           .with("Ambient", this::ambient)
           .with("Rectangle", this::rectangle, "width", "height", "unit")
@@ -89,8 +91,9 @@ final class LightReader {
   /**
    * @param hasGlass whether any object in the scene is made of glass
    */
-  LightReader(TextureReader textures, boolean hasGlass) {
+  LightReader(TextureReader textures, LightProfiles profiles, boolean hasGlass) {
     this.textures = textures;
+    this.profiles = profiles;
     this.hasGlass = hasGlass;
   }
 
@@ -114,7 +117,8 @@ final class LightReader {
     JsonNode node = light.node();
     node.warnUnknown(family.keys());
     count++;
-    Rgb intensity = node.rgb("color").times(node.number("intensity", 0, Range.NOT_NEGATIVE));
+    int missing = node.has(LightProfiles.KEY) ? 1 : 0;
+    Rgb intensity = node.rgb("color").times(node.number("intensity", missing, Range.NOT_NEGATIVE));
     if (intensity.isBlack()) {
       node.warn("intensity", "the light emits nothing");
     }
@@ -133,15 +137,33 @@ final class LightReader {
 
   private Consumer<SceneAssembly> point(Placed light, Rgb intensity) {
     warnOfGlass(light);
-    PointLight made = pointLight(light, intensity);
+    if (light.node().has(LightProfiles.KEY)) {
+      return profiled(light, intensity);
+    }
+    PointLight made = pointLight(light, intensity, Falloff.NONE);
     return scene -> scene.add(made);
+  }
+
+  private Consumer<SceneAssembly> profiled(Placed light, Rgb factor) {
+    PointLight source = pointLight(light, factor, Falloff.INVERSE_SQUARE);
+    if (source.falloff() == Falloff.NONE) {
+      light
+          .node()
+          .error("falloff", "expected \"inverseSquare\", which profiles need, found \"none\"");
+    }
+    Optional<LightProfile> profile = profiles.of(light.node());
+    return scene -> scene.add(profile.orElseThrow().light(source, light.toWorld()));
   }
 
   private Consumer<SceneAssembly> spot(Placed light, Rgb intensity) {
     warnOfGlass(light);
+    if (light.node().has(LightProfiles.KEY)) {
+      light.node().warn(LightProfiles.KEY, "is ignored, because only Point lights have one");
+    }
     double angle = spotAngle(light.node());
     double penumbra = light.node().number("penumbra", 0, Range.closed(0, angle));
-    SpotLight made = new SpotLight(pointLight(light, intensity), axis(light), angle, penumbra);
+    PointLight source = pointLight(light, intensity, Falloff.NONE);
+    SpotLight made = new SpotLight(source, axis(light), angle, penumbra);
     return scene -> scene.add(made);
   }
 
@@ -194,8 +216,8 @@ final class LightReader {
     return scene -> scene.add(made);
   }
 
-  private static PointLight pointLight(Placed light, Rgb intensity) {
-    Falloff falloff = light.node().choice("falloff", FALLOFFS, Falloff.NONE);
+  private static PointLight pointLight(Placed light, Rgb intensity, Falloff missing) {
+    Falloff falloff = light.node().choice("falloff", FALLOFFS, missing);
     return new PointLight(light.position(), intensity, falloff);
   }
 

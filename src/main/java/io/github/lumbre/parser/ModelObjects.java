@@ -82,7 +82,9 @@ final class ModelObjects {
     JsonNode node = object.node();
     boolean isTheScene = name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
     ModelPlace place =
-        isTheScene ? new ModelPlace.OfFile(node.problems()) : new ModelPlace.OfObject(node, name);
+        isTheScene
+            ? new ModelPlace.OfFile(node.problems())
+            : new ModelPlace.OfObject(node, AssetData.FILE_KEY, name);
     ModelOptions options = options(node, lenient || isTheScene);
     try {
       parts.add(

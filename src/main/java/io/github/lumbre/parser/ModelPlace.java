@@ -60,9 +60,10 @@ interface ModelPlace {
    * A model in a scene.
    *
    * @param object that names the file
+   * @param key the key that names the file
    * @param file name of the model, as the object states it
    */
-  record OfObject(JsonNode object, String file) implements ModelPlace {
+  record OfObject(JsonNode object, String key, String file) implements ModelPlace {
     @Override
     public Spot spot() {
       return object.spot();
@@ -75,13 +76,13 @@ interface ModelPlace {
 
     @Override
     public void warn(String warning) {
-      object.warn(AssetData.FILE_KEY, file + ": " + warning);
+      object.warn(key, file + ": " + warning);
     }
 
     @Override
     public void error(ModelFormatException e) {
       String message = PrintableText.escaped(e.getMessage());
-      object.error(kind(e), AssetData.FILE_KEY, file + ": " + message);
+      object.error(kind(e), key, file + ": " + message);
     }
   }
 }

@@ -117,12 +117,9 @@ final class ObjectTree {
     return objects;
   }
 
-  /** Returns the nodes of all models. */
-  List<JsonNode> models() {
-    return objects.stream()
-        .filter(object -> object.type() == Type.MODEL)
-        .map(Placed::node)
-        .toList();
+  /** Returns the nodes of all objects of a type. */
+  List<JsonNode> nodes(Type type) {
+    return objects.stream().filter(object -> object.type() == type).map(Placed::node).toList();
   }
 
   /** Returns the second object with an id; empty if there is none. */

@@ -32,6 +32,7 @@ final class SceneReader {
   private final ModelObjects models;
   private final SceneParts parts = new SceneParts();
   private final ModelParts modelParts;
+  private final LightProfiles profiles;
   private Optional<Camera> camera = Optional.empty();
   private Optional<Rgb> backplate = Optional.empty();
   private String cameraType = "";
@@ -60,6 +61,7 @@ final class SceneReader {
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
+    profiles = new LightProfiles(data);
     modelParts = new ModelParts(parts, data.allowance(), kernel);
     models = new ModelObjects(data, materials, modelParts, sceneName, assets.isLenient());
   }
@@ -141,7 +143,7 @@ final class SceneReader {
   }
 
   private void readLights(Optional<Rgb> background) {
-    LightReader lights = new LightReader(textures, materials.hasGlass());
+    LightReader lights = new LightReader(textures, profiles, materials.hasGlass());
     for (Placed light : objects(ObjectTree.Type.LIGHT)) {
       Origin origin = light.node().origin();
       lights

@@ -45,6 +45,8 @@ final class WrittenLights {
     } else if (light instanceof EnvironmentLight sky) {
       object.addProperty("lightType", "Dome");
       sky(object, sky);
+    } else if (light.isDelta()) {
+      throw new Unwritable("a light without a profile", "the profile of a lamp");
     } else {
       throw new Unwritable("addAreaLight for an area light", "add(Light)");
     }

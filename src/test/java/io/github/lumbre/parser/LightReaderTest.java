@@ -16,12 +16,16 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.PointLight;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ies.IesSamples;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.TexturePoint;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -154,6 +158,85 @@ class LightReaderTest {
 
   private static boolean isHit(Scene scene, Vec3 origin, Vec3 direction) {
     return scene.intersect(new Ray(origin, direction), new NearestHit());
+  }
+
+  private void writeLamp(String text) throws IOException {
+    Files.write(folder.resolve("lamp.ies"), IesSamples.bytes(text));
+  }
+
+  @Test
+  void pointLightMayHaveTheProfileOfALamp() throws IOException {
+    writeLamp(IesSamples.OLD);
+    Light lamp = light("'lightType': 'Point', 'profile': 'lamp.ies', 'localRotation': {'x': 90}");
+    // It shines down, with 25 cd at 0 degrees, 20 at 90 and 15 at 180, at distance 2.
+    double[] expected = {25, 20, 15};
+    for (int i = 0; i < 3; i++) {
+      Vec3 point = new Vec3(0, 2 * (i - 1), i == 1 ? 2 : 0);
+      assertThat(lamp.sample(point, new Point2(.5, .5)).orElseThrow().radiance().r())
+          .isCloseTo(expected[i] / 4, within(1e-14));
+    }
+    Light half =
+        light("'lightType': 'Point', 'profile': 'lamp.ies', 'intensity': 0.5, 'color': {'g': 0}");
+    assertNear(
+        half.sample(new Vec3(0, 0, 1), new Point2(.5, .5)).orElseThrow().radiance(),
+        new Rgb(12.5, 0, 12.5));
+  }
+
+  @Test
+  void filesOfProfilesAreFilesOfTheScene() throws IOException, SceneFormatException {
+    writeLamp(IesSamples.OLD);
+    String lamp = json("{'type': 'Light', 'lightType': 'Point', 'profile': 'lamp.ies'}");
+    String two = scene(lamp + ", " + lamp, "");
+    SceneFile file = fixture.parse(two);
+    assertThat(file.scene().lights()).hasSize(2);
+    assertThat(ParsedScene.of(file).files().assets()).containsOnlyKeys("lamp.ies");
+    assertThat(SceneParser.files(folder.resolve("scene.json")))
+        .containsExactly(folder.toRealPath().resolve("lamp.ies"));
+    // The file is read once.
+    SceneParser limited =
+        new SceneParser().limitedTo(Limits.NONE.withBytes(two.length() + IesSamples.OLD.length()));
+    assertThat(fixture.parse(limited, two).scene().lights()).hasSize(2);
+    String before = file.hash();
+    writeLamp(IesSamples.OLD.replace("100", "101"));
+    assertThat(fixture.parse(two).hash()).isNotEqualTo(before);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "| 'falloff': 'none' | .falloff: expected \"inverseSquare\", which profiles need, found"
+            + " \"none\"",
+        "60 | x | .profile: lamp.ies: line 10: expected a finite number, found \"x\"",
+        "100, | -1 | .profile: lamp.ies: line 9: expected candelas of at least 0, found \"-1\"",
+        "| 'profile': 'none.ies' | .profile: expected a file, found none at \"none.ies\"",
+        "| 'profile': '../lamp.ies' | .profile: expected a relative path inside the scene's folder,"
+            + " found \"../lamp.ies\"",
+        "| 'profile': 3 | .profile: expected a string, found 3"
+      })
+  void profilesThatCannotBeUsedAreErrors(String from, String to, String message)
+      throws IOException {
+    writeLamp(from == null ? IesSamples.OLD : IesSamples.OLD.replace(from, to));
+    String keys = from != null ? "" : ", " + to;
+    String profile = to.contains("profile") ? "" : ", 'profile': 'lamp.ies'";
+    String lamp = json("{'type': 'Light', 'lightType': 'Point'" + profile + keys + "}");
+    assertThat(fixture.refusal(scene(lamp, "")).problems())
+        .map(Object::toString)
+        .containsExactly("scene.json: $.objects[1]" + message);
+  }
+
+  @Test
+  void warningsOfProfilesNameTheFile() throws IOException {
+    writeLamp(IesSamples.FULL);
+    assertThat(parse("'lightType': 'Point', 'profile': 'lamp.ies'").warnings())
+        .map(Object::toString)
+        .containsExactly(
+            "scene.json: $.objects[1].profile: lamp.ies: line 5: the tilts are ignored, so that a"
+                + " tilted lamp is as bright as an upright one, found TILT=\"INCLUDE\"");
+    assertThat(parse("'lightType': 'Spot', 'profile': 'lamp.ies'").warnings())
+        .map(Object::toString)
+        .containsExactly(
+            "scene.json: $.objects[1].profile: is ignored, because only Point lights have one");
   }
 
   @Test

@@ -238,7 +238,7 @@ class SceneSchemaTest {
     assertFamily("texture", "textureType", textures.family());
     assertFamily("material", "materialType", new MaterialReader(null, textures).family());
     assertFamily("shape", "shapeType", new ShapeReader(null, List.of(), Kernel.AUTO).family());
-    assertFamily("light", "lightType", new LightReader(textures, false).family());
+    assertFamily("light", "lightType", new LightReader(textures, null, false).family());
     assertFamily("camera", "cameraType", new CameraReader(textures).family());
     assertThat(
             JsonParser.parseString(SCHEMA).getAsJsonObject().getAsJsonObject("properties").keySet())
