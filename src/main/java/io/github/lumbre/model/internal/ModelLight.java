@@ -10,8 +10,8 @@ import java.util.Objects;
  *
  * @param name empty if it has none
  * @param location in the file, such as {@code nodes[3].extensions.KHR_lights_punctual}
- * @param intensity color times intensity: W/sr (or cd) for point and spot lights, W/m² (or lx) for
- *     directional ones
+ * @param intensity color times intensity: cd for point and spot lights, lx for directional ones; a
+ *     radiance of 1 is 1 cd/m²
  * @param range the distance beyond which the light has no effect; infinite if unlimited
  * @param innerCone half angle of the cone of full intensity, in radians; spot lights only
  * @param outerCone half angle of the whole cone, in radians; spot lights only
