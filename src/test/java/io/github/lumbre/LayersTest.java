@@ -46,8 +46,8 @@ class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String LIBRARY =
       "math image drawing sampling texture geometry file text limit json path material camera light"
-          + " scene model guiding integrator render parser checkpoint denoise stopping preview"
-          + " audit compare thumbnail";
+          + " scene outline model guiding integrator render parser checkpoint denoise stopping"
+          + " preview audit compare thumbnail";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -67,6 +67,7 @@ class LayersTest {
           Map.entry("camera", "math sampling"),
           Map.entry("light", "math image sampling texture geometry"),
           Map.entry("scene", "math image geometry text material camera light"),
+          Map.entry("outline", "math image drawing geometry material camera scene"),
           Map.entry("guiding", ""),
           Map.entry(
               "integrator",

@@ -75,7 +75,7 @@ public final class Mesh implements Shape {
   }
 
   /** Returns the triangles in world space. */
-  TriangleMesh triangles() {
+  public TriangleMesh triangles() {
     return world;
   }
 

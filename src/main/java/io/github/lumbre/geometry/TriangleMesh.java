@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.MeshEdges;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -359,12 +360,12 @@ public final class TriangleMesh {
     return point;
   }
 
-  /** Returns whether the mesh encloses a volume; see {@link MeshBorder#isClosed}. */
+  /** Returns whether the mesh encloses a volume; see {@link MeshEdges#isClosed}. */
   boolean isClosed() {
     Boolean known = closed;
     if (known == null) {
       // Two threads may compute this at once; their results are equal.
-      known = MeshBorder.isClosed(this);
+      known = MeshEdges.isClosed(this);
       closed = known;
     }
     return known;

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.stl;
 
+import io.github.lumbre.geometry.internal.PositionIndex;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelNode;

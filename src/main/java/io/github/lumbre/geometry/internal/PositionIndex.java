@@ -1,9 +1,9 @@
-package io.github.lumbre.model.stl;
+package io.github.lumbre.geometry.internal;
 
 import java.util.Arrays;
 
 /** Numbers distinct positions in order of occurrence. Mutable. */
-final class PositionIndex {
+public final class PositionIndex {
   private static final int FREE = -1;
 
   /** Random per run, so that no file can be crafted to cause hash collisions. */
@@ -14,7 +14,7 @@ final class PositionIndex {
   private int count;
 
   /** Returns the number of a finite position; assigns the next one at its first occurrence. */
-  int number(double x, double y, double z) {
+  public int number(double x, double y, double z) {
     // The sum with 0 replaces -0 by 0.
     return find(x + 0.0, y + 0.0, z + 0.0);
   }
@@ -77,7 +77,7 @@ final class PositionIndex {
   }
 
   /** Returns three coordinates per position, in the order of their numbers. */
-  double[] positions() {
+  public double[] positions() {
     return Arrays.copyOf(positions, 3 * count);
   }
 }

@@ -1,0 +1,191 @@
+package io.github.lumbre.geometry.internal;
+
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.math.Vec3;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+
+/**
+ * The edges of one or several meshes, each with the triangles that have it. Vertices at exactly the
+ * same position count as one place, because files repeat them for each normal and texture
+ * coordinate. Immutable.
+ *
+ * <p>Triangles are numbered through all meshes, in their order.
+ */
+public final class MeshEdges {
+  /** Normals whose directions differ by less than 1° count as the same. */
+  private static final double SAME = .99985;
+
+  private final double[] positions;
+
+  /** The place of each corner: 3 for each triangle. */
+  private final int[] corners;
+
+  /** The corners where triangles begin an edge, grouped by the edge. */
+  private final int[] sides;
+
+  /** The index of the first side of each edge, and the number of all sides. */
+  private final int[] first;
+
+  private final BitSet smooth = new BitSet();
+
+  private MeshEdges(List<TriangleMesh> meshes) {
+    corners = new int[3 * meshes.stream().mapToInt(TriangleMesh::triangleCount).sum()];
+    PositionIndex places = new PositionIndex();
+    int at = 0;
+    for (TriangleMesh mesh : meshes) {
+      int[] placeOfVertex = new int[mesh.vertexCount()];
+      Arrays.fill(placeOfVertex, -1);
+      for (int corner = 0; corner < 3 * mesh.triangleCount(); corner++) {
+        int vertex = mesh.vertex(corner / 3, corner % 3);
+        if (placeOfVertex[vertex] < 0) {
+          Vec3 p = mesh.position(vertex);
+          placeOfVertex[vertex] = places.number(p.x(), p.y(), p.z());
+        }
+        corners[at++] = placeOfVertex[vertex];
+      }
+    }
+    positions = places.positions();
+    sides = new int[corners.length];
+    first = grouped();
+  }
+
+  /** Returns the edges of meshes, which share places where they touch. */
+  public static MeshEdges of(List<TriangleMesh> meshes) {
+    MeshEdges edges = new MeshEdges(meshes);
+    edges.findSmooth(meshes);
+    return edges;
+  }
+
+  /** Returns whether every edge of a mesh belongs to an even number of triangles. */
+  public static boolean isClosed(TriangleMesh mesh) {
+    MeshEdges edges = new MeshEdges(List.of(mesh));
+    for (int edge = 0; edge < edges.count(); edge++) {
+      if (edges.triangles(edge) % 2 != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Sorts the sides by their edges, and returns where each edge begins. */
+  private int[] grouped() {
+    int[] next = new int[positions.length / 3 + 1];
+    for (int side = 0; side < sides.length; side++) {
+      next[low(side) + 1]++;
+    }
+    for (int place = 1; place < next.length; place++) {
+      next[place] += next[place - 1];
+    }
+    int[] begins = next.clone();
+    long[] keys = new long[sides.length];
+    for (int side = 0; side < sides.length; side++) {
+      keys[next[low(side)]++] = (long) high(side) << 32 | side;
+    }
+    for (int place = 0; place < begins.length - 1; place++) {
+      Arrays.sort(keys, begins[place], begins[place + 1]);
+    }
+    int[] starts = new int[sides.length + 1];
+    int count = 0;
+    for (int i = 0; i < keys.length; i++) {
+      sides[i] = (int) keys[i];
+      boolean isSame =
+          i > 0 && low(sides[i]) == low(sides[i - 1]) && high(sides[i]) == high(sides[i - 1]);
+      if (!isSame) {
+        starts[count++] = i;
+      }
+    }
+    starts[count] = sides.length;
+    return Arrays.copyOf(starts, count + 1);
+  }
+
+  private int low(int side) {
+    return Math.min(corners[side], corners[following(side)]);
+  }
+
+  private int high(int side) {
+    return Math.max(corners[side], corners[following(side)]);
+  }
+
+  /** Returns the next corner of the same triangle. */
+  private static int following(int corner) {
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+  }
+
+  /** Finds the edges whose two triangles have the same vertex normals there. */
+  private void findSmooth(List<TriangleMesh> meshes) {
+    int[] meshOf = new int[corners.length / 3];
+    int[] begin = new int[meshes.size()];
+    int at = 0;
+    for (int i = 0; i < meshes.size(); i++) {
+      begin[i] = at;
+      Arrays.fill(meshOf, at, at + meshes.get(i).triangleCount(), i);
+      at += meshes.get(i).triangleCount();
+    }
+    for (int edge = 0; edge < count(); edge++) {
+      if (triangles(edge) == 2) {
+        Vec3[] one = normals(sides[first[edge]], meshes, meshOf, begin);
+        Vec3[] other = normals(sides[first[edge] + 1], meshes, meshOf, begin);
+        smooth.set(edge, isSame(one[0], other[0]) && isSame(one[1], other[1]));
+      }
+    }
+  }
+
+  /** Returns the normals at the place of the lower and the higher number of a side. */
+  private Vec3[] normals(int side, List<TriangleMesh> meshes, int[] meshOf, int[] begin) {
+    TriangleMesh mesh = meshes.get(meshOf[side / 3]);
+    if (!mesh.hasNormals()) {
+      return new Vec3[] {Vec3.ZERO, Vec3.ZERO};
+    }
+    int triangle = side / 3 - begin[meshOf[side / 3]];
+    Vec3 here = mesh.normal(mesh.vertex(triangle, side % 3));
+    Vec3 there = mesh.normal(mesh.vertex(triangle, following(side) % 3));
+    return corners[side] == low(side) ? new Vec3[] {here, there} : new Vec3[] {there, here};
+  }
+
+  private static boolean isSame(Vec3 one, Vec3 other) {
+    double dot = one.dot(other);
+    return dot > 0 && dot * dot > SAME * SAME * one.dot(one) * other.dot(other);
+  }
+
+  /** Returns three coordinates for each place. */
+  public double[] positions() {
+    return positions.clone();
+  }
+
+  /** Returns the number of edges. */
+  public int count() {
+    return first.length - 1;
+  }
+
+  /** Returns the place with the lower number of the two ends of an edge. */
+  public int from(int edge) {
+    return low(sides[first[edge]]);
+  }
+
+  /** Returns the place with the higher number of the two ends of an edge. */
+  public int to(int edge) {
+    return high(sides[first[edge]]);
+  }
+
+  /** Returns the number of triangles that have an edge, at least 1. */
+  public int triangles(int edge) {
+    return first[edge + 1] - first[edge];
+  }
+
+  /** Returns one of the triangles that have an edge. */
+  public int triangle(int edge, int index) {
+    return sides[first[edge] + index] / 3;
+  }
+
+  /** Returns the place of the corner of one of these triangles that is not on the edge. */
+  public int opposite(int edge, int index) {
+    return corners[following(following(sides[first[edge] + index]))];
+  }
+
+  /** Returns whether an edge has two triangles, and their vertex normals are the same along it. */
+  public boolean isSmooth(int edge) {
+    return smooth.get(edge);
+  }
+}

@@ -1,0 +1,87 @@
+package io.github.lumbre.outline;
+
+import io.github.lumbre.geometry.internal.MeshEdges;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
+
+/**
+ * Decides which edges are lines. The decisions do not depend on the order of the vertices of a
+ * triangle, which many files have wrong.
+ */
+final class EdgeKind {
+  /** The angle from which on an edge between smooth normals is a crease, in degrees. */
+  private static final double SMOOTH_DEGREES = 60;
+
+  private final MeshEdges edges;
+  private final double[] positions;
+  private final double cosCrease;
+  private final double cosSmooth;
+
+  /**
+   * @param positions of the places of the edges, in world space
+   * @param creaseDegrees angle between two triangles from which on their edge is a crease
+   */
+  EdgeKind(MeshEdges edges, double[] positions, double creaseDegrees) {
+    this.edges = edges;
+    this.positions = positions;
+    cosCrease = Elementary.cosDegrees(creaseDegrees);
+    cosSmooth = Elementary.cosDegrees(Math.max(creaseDegrees, SMOOTH_DEGREES));
+  }
+
+  Vec3 from(int edge) {
+    return place(edges.from(edge));
+  }
+
+  Vec3 to(int edge) {
+    return place(edges.to(edge));
+  }
+
+  private Vec3 place(int place) {
+    return new Vec3(positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]);
+  }
+
+  /** Returns whether an edge is a border or a crease, or a silhouette for an eye. */
+  boolean isLine(int edge, Eye eye) {
+    return isFeature(edge) || isSilhouette(edge, eye);
+  }
+
+  /**
+   * Returns whether an edge is a border or a crease: its triangles do not continue each other in
+   * two opposite directions.
+   */
+  boolean isFeature(int edge) {
+    Vec3 along = to(edge).minus(from(edge)).normalized();
+    Vec3 first = across(edge, 0, along);
+    double flat = edges.isSmooth(edge) ? cosSmooth : cosCrease;
+    boolean continues = false;
+    for (int i = 1; i < edges.triangles(edge); i++) {
+      double cos = first.dot(across(edge, i, along));
+      if (Math.abs(cos) < flat) {
+        return true;
+      }
+      continues |= cos < 0;
+    }
+    return !continues;
+  }
+
+  /** Returns the unit direction in a triangle that is away from an edge and perpendicular to it. */
+  private Vec3 across(int edge, int triangle, Vec3 along) {
+    Vec3 side = place(edges.opposite(edge, triangle)).minus(from(edge));
+    Vec3 across = side.plus(-side.dot(along), along);
+    return across.maxAbs() > 0 ? across.normalized() : Vec3.ZERO;
+  }
+
+  /** Returns whether all triangles of an edge are on the same side of it in the picture. */
+  boolean isSilhouette(int edge, Eye eye) {
+    Vec3 from = from(edge);
+    Vec3 normal = eye.rayTo(from).cross(to(edge).minus(from));
+    boolean isLeft = false;
+    boolean isRight = false;
+    for (int i = 0; i < edges.triangles(edge); i++) {
+      double side = normal.dot(place(edges.opposite(edge, i)).minus(from));
+      isLeft |= side > 0;
+      isRight |= side < 0;
+    }
+    return !(isLeft && isRight);
+  }
+}

@@ -1,0 +1,87 @@
+package io.github.lumbre.outline;
+
+import io.github.lumbre.drawing.Strokes;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.geometry.internal.MeshEdges;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.scene.Scene;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The edges of the meshes of a scene. Immutable. */
+public final class Outlines {
+  private final List<OutlinedPart> parts;
+
+  private Outlines(List<OutlinedPart> parts) {
+    this.parts = parts;
+  }
+
+  /** Primitives whose meshes belong together: those of one object at one place. */
+  private record Key(String object, Transform toWorld) {}
+
+  /** Returns the edges of the meshes of a scene. Other shapes have none. */
+  public static Outlines of(Scene scene) {
+    Map<Key, List<Integer>> groups = new LinkedHashMap<>();
+    List<Primitive> primitives = scene.primitives();
+    for (int i = 0; i < primitives.size(); i++) {
+      if (OutlinedPart.meshOf(primitives.get(i).shape()).isPresent()) {
+        Key key = new Key(scene.objectName(i), OutlinedPart.toWorldOf(primitives.get(i).shape()));
+        groups.computeIfAbsent(key, k -> new ArrayList<>()).add(i);
+      }
+    }
+    Map<List<TriangleMesh>, MeshEdges> known = new HashMap<>();
+    List<OutlinedPart> parts = new ArrayList<>();
+    groups.forEach(
+        (key, members) -> {
+          List<TriangleMesh> meshes =
+              members.stream()
+                  .map(i -> OutlinedPart.meshOf(primitives.get(i).shape()).orElseThrow())
+                  .toList();
+          MeshEdges edges = known.computeIfAbsent(meshes, MeshEdges::of);
+          parts.add(OutlinedPart.of(edges, key.toWorld(), members, meshes));
+        });
+    return new Outlines(parts);
+  }
+
+  /**
+   * Returns the visible lines for the camera of a scene; empty if it bends straight lines.
+   *
+   * @param scene the scene of these edges, from any place
+   * @param width of the frame in pixels
+   * @param height of the frame in pixels
+   * @param creaseDegrees angle between two triangles from which on their edge is a crease
+   */
+  public Optional<Strokes> strokes(Scene scene, int width, int height, double creaseDegrees) {
+    return Eye.of(scene.camera(), width, height)
+        .map(
+            eye -> {
+              Strokes strokes = new Strokes();
+              Occlusion occlusion = new Occlusion(scene, eye);
+              for (OutlinedPart part : parts) {
+                add(part, eye, creaseDegrees, occlusion, strokes);
+              }
+              return strokes;
+            });
+  }
+
+  private static void add(
+      OutlinedPart part, Eye eye, double creaseDegrees, Occlusion occlusion, Strokes strokes) {
+    MeshEdges edges = part.edges();
+    EdgeKind kind = new EdgeKind(edges, part.worldPositions(), creaseDegrees);
+    for (int edge = 0; edge < edges.count(); edge++) {
+      if (kind.isLine(edge, eye)) {
+        int number = edge;
+        Vec3 from = kind.from(edge);
+        Vec3 to = kind.to(edge);
+        SeenEdge.of(from, to, eye)
+            .ifPresent(seen -> seen.add(point -> !occlusion.hides(point, part, number), strokes));
+      }
+    }
+  }
+}
