@@ -16,6 +16,11 @@ import io.github.lumbre.sampling.internal.Warp;
  * @param alpha roughness of the layer
  */
 record LayeredDiffuse(Rgb albedo, double f0, double f90, double alpha) implements Lobe {
+  /** Returns this reflection with its albedo times a color, each component in [0,1]. */
+  LayeredDiffuse tinted(Rgb color) {
+    return new LayeredDiffuse(albedo.times(color), f0, f90, alpha);
+  }
+
   private double passed(double cosine) {
     return Math.max(0, 1 - GgxAlbedo.of(f0, f90, Math.abs(cosine), alpha));
   }

@@ -24,6 +24,7 @@ public final class MaterialParameter {
   private static final String SHEEN_EXTENSION = "KHR_materials_sheen";
 
   private static final String ANISOTROPY_EXTENSION = "KHR_materials_anisotropy";
+  private static final String TRANSLUCENCY_EXTENSION = "KHR_materials_diffuse_transmission";
 
   private static final int RED = 0;
   private static final int GREEN = 1;
@@ -72,22 +73,41 @@ public final class MaterialParameter {
       number("transmission", 0)
           .gltf("KHR_materials_transmission", "transmissionFactor", "transmissionTexture", RED);
 
+  /** Fraction of non-reflected light that is transmitted diffusely instead of reflected so. */
+  public static final MaterialParameter DIFFUSE_TRANSMISSION =
+      number("diffuseTransmission", 0)
+          .gltf(
+              TRANSLUCENCY_EXTENSION,
+              "diffuseTransmissionFactor",
+              "diffuseTransmissionTexture",
+              ALPHA);
+
+  /** Albedo of the diffuse transmission. */
+  public static final MaterialParameter DIFFUSE_TRANSMISSION_COLOR =
+      color("diffuseTransmissionColor", Rgb.WHITE)
+          .gltf(
+              TRANSLUCENCY_EXTENSION,
+              "diffuseTransmissionColorFactor",
+              "diffuseTransmissionColorTexture",
+              0)
+          .of(DIFFUSE_TRANSMISSION);
+
   /** Color of white light after the attenuation distance in the volume. */
   public static final MaterialParameter ATTENUATION_COLOR =
       color("attenuationColor", Rgb.WHITE)
           .gltf(VOLUME_EXTENSION, "attenuationColor")
-          .of(TRANSMISSION);
+          .of(TRANSMISSION, DIFFUSE_TRANSMISSION);
 
   /**
    * Distance, in world units, at which white light has the attenuation color; infinite in a clear
-   * medium. It makes the surface the boundary of a volume, which refracts: the shape must be
-   * closed.
+   * medium. It makes the surface the boundary of a volume, which refracts unless it transmits
+   * diffusely: the shape must be closed.
    */
   public static final MaterialParameter ATTENUATION_DISTANCE =
       number("attenuationDistance", Double.POSITIVE_INFINITY)
           .within(Double.MIN_VALUE, Double.POSITIVE_INFINITY)
           .gltf(VOLUME_EXTENSION, "attenuationDistance")
-          .of(TRANSMISSION);
+          .of(TRANSMISSION, DIFFUSE_TRANSMISSION);
 
   /**
    * Spread of the index of refraction over the colors: 20 / Abbe's number. It matters where an
@@ -160,7 +180,7 @@ public final class MaterialParameter {
   private int channel;
   private double gltfUnit = 1;
   private String mtl = "";
-  private MaterialParameter strength = this;
+  private List<MaterialParameter> strengths = List.of(this);
 
   /** The type of a parameter's values. */
   public enum Kind {
@@ -219,8 +239,8 @@ public final class MaterialParameter {
     return this;
   }
 
-  private MaterialParameter of(MaterialParameter newStrength) {
-    strength = newStrength;
+  private MaterialParameter of(MaterialParameter... newStrengths) {
+    strengths = List.of(newStrengths);
     return this;
   }
 
@@ -299,9 +319,9 @@ public final class MaterialParameter {
     return mtl;
   }
 
-  /** Returns the parameter that turns this one off if it is 0; this one if there is no other. */
-  public MaterialParameter strength() {
-    return strength;
+  /** Returns the parameters that turn this one off if all are 0; this one if there is no other. */
+  public List<MaterialParameter> strengths() {
+    return strengths;
   }
 
   /** Returns whether a number, or a component of a color, is in range. */

@@ -26,12 +26,15 @@ final class MetallicBase {
   private final ScalarChannel specular;
   private final ColorChannel specularColor;
   private final ScalarChannel transmission;
+  private final ScalarChannel diffuseTransmission;
+  private final ColorChannel diffuseTransmissionColor;
   private final ScalarChannel anisotropy;
   private final ScalarChannel anisotropyRotation;
   private final Optional<NormalChannel> anisotropyDirection;
   private final double ior;
   private final double dispersion;
   private final boolean isAnisotropic;
+  private final boolean isTranslucent;
   private final boolean isThin;
   private final boolean isThinlyTransmissive;
 
@@ -47,10 +50,13 @@ final class MetallicBase {
     specular = values.number(MaterialParameter.SPECULAR);
     specularColor = values.color(MaterialParameter.SPECULAR_COLOR);
     transmission = values.number(MaterialParameter.TRANSMISSION);
+    diffuseTransmission = values.number(MaterialParameter.DIFFUSE_TRANSMISSION);
+    diffuseTransmissionColor = values.color(MaterialParameter.DIFFUSE_TRANSMISSION_COLOR);
     anisotropy = values.number(MaterialParameter.ANISOTROPY);
     anisotropyRotation = values.number(MaterialParameter.ANISOTROPY_ROTATION);
     anisotropyDirection = values.normals(MaterialParameter.ANISOTROPY_DIRECTION);
     isAnisotropic = values.states(MaterialParameter.ANISOTROPY);
+    isTranslucent = values.states(MaterialParameter.DIFFUSE_TRANSMISSION);
     ior = values.constant(MaterialParameter.IOR);
     dispersion = isThin ? 0 : values.constant(MaterialParameter.DISPERSION);
     this.isThin = isThin;
@@ -100,15 +106,20 @@ final class MetallicBase {
         strength > 0
             ? anisotropic(hit, mixedF0, mixedF90, facetAlpha, strength)
             : new SchlickReflection(mixedF0, mixedF90, new Ggx(facetAlpha));
-    if (metallic == 1 || color.isBlack()) {
+    double through = isTranslucent ? diffuseTransmission.fractionAt(hit) : 0;
+    if (metallic == 1 || through == 0 && color.isBlack()) {
       return reflection;
     }
-    Rgb albedo = color.times(1 - metallic);
-    LayeredDiffuse diffuse =
+    LayeredDiffuse white =
         strength > 0
-            ? AnisotropicReflection.below(albedo, f0.max(), f90, facetAlpha, strength)
-            : new LayeredDiffuse(albedo, f0.max(), f90, facetAlpha);
-    return new Mixture(diffuse, reflection);
+            ? AnisotropicReflection.below(Rgb.WHITE, f0.max(), f90, facetAlpha, strength)
+            : new LayeredDiffuse(Rgb.WHITE, f0.max(), f90, facetAlpha);
+    LayeredDiffuse reflected = white.tinted(color.times((1 - metallic) * (1 - through)));
+    if (through == 0) {
+      return new Mixture(reflected, reflection);
+    }
+    Rgb passed = diffuseTransmissionColor.at(hit).clampedToOne().times((1 - metallic) * through);
+    return new Mixture(new Translucent(reflected, white.tinted(passed)), reflection);
   }
 
   private Lobe anisotropic(SurfaceHit hit, Rgb f0, double f90, double alpha, double strength) {

@@ -54,6 +54,11 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   }
 
   @Override
+  public boolean isTransmissive() {
+    return first.isTransmissive() || second.isTransmissive();
+  }
+
+  @Override
   public Rgb diffuseAlbedo() {
     return first.diffuseAlbedo().plus(second.diffuseAlbedo());
   }

@@ -70,13 +70,15 @@ public record ModelMaterial(
   }
 
   /**
-   * Returns whether a parameter has an effect: the model states it, and neither it nor the strength
-   * of its layer is 0.
+   * Returns whether a parameter has an effect: the model states it, and neither it nor all
+   * strengths of its layer are 0.
    */
   public boolean uses(MaterialParameter parameter) {
-    MaterialParameter strength = parameter.strength();
-    boolean isOff = strength.missing().isBlack() && input(strength).factor().isBlack();
-    return inputs.containsKey(parameter) && !isOff;
+    return inputs.containsKey(parameter) && !parameter.strengths().stream().allMatch(this::isOff);
+  }
+
+  private boolean isOff(MaterialParameter strength) {
+    return strength.missing().isBlack() && input(strength).factor().isBlack();
   }
 
   /** Builds a {@link ModelMaterial}. Mutable. */

@@ -6,6 +6,8 @@ import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_NORMAL;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
+import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION;
+import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION_COLOR;
 import static io.github.lumbre.material.MaterialParameter.IOR;
 import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
@@ -172,6 +174,39 @@ class GltfMaterialTest {
     assertThat(material.input(TRANSMISSION).number()).isEqualTo(.5);
     assertThat(material.input(TRANSMISSION).channel()).isZero();
     assertThat(material.input(TRANSMISSION).texture()).isPresent();
+  }
+
+  @Test
+  void diffuseTransmissionIsRead() throws ModelFormatException, IOException {
+    ModelMaterial material =
+        extended(
+            "KHR_materials_diffuse_transmission",
+            """
+            {'diffuseTransmissionFactor': 0.5, 'diffuseTransmissionTexture': {'index': 0},
+             'diffuseTransmissionColorFactor': [0.1, 0.2, 0.3],
+             'diffuseTransmissionColorTexture': {'index': 1}}
+            """);
+    assertThat(material.input(DIFFUSE_TRANSMISSION).number()).isEqualTo(.5);
+    assertThat(material.input(DIFFUSE_TRANSMISSION).channel()).isEqualTo(3);
+    assertThat(image(material.input(DIFFUSE_TRANSMISSION).texture())).containsExactly(1, 2, 3);
+    assertThat(material.input(DIFFUSE_TRANSMISSION_COLOR).factor()).isEqualTo(new Rgb(.1, .2, .3));
+    assertThat(image(material.input(DIFFUSE_TRANSMISSION_COLOR).texture())).containsExactly(4, 5);
+  }
+
+  /** Light enters a volume by either kind of transmission. */
+  @ParameterizedTest
+  @CsvSource({"0, 0, false", "0.5, 0, true", "0, 0.5, true"})
+  void volumesNeedATransmission(double specular, double diffuse, boolean isUsed)
+      throws ModelFormatException, IOException {
+    ModelMaterial material =
+        material(
+            """
+            {'extensions': {'KHR_materials_volume': {'thicknessFactor': 1},
+              'KHR_materials_transmission': {'transmissionFactor': %s},
+              'KHR_materials_diffuse_transmission': {'diffuseTransmissionFactor': %s}}}
+            """
+                .formatted(specular, diffuse));
+    assertThat(material.uses(ATTENUATION_DISTANCE)).isEqualTo(isUsed);
   }
 
   @Test

@@ -76,6 +76,9 @@ final class GltfSample {
            'KHR_materials_ior': {'ior': 1.3}, 'KHR_materials_unlit': {},
            'KHR_materials_specular': {'specularFactor': 0.5},
            'KHR_materials_transmission': {'transmissionFactor': 1},
+           'KHR_materials_diffuse_transmission': {'diffuseTransmissionFactor': 0.5,
+             'diffuseTransmissionTexture': {'index': 0}, 'diffuseTransmissionColorFactor':
+             [1, 0.5, 0], 'diffuseTransmissionColorTexture': {'index': 0}},
            'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationDistance': 3},
            'KHR_materials_clearcoat': {'clearcoatFactor': 1, 'clearcoatTexture': {'index': 0}},
            'KHR_materials_sheen': {'sheenColorFactor': [1, 0, 0]}}}

@@ -182,7 +182,7 @@ class MaterialParameterTest {
   private static JsonObject gltf(MaterialParameter parameter) {
     JsonObject extensions = new JsonObject();
     JsonObject material = new JsonObject();
-    MaterialParameter strength = parameter.strength();
+    MaterialParameter strength = parameter.strengths().get(0);
     if (strength != parameter) {
       extensions.add(strength.gltfObject(), stated(strength, new JsonObject()));
     }

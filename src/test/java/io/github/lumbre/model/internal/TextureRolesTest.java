@@ -52,6 +52,14 @@ class TextureRolesTest {
     SPECULAR("specular", "'specularTexture': T", true),
     SPECULAR_COLOR("specular", "'specularColorFactor': [9, 9, 9], 'specularColorTexture': T", true),
     TRANSMISSION("transmission", "'transmissionFactor': 1, 'transmissionTexture': T", true),
+    DIFFUSE_TRANSMISSION(
+        "diffuse_transmission",
+        "'diffuseTransmissionFactor': 1, 'diffuseTransmissionTexture': T",
+        true),
+    DIFFUSE_TRANSMISSION_COLOR(
+        "diffuse_transmission",
+        "'diffuseTransmissionFactor': 0.5, 'diffuseTransmissionColorTexture': T",
+        true),
     CLEARCOAT("clearcoat", "'clearcoatFactor': 1, 'clearcoatTexture': T", true),
     CLEARCOAT_ROUGHNESS(
         "clearcoat",
@@ -109,7 +117,7 @@ class TextureRolesTest {
 
   /**
    * The coordinates of the corners in the reference, which are those of the picture. All numbers
-   * are exact. The only light is directional, so that samples of equal surfaces are equal.
+   * are exact. The only lights are directional, so that samples of equal surfaces are equal.
    */
   private static final double[] PLACE = {.125, .75, .875, .6875, .8125, .125, .1875, .3125};
 
@@ -170,10 +178,14 @@ class TextureRolesTest {
     file.set(
         "extensions",
         "{'KHR_lights_punctual': {'lights': [{'type': 'directional', 'intensity': 2}]}}");
-    file.add(
-        "nodes",
-        "{'rotation': [-0.4, 0.3, 0, 0.8660254],"
-            + " 'extensions': {'KHR_lights_punctual': {'light': 0}}}");
+    for (String fromFrontAndBack : new String[] {"-0.4, 0.3, 0, 0.8660254", "0, 0.8, 0, 0.6"}) {
+      file.add(
+          "nodes",
+          "{'rotation': ["
+              + fromFrontAndBack
+              + "],"
+              + " 'extensions': {'KHR_lights_punctual': {'light': 0}}}");
+    }
     Stage stage = Stage.DEFAULT.seenFrom(View.of("front")).under(new Sky("white", 0, 0));
     SceneFile scene =
         new SceneParser()
