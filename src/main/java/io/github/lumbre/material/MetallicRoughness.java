@@ -16,7 +16,8 @@ import java.util.function.DoubleUnaryOperator;
 
 /**
  * The metallic-roughness material of glTF 2.0, Appendix B, with the layers of the {@code
- * KHR_materials_} extensions: specular, ior, transmission, volume, clearcoat and sheen.
+ * KHR_materials_} extensions: specular, ior, transmission, diffuse transmission, volume,
+ * anisotropy, clearcoat and sheen.
  *
  * <p>The lobes are those of the specification. Unlike there, a layer's albedo weights what lies
  * below it, so that the material is reciprocal and never reflects more light than arrives. Smooth
