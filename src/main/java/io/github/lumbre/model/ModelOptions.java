@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -16,6 +17,10 @@ import java.util.OptionalDouble;
  * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
  * @param pointRadius radius of the spheres that show points, in the file's unit, &gt; 0; empty for
  *     half the median distance of a point to the nearest other one
+ * @param hidden names of parts to leave out; {@code *} stands for any text. A part is a node or an
+ *     object with all below it, a group or a solid; in a file without them, a connected piece, such
+ *     as {@code piece 2}
+ * @param highlighted names of parts, as above, beside which all others are pale; empty for none
  * @param limits for the model, its textures and its other files
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
  *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
@@ -27,6 +32,8 @@ public record ModelOptions(
     Up up,
     double unit,
     OptionalDouble pointRadius,
+    List<String> hidden,
+    List<String> highlighted,
     Limits limits,
     boolean lenient) {
   /** The rest pose, default materials, +Y up, unit 1. */
@@ -55,6 +62,8 @@ public record ModelOptions(
     Objects.requireNonNull(variant, "variant");
     Objects.requireNonNull(up, "up");
     Objects.requireNonNull(pointRadius, "pointRadius");
+    hidden = List.copyOf(hidden);
+    highlighted = List.copyOf(highlighted);
     Objects.requireNonNull(limits, "limits");
     requireLength("unit", unit);
     requireLength("pointRadius", pointRadius.orElse(1));
@@ -68,22 +77,36 @@ public record ModelOptions(
 
   /** Creates options without limits of their own. */
   public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
-    this(pose, variant, up, unit, OptionalDouble.empty(), Limits.NONE, false);
+    this(pose, variant, up, unit, OptionalDouble.empty(), List.of(), List.of(), Limits.NONE, false);
   }
 
   /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
   public ModelOptions withPointRadius(double radius) {
-    return new ModelOptions(pose, variant, up, unit, OptionalDouble.of(radius), limits, lenient);
+    OptionalDouble stated = OptionalDouble.of(radius);
+    return new ModelOptions(pose, variant, up, unit, stated, hidden, highlighted, limits, lenient);
+  }
+
+  /** Returns these options with hidden parts; see {@link #hidden}. */
+  public ModelOptions hiding(List<String> parts) {
+    return new ModelOptions(
+        pose, variant, up, unit, pointRadius, parts, highlighted, limits, lenient);
+  }
+
+  /** Returns these options with highlighted parts; see {@link #highlighted}. */
+  public ModelOptions highlighting(List<String> parts) {
+    return new ModelOptions(pose, variant, up, unit, pointRadius, hidden, parts, limits, lenient);
   }
 
   /** Returns these options with limits. */
   public ModelOptions limitedTo(Limits newLimits) {
-    return new ModelOptions(pose, variant, up, unit, pointRadius, newLimits, lenient);
+    return new ModelOptions(
+        pose, variant, up, unit, pointRadius, hidden, highlighted, newLimits, lenient);
   }
 
   /** Returns these options, lenient or not. */
   public ModelOptions lenient(boolean isLenient) {
-    return new ModelOptions(pose, variant, up, unit, pointRadius, limits, isLenient);
+    return new ModelOptions(
+        pose, variant, up, unit, pointRadius, hidden, highlighted, limits, isLenient);
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

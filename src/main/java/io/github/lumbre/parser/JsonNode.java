@@ -173,6 +173,15 @@ record JsonNode(JsonValue value, Problems problems) {
 
   /** Returns the objects of an array; an empty list if the key is missing. */
   List<JsonNode> objects(String childKey) {
+    return array(childKey).stream().flatMap(n -> n.asObject().stream()).toList();
+  }
+
+  /** Returns the strings of an array; an empty list if the key is missing. */
+  List<String> strings(String childKey) {
+    return array(childKey).stream().flatMap(n -> n.asString().stream()).toList();
+  }
+
+  private List<JsonNode> array(String childKey) {
     Optional<JsonNode> array = find(childKey);
     if (array.isEmpty()) {
       return List.of();
@@ -181,7 +190,7 @@ record JsonNode(JsonValue value, Problems problems) {
       array.get().unexpected("an array");
       return List.of();
     }
-    return array.get().elements().stream().flatMap(n -> n.asObject().stream()).toList();
+    return array.get().elements();
   }
 
   double number(String childKey, double missing, Range range) {

@@ -30,6 +30,8 @@ final class ModelObjects {
             "pose",
             "seconds",
             "variant",
+            "hide",
+            "highlight",
             "useLights",
             "materials",
             "shared"));
@@ -120,6 +122,8 @@ final class ModelObjects {
         node.has("pointRadius")
             ? OptionalDouble.of(node.number("pointRadius", 1, Range.POSITIVE))
             : OptionalDouble.empty(),
+        node.strings("hide"),
+        node.strings("highlight"),
         data.allowance().left(),
         mayLackPictures);
   }

@@ -1,9 +1,11 @@
 package io.github.lumbre.parser;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelOptions;
+import java.util.List;
 
 /** Values of scene files that are written. */
 final class Written {
@@ -47,6 +49,16 @@ final class Written {
               object.addProperty("seconds", pose.seconds());
             });
     options.variant().ifPresent(variant -> object.addProperty("variant", variant));
+    names(object, "hide", options.hidden());
+    names(object, "highlight", options.highlighted());
+  }
+
+  private static void names(JsonObject object, String key, List<String> names) {
+    if (!names.isEmpty()) {
+      JsonArray array = new JsonArray();
+      names.forEach(array::add);
+      object.add(key, array);
+    }
   }
 
   /** Returns the name of the class of a thing that the format does not have. */

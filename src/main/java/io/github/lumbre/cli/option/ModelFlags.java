@@ -33,6 +33,8 @@ public final class ModelFlags {
           "--background",
           "--pose",
           "--variant",
+          "--hide",
+          "--highlight",
           "--up",
           "--unit",
           "--points");
@@ -106,6 +108,20 @@ public final class ModelFlags {
   private Optional<String> variant;
 
   @Option(
+      names = "--hide",
+      paramLabel = "PART",
+      description =
+          "Leave out a node, object, group or solid, or 'piece N' in a file without them; '*'"
+              + " stands for any text. Repeatable; 'lumbre check' lists the parts.")
+  private List<String> hidden = List.of();
+
+  @Option(
+      names = "--highlight",
+      paramLabel = "PART",
+      description = "Show a part in its color, or in orange, and all others pale. Repeatable.")
+  private List<String> highlighted = List.of();
+
+  @Option(
       names = "--up",
       paramLabel = "y|z",
       description = "Axis that points up in STL, PLY, OBJ and OFF files (y).")
@@ -169,7 +185,9 @@ public final class ModelFlags {
     String axis = up.orElse("y");
     require(axis.equals("y") || axis.equals("z"), "--up: expected y or z, found " + axis);
     ModelOptions options =
-        new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length);
+        new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length)
+            .hiding(hidden)
+            .highlighting(highlighted);
     return points.map(radius -> options.withPointRadius(pointRadius(radius))).orElse(options);
   }
 

@@ -13,6 +13,9 @@ public final class PositionIndex {
   private int[] slots = freeSlots(32);
   private int count;
 
+  /** Creates an index without positions. */
+  public PositionIndex() {}
+
   /** Returns the number of a finite position; assigns the next one at its first occurrence. */
   public int number(double x, double y, double z) {
     // The sum with 0 replaces -0 by 0.

@@ -45,6 +45,11 @@ public record Model(
     warnings = List.copyOf(warnings);
   }
 
+  /** Returns this model with other parts. */
+  public Model with(List<ModelPart> newParts) {
+    return new Model(front, newParts, pointRadius, cameras, lights, variants, animations, warnings);
+  }
+
   /** Returns this model with more warnings. */
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.internal;
 
+import java.util.Arrays;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
@@ -53,6 +54,30 @@ public record ModelGeometry(
       double[] newPositions, double[] newNormals, double[] newTangents, int... newIndices) {
     return new ModelGeometry(
         newPositions, newNormals, newTangents, uv0, uv1, colors, newIndices, isPoints);
+  }
+
+  /** Returns the same triangles or points without colors of vertices. */
+  ModelGeometry withoutColors() {
+    return new ModelGeometry(
+        positions, normals, tangents, uv0, uv1, new float[0], indices, isPoints);
+  }
+
+  /**
+   * Returns some of the triangles, with their vertices alone.
+   *
+   * @param corners three vertex numbers per triangle
+   */
+  ModelGeometry part(int... corners) {
+    int[] used = IntStream.of(corners).sorted().distinct().toArray();
+    int[] moved = IntStream.of(corners).map(v -> Arrays.binarySearch(used, v)).toArray();
+    return new ModelGeometry(
+        selected(positions, 3, used),
+        selected(normals, 3, used),
+        selected(tangents, 4, used),
+        selected(uv0, 2, used),
+        selected(uv1, 2, used),
+        selectedColors(used),
+        moved);
   }
 
   /** Returns the number of vertices. */

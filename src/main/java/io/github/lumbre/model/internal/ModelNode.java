@@ -46,6 +46,11 @@ public final class ModelNode {
     return new ModelNode(name, newLabel, parent);
   }
 
+  /** Returns the part that this one belongs to; empty for none. */
+  public Optional<ModelNode> parent() {
+    return parent;
+  }
+
   /** Returns the name in the file; empty if there is none. */
   public String name() {
     return name;

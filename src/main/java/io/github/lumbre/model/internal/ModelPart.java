@@ -29,4 +29,14 @@ public record ModelPart(
   public String name() {
     return node.name();
   }
+
+  /** Returns whether the surface is not divided into connected pieces: points, and lights. */
+  public boolean isOnePiece() {
+    return geometry.isPoints() || !material.emission().factor().isBlack();
+  }
+
+  /** Returns this surface as another part of the file, or in another shape or material. */
+  ModelPart with(ModelNode newNode, ModelGeometry newGeometry, ModelMaterial newMaterial) {
+    return new ModelPart(newNode, location, newGeometry, newMaterial, toWorld);
+  }
 }

@@ -73,12 +73,13 @@ public final class ModelReader {
       requireNone("variants", "a variant", options.variant());
     }
     try {
-      Model model = checked(format.read(content, folder, options), options);
+      Model whole = checked(format.read(content, folder, options), options);
+      Model model = PartSelection.shown(whole, options);
       double unit = format == ModelFormat.GLTF ? 1 : options.unit();
       return model.withPointRadius(
           options.pointRadius().isPresent()
               ? options.pointRadius().getAsDouble() * unit
-              : PointSpacing.radius(model));
+              : PointSpacing.radius(whole));
     } catch (ModelFormatException e) {
       Optional<String> other = format.otherThanThis(content);
       if (other.isEmpty() || e.kind() == Kind.TOO_LARGE || e.kind() == Kind.ASSET) {

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelFixture;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelPart;
 import java.io.IOException;
@@ -52,6 +54,26 @@ class GltfNodeTest {
     assertThat(parts).allMatch(part -> part.node().matches("car"::equals));
     assertThat(parts.get(0).node().matches("node 1"::equals)).isFalse();
     assertThat(parts.get(1).node().matches("node 1"::equals)).isTrue();
+  }
+
+  @Test
+  void nodesOfOneNameAreHiddenTogetherAndSubtreesWithTheirRoot()
+      throws ModelFormatException, IOException {
+    file.triangle("");
+    node("{'name': 'bolt', 'mesh': 0}");
+    node("{'name': 'bolt', 'mesh': 0}");
+    node("{'name': 'car', 'mesh': 0, 'children': [3]}");
+    node("{'name': 'door', 'mesh': 0}");
+    assertThat(left("bolt")).containsExactly("car", "door");
+    assertThat(left("bolt 2")).containsExactly("bolt", "car", "door");
+    assertThat(left("car")).containsExactly("bolt", "bolt 2");
+    assertThat(left("door")).containsExactly("bolt", "bolt 2", "car");
+  }
+
+  private List<String> left(String hidden) throws ModelFormatException {
+    ModelOptions options = ModelOptions.DEFAULT.hiding(List.of(hidden));
+    Model model = new ModelFixture("a.glb", file.glb()).with(options).read();
+    return model.parts().stream().map(part -> part.node().label()).toList();
   }
 
   @Test
