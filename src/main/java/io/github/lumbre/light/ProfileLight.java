@@ -42,6 +42,6 @@ record ProfileLight(PointLight source, Frame axes, LightProfile profile) impleme
 
   @Override
   public boolean isBlack() {
-    return source.isBlack() || profile.largest() == 0;
+    return source.isBlack() || profile.flux() == 0;
   }
 }

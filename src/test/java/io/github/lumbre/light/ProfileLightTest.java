@@ -136,7 +136,7 @@ class ProfileLightTest {
     assertThat(light.isBlack()).isFalse();
     assertThat(light.isDelta()).isTrue();
     LightProfile dark =
-        new LightProfile(new double[] {0}, new double[] {0, 360}, new double[] {0, 0});
+        new LightProfile(new double[] {0}, new double[] {0, 360}, new double[] {5, 5});
     assertThat(light(dark, Transform.IDENTITY).isBlack()).isTrue();
     assertThat(dark.flux()).isZero();
   }

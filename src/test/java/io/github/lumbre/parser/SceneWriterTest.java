@@ -16,6 +16,9 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.light.internal.LightProfile;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.math.Frame;
@@ -173,6 +176,13 @@ class SceneWriterTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SceneWriter.file(glowing, SETTINGS))
         .withMessageMatching("\"object \\d+\": expected .*, found .*");
+    LightProfile lamp =
+        new LightProfile(new double[] {0, 90}, new double[] {0, 360}, new double[] {1, 1, 1, 1});
+    Light profiled = lamp.light(PointLight.of(Vec3.ZERO, Rgb.WHITE), Transform.IDENTITY);
+    Scene lit = simple().add(profiled).build();
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SceneWriter.file(lit, SETTINGS))
+        .withMessageEndingWith("expected a light without a profile, found the profile of a lamp");
     Scene fixed =
         Scene.builder().seenBy(Lens.pinhole(50).camera(Vec3.ZERO, Frame.WORLD, 1)).build();
     assertThatIllegalArgumentException()

@@ -31,6 +31,7 @@ public final class LightProfile {
   private final double[] candela;
 
   private final double largest;
+  private final double flux;
 
   /**
    * Creates a profile. The arrays become its own.
@@ -59,6 +60,7 @@ public final class LightProfile {
     this.horizontal = horizontal;
     this.candela = candela;
     largest = Arrays.stream(candela).max().orElseThrow();
+    flux = sphere();
   }
 
   /** Sets how a light is made. The class of point lights calls it once, before there are any. */
@@ -124,7 +126,11 @@ public final class LightProfile {
    * Returns the luminous flux in lm: the exact integral of {@link #intensity} over all directions.
    */
   public double flux() {
-    double flux = 0;
+    return flux;
+  }
+
+  private double sphere() {
+    double sum = 0;
     for (int i = 1; i < vertical.length; i++) {
       double from = vertical[i - 1];
       double to = vertical[i];
@@ -134,9 +140,9 @@ public final class LightProfile {
       double rising =
           (Elementary.sinDegrees(to) - Elementary.sinDegrees(from)) / Math.toRadians(to - from)
               - Elementary.cosDegrees(to);
-      flux += (all - rising) * aroundAxis(i - 1) + rising * aroundAxis(i);
+      sum += (all - rising) * aroundAxis(i - 1) + rising * aroundAxis(i);
     }
-    return flux;
+    return sum;
   }
 
   /** Returns the integral of the intensity over a turn at a vertical angle. */
