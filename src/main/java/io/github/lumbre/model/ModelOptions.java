@@ -3,6 +3,7 @@ package io.github.lumbre.model;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.section.Section;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -21,6 +22,11 @@ import java.util.OptionalDouble;
  *     object with all below it, a group or a solid; in a file without them, a connected piece, such
  *     as {@code piece 2}
  * @param highlighted names of parts, as above, beside which all others are pale; empty for none
+ * @param sections planes that cut the model: what is in front of all of them is removed, and closed
+ *     parts get a hatched surface there. {@code x=0.5} is a plane across an axis of the file, in
+ *     its unit, {@code y=50%} in percent of the model's bounds, and {@code 0,0,1/1,1,0} a point and
+ *     a normal, which points to the front. In front of an axis is the viewer from the right, the
+ *     top or the front; {@code +x=0.5} and {@code -x=0.5} name the removed side
  * @param limits for the model, its textures and its other files
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
  *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
@@ -34,6 +40,7 @@ public record ModelOptions(
     OptionalDouble pointRadius,
     List<String> hidden,
     List<String> highlighted,
+    List<String> sections,
     Limits limits,
     boolean lenient) {
   /** The rest pose, default materials, +Y up, unit 1. */
@@ -64,6 +71,8 @@ public record ModelOptions(
     Objects.requireNonNull(pointRadius, "pointRadius");
     hidden = List.copyOf(hidden);
     highlighted = List.copyOf(highlighted);
+    sections = List.copyOf(sections);
+    sections.forEach(Section::of);
     Objects.requireNonNull(limits, "limits");
     requireLength("unit", unit);
     requireLength("pointRadius", pointRadius.orElse(1));
@@ -77,36 +86,61 @@ public record ModelOptions(
 
   /** Creates options without limits of their own. */
   public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
-    this(pose, variant, up, unit, OptionalDouble.empty(), List.of(), List.of(), Limits.NONE, false);
+    this(
+        pose,
+        variant,
+        up,
+        unit,
+        OptionalDouble.empty(),
+        List.of(),
+        List.of(),
+        List.of(),
+        Limits.NONE,
+        false);
+  }
+
+  private ModelOptions with(OptionalDouble radius, Limits newLimits, boolean isLenient) {
+    return new ModelOptions(
+        pose, variant, up, unit, radius, hidden, highlighted, sections, newLimits, isLenient);
+  }
+
+  private ModelOptions showing(List<String> hide, List<String> highlight, List<String> cut) {
+    return new ModelOptions(
+        pose, variant, up, unit, pointRadius, hide, highlight, cut, limits, lenient);
   }
 
   /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
   public ModelOptions withPointRadius(double radius) {
-    OptionalDouble stated = OptionalDouble.of(radius);
-    return new ModelOptions(pose, variant, up, unit, stated, hidden, highlighted, limits, lenient);
+    return with(OptionalDouble.of(radius), limits, lenient);
   }
 
   /** Returns these options with hidden parts; see {@link #hidden}. */
   public ModelOptions hiding(List<String> parts) {
-    return new ModelOptions(
-        pose, variant, up, unit, pointRadius, parts, highlighted, limits, lenient);
+    return showing(parts, highlighted, sections);
   }
 
   /** Returns these options with highlighted parts; see {@link #highlighted}. */
   public ModelOptions highlighting(List<String> parts) {
-    return new ModelOptions(pose, variant, up, unit, pointRadius, hidden, parts, limits, lenient);
+    return showing(hidden, parts, sections);
+  }
+
+  /**
+   * Returns these options with other {@link #sections}; none for the whole model.
+   *
+   * @throws IllegalArgumentException if a text is not a section
+   */
+  public ModelOptions cutBy(List<String> planes) {
+    return showing(hidden, highlighted, planes);
   }
 
   /** Returns these options with limits. */
   public ModelOptions limitedTo(Limits newLimits) {
-    return new ModelOptions(
-        pose, variant, up, unit, pointRadius, hidden, highlighted, newLimits, lenient);
+    return with(pointRadius, newLimits, lenient);
   }
 
   /** Returns these options, lenient or not. */
   public ModelOptions lenient(boolean isLenient) {
-    return new ModelOptions(
-        pose, variant, up, unit, pointRadius, hidden, highlighted, limits, isLenient);
+    return with(pointRadius, limits, isLenient);
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

@@ -5,10 +5,13 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.section.Section;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -27,6 +30,7 @@ final class ModelObjects {
             "up",
             "unit",
             "pointRadius",
+            "section",
             "pose",
             "seconds",
             "variant",
@@ -124,8 +128,22 @@ final class ModelObjects {
             : OptionalDouble.empty(),
         node.strings("hide"),
         node.strings("highlight"),
+        sections(node),
         data.allowance().left(),
         mayLackPictures);
+  }
+
+  /** Returns the planes that cut the model; adds an error for a text that is none. */
+  private static List<String> sections(JsonNode node) {
+    List<String> sections = new ArrayList<>();
+    for (String text : node.strings("section")) {
+      try {
+        sections.add(Section.of(text).text());
+      } catch (IllegalArgumentException e) {
+        node.error("section", e.getMessage());
+      }
+    }
+    return sections;
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */

@@ -17,6 +17,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.CameraPose;
@@ -63,6 +64,8 @@ final class StagedModel {
   private final AssetData data;
   private final ModelPlace place;
   private final Model model;
+
+  /** Of the whole model, so that a cut one is seen from the same place. */
   private final Framing framing;
 
   /**
@@ -94,18 +97,29 @@ final class StagedModel {
     String name = WrittenStage.slashed(folder.relativize(file));
     data = new AssetData(folder.resolve(file.getFileName()), hash, allowance);
     data.note(name, content);
-    model = read(name, content, others.map(data::counted).orElseGet(() -> data.folderOf(name)));
+    Model whole =
+        read(name, content, others.map(data::counted).orElseGet(() -> data.folderOf(name)));
     requireSky();
-    framing = Framing.of(model);
+    framing = Framing.of(whole);
     ShapeReader.isMeasurable(place.spot(), new Bounds3(framing.min(), framing.max()));
     problems.throwIfAny();
+    model = cut(whole);
+  }
+
+  private Model cut(Model whole) throws SceneFormatException {
+    try {
+      return Sections.cut(whole, stage.options().limitedTo(data.allowance().left()));
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
   }
 
   private Model read(String name, byte[] content, ModelFolder others)
       throws SceneFormatException, IOException {
     try {
       ModelOptions options = stage.options().limitedTo(data.allowance().left());
-      Model read = ModelReader.read(name, content, others, options);
+      Model read = ModelReader.read(name, content, others, options.cutBy(List.of()));
       read.requireSurface();
       return read;
     } catch (ModelFormatException e) {

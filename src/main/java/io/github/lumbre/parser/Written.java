@@ -41,6 +41,11 @@ final class Written {
       object.addProperty("unit", options.unit());
     }
     options.pointRadius().ifPresent(radius -> object.addProperty("pointRadius", radius));
+    if (!options.sections().isEmpty()) {
+      JsonArray sections = new JsonArray();
+      options.sections().forEach(sections::add);
+      object.add("section", sections);
+    }
     options
         .pose()
         .ifPresent(

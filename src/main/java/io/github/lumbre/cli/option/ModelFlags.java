@@ -35,6 +35,7 @@ public final class ModelFlags {
           "--variant",
           "--hide",
           "--highlight",
+          "--section",
           "--up",
           "--unit",
           "--points");
@@ -122,6 +123,14 @@ public final class ModelFlags {
   private List<String> highlighted = List.of();
 
   @Option(
+      names = "--section",
+      paramLabel = "PLANE",
+      description =
+          "Cut the model by a plane: x=0.5 in the file's unit, y=50%%, -z=2 to remove the other"
+              + " side, or a point and a normal 0,0,1/1,1,0. Repeatable: two remove a quarter.")
+  private List<String> sections = List.of();
+
+  @Option(
       names = "--up",
       paramLabel = "y|z",
       description = "Axis that points up in STL, PLY, OBJ and OFF files (y).")
@@ -188,7 +197,15 @@ public final class ModelFlags {
         new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length)
             .hiding(hidden)
             .highlighting(highlighted);
-    return points.map(radius -> options.withPointRadius(pointRadius(radius))).orElse(options);
+    return cut(points.map(radius -> options.withPointRadius(pointRadius(radius))).orElse(options));
+  }
+
+  private ModelOptions cut(ModelOptions options) {
+    try {
+      return options.cutBy(sections);
+    } catch (IllegalArgumentException e) {
+      throw failure("--section: " + e.getMessage());
+    }
   }
 
   private double pointRadius(double radius) {

@@ -8,7 +8,8 @@ import java.util.Set;
 /** Writes the problems of a scene, with flags where the library names Java arguments. Stateless. */
 public final class ProblemText {
   /** The arguments that {@link Problem#path} names. */
-  private static final Set<String> ARGUMENTS = Set.of("sky", "size", "hide", "highlight");
+  private static final Set<String> ARGUMENTS =
+      Set.of("sky", "size", "hide", "highlight", "section");
 
   private ProblemText() {}
 

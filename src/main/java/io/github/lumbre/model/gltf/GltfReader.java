@@ -128,6 +128,7 @@ public final class GltfReader {
       warnOfUnusedMeshes();
     }
     return new Model(
+        Transform.IDENTITY,
         TriangleMesh.Front.WINDING,
         parts,
         1,

@@ -1,6 +1,7 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFormatException;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +11,7 @@ import java.util.Objects;
  * The content of a model file, in its own world space: right-handed, +Y up, in the file's units.
  * The scene graph is flattened: each part has its own transform. Immutable.
  *
+ * @param fromFile from the axes and the unit of the file to this space
  * @param front what decides which side of a triangle is its front
  * @param parts surfaces to render, in the order of the file; parts that use one mesh share one
  *     {@link ModelGeometry} object
@@ -22,6 +24,7 @@ import java.util.Objects;
  *     there are none
  */
 public record Model(
+    Transform fromFile,
     TriangleMesh.Front front,
     List<ModelPart> parts,
     double pointRadius,
@@ -36,6 +39,7 @@ public record Model(
   private static final double MAX_RADIUS = 1e150;
 
   public Model {
+    Objects.requireNonNull(fromFile, "fromFile");
     Objects.requireNonNull(front, "front");
     parts = List.copyOf(parts);
     cameras = List.copyOf(cameras);
@@ -45,16 +49,27 @@ public record Model(
     warnings = List.copyOf(warnings);
   }
 
+  private Model with(
+      Transform newFromFile, List<ModelPart> newParts, double radius, List<String> newWarnings) {
+    return new Model(
+        newFromFile, front, newParts, radius, cameras, lights, variants, animations, newWarnings);
+  }
+
+  /** Returns this model with another {@link #fromFile}. */
+  public Model from(Transform file) {
+    return with(file, parts, pointRadius, warnings);
+  }
+
   /** Returns this model with other parts. */
   public Model with(List<ModelPart> newParts) {
-    return new Model(front, newParts, pointRadius, cameras, lights, variants, animations, warnings);
+    return with(fromFile, newParts, pointRadius, warnings);
   }
 
   /** Returns this model with more warnings. */
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return new Model(front, parts, pointRadius, cameras, lights, variants, animations, all);
+    return with(fromFile, parts, pointRadius, all);
   }
 
   /**
@@ -64,7 +79,7 @@ public record Model(
    */
   public Model withPointRadius(double radius) {
     double possible = Math.max(Double.MIN_NORMAL, Math.min(radius, MAX_RADIUS));
-    return new Model(front, parts, possible, cameras, lights, variants, animations, warnings);
+    return with(fromFile, parts, possible, warnings);
   }
 
   /**

@@ -1,6 +1,9 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
@@ -67,7 +70,7 @@ public record ModelGeometry(
    *
    * @param corners three vertex numbers per triangle
    */
-  ModelGeometry part(int... corners) {
+  public ModelGeometry part(int... corners) {
     int[] used = IntStream.of(corners).sorted().distinct().toArray();
     int[] moved = IntStream.of(corners).map(v -> Arrays.binarySearch(used, v)).toArray();
     return new ModelGeometry(
@@ -78,6 +81,29 @@ public record ModelGeometry(
         selected(uv1, 2, used),
         selectedColors(used),
         moved);
+  }
+
+  /** Returns the vertices that are points or belong to a triangle. */
+  public BitSet used() {
+    BitSet used = new BitSet(vertexCount());
+    for (int vertex : indices) {
+      used.set(vertex);
+    }
+    if (isPoints) {
+      used.set(0, vertexCount());
+    }
+    return used;
+  }
+
+  /** Returns the box around all vertices, in local space; empty without any. */
+  public Bounds3 bounds() {
+    double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+    for (int i = 0; i < positions.length; i++) {
+      low[i % 3] = Math.min(low[i % 3], positions[i]);
+      high[i % 3] = Math.max(high[i % 3], positions[i]);
+    }
+    return new Bounds3(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));
   }
 
   /** Returns the number of vertices. */

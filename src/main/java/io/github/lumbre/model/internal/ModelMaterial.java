@@ -2,6 +2,7 @@ package io.github.lumbre.model.internal;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.texture.Texture;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
@@ -23,6 +24,8 @@ import java.util.Optional;
  * @param glossy whether {@link MaterialParameter#ROUGHNESS} is the glossiness, 1 - roughness, and
  *     {@link MaterialParameter#BASE_COLOR} is multiplied by 1 - the largest component of {@link
  *     MaterialParameter#SPECULAR_COLOR} (KHR_materials_pbrSpecularGlossiness)
+ * @param hatch lines on the surface in which a section cuts a part, instead of the base color;
+ *     empty for surfaces of the file
  */
 public record ModelMaterial(
     String name,
@@ -34,7 +37,8 @@ public record ModelMaterial(
     double alphaCutoff,
     boolean doubleSided,
     boolean unlit,
-    boolean glossy) {
+    boolean glossy,
+    Optional<Texture<Rgb>> hatch) {
   /** The meaning of {@link MaterialParameter#OPACITY}. */
   public enum AlphaMode {
     /** Opacity is ignored. */
@@ -52,6 +56,7 @@ public record ModelMaterial(
     Objects.requireNonNull(normalMap, "normalMap");
     Objects.requireNonNull(emission, "emission");
     Objects.requireNonNull(alphaMode, "alphaMode");
+    Objects.requireNonNull(hatch, "hatch");
   }
 
   /**
@@ -62,6 +67,22 @@ public record ModelMaterial(
    */
   public static Builder builder(String name, String location) {
     return new Builder(name, location);
+  }
+
+  /** Returns this material, visible from both sides. */
+  public ModelMaterial fromBothSides() {
+    return new ModelMaterial(
+        name,
+        location,
+        inputs,
+        normalMap,
+        emission,
+        alphaMode,
+        alphaCutoff,
+        true,
+        unlit,
+        glossy,
+        hatch);
   }
 
   /** Returns the value of a parameter; its default if the model does not state it. */
@@ -91,6 +112,7 @@ public record ModelMaterial(
     private AlphaMode alphaMode = AlphaMode.OPAQUE;
     private double alphaCutoff = .5;
     private boolean doubleSided;
+    private Optional<Texture<Rgb>> hatch = Optional.empty();
     private boolean unlit;
     private boolean glossy;
 
@@ -145,6 +167,12 @@ public record ModelMaterial(
       return this;
     }
 
+    /** Sets {@link ModelMaterial#hatch}. */
+    public Builder hatch(Texture<Rgb> value) {
+      hatch = Optional.of(value);
+      return this;
+    }
+
     /** Sets {@link ModelMaterial#unlit}. */
     public Builder unlit(boolean value) {
       unlit = value;
@@ -169,7 +197,8 @@ public record ModelMaterial(
           alphaCutoff,
           doubleSided,
           unlit,
-          glossy);
+          glossy,
+          hatch);
     }
   }
 }

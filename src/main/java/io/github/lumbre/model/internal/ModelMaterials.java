@@ -135,7 +135,11 @@ final class ModelMaterials {
         value.ifPresent(channel -> builder.set(parameter, channel));
       }
     }
-    ColorChannel baseColor = timesVertexColor(color(m.input(MaterialParameter.BASE_COLOR)));
+    ColorChannel plain =
+        m.hatch().isPresent()
+            ? ColorChannel.of(m.hatch().get(), 0)
+            : color(m.input(MaterialParameter.BASE_COLOR));
+    ColorChannel baseColor = timesVertexColor(plain);
     if (m.glossy()) {
       ColorChannel specular = color(m.input(MaterialParameter.SPECULAR_COLOR));
       ScalarChannel glossiness = scalar(m.input(MaterialParameter.ROUGHNESS));

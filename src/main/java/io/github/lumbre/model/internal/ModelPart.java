@@ -1,6 +1,7 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import java.util.Objects;
 
 /**
@@ -25,6 +26,12 @@ public record ModelPart(
     Objects.requireNonNull(toWorld, "toWorld");
   }
 
+  /** Returns a vertex in the model's world space. */
+  public Vec3 position(int vertex) {
+    double[] p = geometry.positions();
+    return toWorld.point(new Vec3(p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]));
+  }
+
   /** Returns the name of the node or object in the file; empty if it has none. */
   public String name() {
     return node.name();
@@ -36,7 +43,7 @@ public record ModelPart(
   }
 
   /** Returns this surface as another part of the file, or in another shape or material. */
-  ModelPart with(ModelNode newNode, ModelGeometry newGeometry, ModelMaterial newMaterial) {
+  public ModelPart with(ModelNode newNode, ModelGeometry newGeometry, ModelMaterial newMaterial) {
     return new ModelPart(newNode, location, newGeometry, newMaterial, toWorld);
   }
 }

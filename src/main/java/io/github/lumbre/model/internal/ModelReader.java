@@ -6,6 +6,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.section.Sections;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
@@ -73,13 +74,8 @@ public final class ModelReader {
       requireNone("variants", "a variant", options.variant());
     }
     try {
-      Model whole = checked(format.read(content, folder, options), options);
-      Model model = PartSelection.shown(whole, options);
-      double unit = format == ModelFormat.GLTF ? 1 : options.unit();
-      return model.withPointRadius(
-          options.pointRadius().isPresent()
-              ? options.pointRadius().getAsDouble() * unit
-              : PointSpacing.radius(whole));
+      Model read = format.read(content, folder, options);
+      return format == ModelFormat.ZIP ? read : finished(read, format, options);
     } catch (ModelFormatException e) {
       Optional<String> other = format.otherThanThis(content);
       if (other.isEmpty() || e.kind() == Kind.TOO_LARGE || e.kind() == Kind.ASSET) {
@@ -90,6 +86,21 @@ public final class ModelReader {
     } catch (CancellationException e) {
       throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
     }
+  }
+
+  /** Returns what the options show of a model, except for one of an archive, which is finished. */
+  private static Model finished(Model read, ModelFormat format, ModelOptions options)
+      throws ModelFormatException {
+    Model whole = checked(read, options);
+    Model model = PartSelection.shown(whole, options);
+    boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
+    Model placed = statesUnit ? model : model.from(options.toWorld());
+    double unit = format == ModelFormat.GLTF ? 1 : options.unit();
+    double radius =
+        options.pointRadius().isPresent()
+            ? options.pointRadius().getAsDouble() * unit
+            : PointSpacing.radius(whole);
+    return Sections.cut(placed.withPointRadius(radius), options);
   }
 
   private static ModelFormat format(String name, byte[] content) throws ModelFormatException {

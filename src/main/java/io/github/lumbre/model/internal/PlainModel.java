@@ -96,6 +96,14 @@ public final class PlainModel {
   /** Returns a model that has parts only. */
   public static Model of(List<ModelPart> parts, List<String> warnings) {
     return new Model(
-        TriangleMesh.Front.NORMALS, parts, 1, List.of(), List.of(), List.of(), List.of(), warnings);
+        Transform.IDENTITY,
+        TriangleMesh.Front.NORMALS,
+        parts,
+        1,
+        List.of(),
+        List.of(),
+        List.of(),
+        List.of(),
+        warnings);
   }
 }

@@ -1,0 +1,131 @@
+package io.github.lumbre.model.section;
+
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelPart;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+
+/** The meshes of a part of a model, which planes cut. Confined to one thread. */
+final class BodyCut {
+  private final List<ModelPart> meshes;
+  private final List<CutPlane> planes;
+  private final Shells shells;
+  private final List<MeshCut> cuts = new ArrayList<>();
+  private boolean open;
+  private boolean tangled;
+
+  private BodyCut(List<ModelPart> meshes, List<CutPlane> planes, double[][][] sides) {
+    this.meshes = meshes;
+    this.planes = planes;
+    shells = new Shells(meshes);
+    for (int plane = 0; plane < planes.size(); plane++) {
+      keepTouching(plane, sides);
+    }
+    for (int i = 0; i < sides.length; i++) {
+      cuts.add(new MeshCut(meshes.get(i).geometry(), sides[i]));
+    }
+  }
+
+  /** Returns the cut; empty if positions overflow, which other code refuses. */
+  static Optional<BodyCut> of(List<ModelPart> meshes, List<CutPlane> planes) {
+    double[][][] sides = new double[meshes.size()][][];
+    for (int i = 0; i < sides.length; i++) {
+      ModelPart mesh = meshes.get(i);
+      sides[i] = planes.stream().map(plane -> sides(mesh, plane)).toArray(double[][]::new);
+      for (double[] each : sides[i]) {
+        if (!DoubleStream.of(each).allMatch(Double::isFinite)) {
+          return Optional.empty();
+        }
+      }
+    }
+    return Optional.of(new BodyCut(meshes, planes, sides));
+  }
+
+  private static double[] sides(ModelPart mesh, CutPlane plane) {
+    double[] sides = new double[mesh.geometry().vertexCount()];
+    for (int v = 0; v < sides.length; v++) {
+      sides[v] = plane.side(mesh.position(v));
+    }
+    return sides;
+  }
+
+  /** Moves vertices on a plane behind it, if their shell has no vertex in front of it. */
+  private void keepTouching(int plane, double[][]... sides) {
+    boolean[] isInFront = new boolean[shells.end()];
+    for (int m = 0; m < sides.length; m++) {
+      for (int v = 0; v < sides[m][plane].length; v++) {
+        isInFront[shells.of(m, v)] |= sides[m][plane][v] > 0;
+      }
+    }
+    for (int m = 0; m < sides.length; m++) {
+      for (int v = 0; v < sides[m][plane].length; v++) {
+        if (sides[m][plane][v] == 0 && !isInFront[shells.of(m, v)]) {
+          sides[m][plane][v] = -1;
+        }
+      }
+    }
+  }
+
+  /** Returns what is left of a mesh. */
+  ModelGeometry kept(int mesh) {
+    return cuts.get(mesh).kept();
+  }
+
+  /** Returns the surface in which a plane cuts the body, in world space; empty for none. */
+  Optional<ModelGeometry> cap(int plane) {
+    Cap cap = new Cap(planes.get(plane));
+    for (int m = 0; m < cuts.size(); m++) {
+      MeshCut mesh = cuts.get(m);
+      ModelPart part = meshes.get(m);
+      int number = m;
+      mesh.forLines(
+          plane,
+          (from, to, corner) -> {
+            if (shells.isClosed(shells.of(number, corner))) {
+              cap.add(point(mesh, from, part), point(mesh, to, part));
+            } else {
+              open = true;
+            }
+          });
+    }
+    try {
+      return cap.surface().flatMap(surface -> inFront(surface, plane));
+    } catch (Triangulation.TooMuchException e) {
+      tangled = true;
+      return Optional.empty();
+    }
+  }
+
+  private static Vec3 point(MeshCut mesh, int vertex, ModelPart part) {
+    return part.toWorld()
+        .point(
+            new Vec3(mesh.position(vertex, 0), mesh.position(vertex, 1), mesh.position(vertex, 2)));
+  }
+
+  /** Returns the part of a cap that is in front of the other planes. */
+  private Optional<ModelGeometry> inFront(ModelGeometry cap, int plane) {
+    List<CutPlane> others = new ArrayList<>(planes);
+    others.remove(plane);
+    double[][] sides = new double[others.size()][cap.vertexCount()];
+    double[] p = cap.positions();
+    for (int i = 0; i < sides.length; i++) {
+      for (int v = 0; v < cap.vertexCount(); v++) {
+        sides[i][v] = others.get(i).side(new Vec3(p[3 * v], p[3 * v + 1], p[3 * v + 2]));
+      }
+    }
+    return Optional.of(new MeshCut(cap, sides).removed()).filter(ModelGeometry::isVisible);
+  }
+
+  /** Returns whether a cut has an open shell. */
+  boolean isOpen() {
+    return open;
+  }
+
+  /** Returns whether the outlines of a cap cross too often to be filled. */
+  boolean isTangled() {
+    return tangled;
+  }
+}

@@ -1,0 +1,101 @@
+package io.github.lumbre.model.section;
+
+import io.github.lumbre.geometry.internal.PositionIndex;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.ModelGeometry;
+import java.util.Arrays;
+import java.util.Optional;
+
+/** The surface in which a plane cuts a body: the inside of outlines. Mutable. */
+final class Cap {
+  private static final double[] NONE = {};
+  private static final float[] NO_COLORS = {};
+
+  private final CutPlane plane;
+  private final PositionIndex index = new PositionIndex();
+  private int[] segments = new int[64];
+  private int size;
+
+  Cap(CutPlane plane) {
+    this.plane = plane;
+  }
+
+  /** Adds a line between points in world space; see {@link MeshCut.Lines}. */
+  void add(Vec3 from, Vec3 to) {
+    int a = index.number(from.x(), from.y(), from.z());
+    int b = index.number(to.x(), to.y(), to.z());
+    if (a == b) {
+      return;
+    }
+    if (size == segments.length) {
+      segments = Arrays.copyOf(segments, 2 * size);
+    }
+    segments[size++] = a;
+    segments[size++] = b;
+  }
+
+  /** Returns whether there is an outline. */
+  boolean isEmpty() {
+    return size == 0;
+  }
+
+  /**
+   * Returns the surface in world space, whose texture coordinates are those of the plane; empty if
+   * it has no area.
+   *
+   * @throws Triangulation.TooMuchException if outlines cross too often
+   */
+  Optional<ModelGeometry> surface() {
+    double[] points = index.positions();
+    int count = points.length / 3;
+    double[] u = new double[count];
+    double[] v = new double[count];
+    Arrays.setAll(u, i -> plane.u(point(points, i)));
+    Arrays.setAll(v, i -> plane.v(point(points, i)));
+    double left = Arrays.stream(u).min().orElse(0);
+    double low = Arrays.stream(v).min().orElse(0);
+    double extent =
+        Math.max(Arrays.stream(u).max().orElse(0) - left, Arrays.stream(v).max().orElse(0) - low);
+    double unit = extent / Triangulation.GRID;
+    if (!(unit > 0) || !Double.isFinite(unit) || !isClosed(count)) {
+      return Optional.empty();
+    }
+    int[] x = new int[count];
+    int[] y = new int[count];
+    Arrays.setAll(x, i -> (int) Math.rint((u[i] - left) / unit));
+    Arrays.setAll(y, i -> (int) Math.rint((v[i] - low) / unit));
+    Outlines.Region region = Outlines.region(x, y, Arrays.copyOf(segments, size));
+    int[] given = region.given();
+    double[] positions = new double[3 * given.length];
+    double[] uv = new double[2 * given.length];
+    for (int i = 0; i < given.length; i++) {
+      Vec3 p =
+          given[i] >= 0
+              ? point(points, given[i])
+              : plane.at(left + unit * region.x(i), low + unit * region.y(i));
+      positions[3 * i] = p.x();
+      positions[3 * i + 1] = p.y();
+      positions[3 * i + 2] = p.z();
+      uv[2 * i] = plane.u(p);
+      uv[2 * i + 1] = plane.v(p);
+    }
+    return region.corners().length == 0
+        ? Optional.empty()
+        : Optional.of(
+            new ModelGeometry(positions, NONE, NONE, uv, NONE, NO_COLORS, region.corners()));
+  }
+
+  private static Vec3 point(double[] points, int i) {
+    return new Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+  }
+
+  /** Returns whether as many lines begin as end at each point. */
+  private boolean isClosed(int count) {
+    int[] balance = new int[count];
+    for (int i = 0; i < size; i += 2) {
+      balance[segments[i]]++;
+      balance[segments[i + 1]]--;
+    }
+    return Arrays.stream(balance).allMatch(b -> b == 0);
+  }
+}

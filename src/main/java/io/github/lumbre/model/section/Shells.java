@@ -1,0 +1,106 @@
+package io.github.lumbre.model.section;
+
+import io.github.lumbre.geometry.internal.PositionIndex;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelPart;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The shells of a body: the triangles of its meshes that are connected by vertices at the same
+ * position. A shell is closed if its triangles pass each edge as often in one direction as in the
+ * other.
+ */
+final class Shells {
+  private static final int BITS = 31;
+
+  /** For each mesh the places of its vertices. */
+  private final int[][] places;
+
+  /** For each place another one of its shell, or itself for the first place of the shell. */
+  private final int[] parents;
+
+  private final boolean[] open;
+
+  /**
+   * @param meshes triangles with finite positions in world space
+   */
+  Shells(List<ModelPart> meshes) {
+    PositionIndex index = new PositionIndex();
+    places = new int[meshes.size()][];
+    for (int i = 0; i < places.length; i++) {
+      places[i] = places(meshes.get(i), index);
+    }
+    parents = new int[index.positions().length / 3];
+    open = new boolean[parents.length];
+    Arrays.setAll(parents, i -> i);
+    long[] edges = edges(meshes);
+    Arrays.sort(edges);
+    markOpen(edges);
+  }
+
+  private static int[] places(ModelPart mesh, PositionIndex index) {
+    int[] places = new int[mesh.geometry().vertexCount()];
+    for (int i = 0; i < places.length; i++) {
+      Vec3 position = mesh.position(i);
+      places[i] = index.number(position.x(), position.y(), position.z());
+    }
+    return places;
+  }
+
+  /** Connects places, and returns the edges: the smaller place, the larger one, the direction. */
+  private long[] edges(List<ModelPart> meshes) {
+    long[] edges = new long[meshes.stream().mapToInt(m -> m.geometry().indices().length).sum()];
+    int size = 0;
+    for (int m = 0; m < places.length; m++) {
+      ModelGeometry mesh = meshes.get(m).geometry();
+      for (int i = 0; i < mesh.indices().length; i++) {
+        int from = places[m][mesh.indices()[i]];
+        int to = places[m][mesh.indices()[i % 3 == 2 ? i - 2 : i + 1]];
+        parents[first(from)] = first(to);
+        long pair = (long) Math.min(from, to) << BITS | Math.max(from, to);
+        edges[size++] = pair << 1 | (from < to ? 1 : 0);
+      }
+    }
+    return edges;
+  }
+
+  private void markOpen(long... sorted) {
+    int i = 0;
+    while (i < sorted.length) {
+      long pair = sorted[i] >> 1;
+      int balance = 0;
+      for (; i < sorted.length && sorted[i] >> 1 == pair; i++) {
+        balance += (sorted[i] & 1) == 1 ? 1 : -1;
+      }
+      int low = (int) (pair >> BITS);
+      boolean isPoint = low == (pair & Integer.MAX_VALUE);
+      if (balance != 0 && !isPoint) {
+        open[first(low)] = true;
+      }
+    }
+  }
+
+  private int first(int place) {
+    int p = place;
+    while (parents[p] != p) {
+      parents[p] = parents[parents[p]];
+      p = parents[p];
+    }
+    return p;
+  }
+
+  /** Returns the shell of a vertex of a mesh, less than {@link #end}. */
+  int of(int mesh, int vertex) {
+    return first(places[mesh][vertex]);
+  }
+
+  int end() {
+    return parents.length;
+  }
+
+  boolean isClosed(int shell) {
+    return !open[shell];
+  }
+}
