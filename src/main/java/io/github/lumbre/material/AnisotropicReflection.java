@@ -3,6 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.Microfacets;
+import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
@@ -18,9 +19,16 @@ import io.github.lumbre.math.internal.Elementary;
  * @param alphaAcross roughness perpendicular to it, &gt; 0
  * @param cos cosine of the angle from the tangent to the direction, towards the bitangent
  * @param sin sine of that angle
+ * @param film above the facets
  */
 record AnisotropicReflection(
-    Rgb f0, double f90, double alphaAlong, double alphaAcross, double cos, double sin)
+    Rgb f0,
+    double f90,
+    double alphaAlong,
+    double alphaAcross,
+    double cos,
+    double sin,
+    ThinFilm film)
     implements Lobe {
   /**
    * Returns the roughness along the direction of anisotropy.
@@ -36,18 +44,25 @@ record AnisotropicReflection(
    *
    * @param direction relative to the tangent and bitangent; z is ignored, and 0 is the tangent
    * @param degrees rotation of the direction, from the tangent towards the bitangent
-   * @param alpha roughness perpendicular to it, &gt; 0
+   * @param isotropic reflection as rough as this one perpendicular to the direction
    * @param strength of the anisotropy, in [0,1]
    */
   static AnisotropicReflection along(
-      Vec3 direction, double degrees, Rgb f0, double f90, double alpha, double strength) {
+      Vec3 direction, double degrees, SchlickReflection isotropic, double strength) {
     double length = Math.sqrt(direction.x() * direction.x() + direction.y() * direction.y());
     double x = length > 0 ? direction.x() / length : 1;
     double y = length > 0 ? direction.y() / length : 0;
     double cos = Elementary.cosDegrees(degrees);
     double sin = Elementary.sinDegrees(degrees);
-    double along = alphaAlong(alpha, strength);
-    return new AnisotropicReflection(f0, f90, along, alpha, cos * x - sin * y, sin * x + cos * y);
+    double alpha = isotropic.facets().alpha();
+    return new AnisotropicReflection(
+        isotropic.f0(),
+        isotropic.f90(),
+        alphaAlong(alpha, strength),
+        alpha,
+        cos * x - sin * y,
+        sin * x + cos * y,
+        isotropic.film());
   }
 
   /**
@@ -102,7 +117,7 @@ record AnisotropicReflection(
     double pdf = density(sum.normalized()) / (4 * visible);
     double masking = 1 / (1 + hidden(i) / i.z() * (o.z() / visible));
     // Half the sum is as long as the cosine at the facet.
-    Rgb fresnel = SchlickReflection.fresnel(f0, f90, .5 * sum.length());
+    Rgb fresnel = SchlickReflection.fresnel(f0, f90, film, .5 * sum.length());
     result.set(fresnel.times(masking * pdf), pdf);
   }
 
@@ -128,11 +143,11 @@ record AnisotropicReflection(
 
   @Override
   public double importance(double cosine) {
-    return GgxAlbedo.of(f0.max(), f90, Math.abs(cosine), alphaAcross);
+    return GgxAlbedo.of(albedo().max(), f90, Math.abs(cosine), alphaAcross);
   }
 
   @Override
   public Rgb albedo() {
-    return f0;
+    return film.over(f0, f0, f90, 1);
   }
 }

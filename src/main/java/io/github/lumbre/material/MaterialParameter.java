@@ -25,6 +25,7 @@ public final class MaterialParameter {
 
   private static final String ANISOTROPY_EXTENSION = "KHR_materials_anisotropy";
   private static final String TRANSLUCENCY_EXTENSION = "KHR_materials_diffuse_transmission";
+  private static final String IRIDESCENCE_EXTENSION = "KHR_materials_iridescence";
 
   private static final int RED = 0;
   private static final int GREEN = 1;
@@ -169,6 +170,38 @@ public final class MaterialParameter {
           .gltf(ANISOTROPY_EXTENSION, "", "anisotropyTexture", 0)
           .of(ANISOTROPY);
 
+  /** The part of the surface that a thin film covers, in which light interferes. */
+  public static final MaterialParameter IRIDESCENCE =
+      number("iridescence", 0)
+          .gltf(IRIDESCENCE_EXTENSION, "iridescenceFactor", "iridescenceTexture", RED);
+
+  /** Index of refraction of the thin film. */
+  public static final MaterialParameter IRIDESCENCE_IOR =
+      number("iridescenceIor", 1.3)
+          .within(1, 1e6)
+          .gltf(IRIDESCENCE_EXTENSION, "iridescenceIor")
+          .of(IRIDESCENCE);
+
+  /** Thickness of the thin film where its texture is black, in nanometers. */
+  public static final MaterialParameter IRIDESCENCE_THICKNESS_MINIMUM =
+      number("iridescenceThicknessMinimum", 100)
+          .within(0, Double.MAX_VALUE)
+          .gltf(IRIDESCENCE_EXTENSION, "iridescenceThicknessMinimum")
+          .of(IRIDESCENCE);
+
+  /** Thickness of the thin film without a texture, or where it is white, in nanometers. */
+  public static final MaterialParameter IRIDESCENCE_THICKNESS_MAXIMUM =
+      number("iridescenceThicknessMaximum", 400)
+          .within(0, Double.MAX_VALUE)
+          .gltf(IRIDESCENCE_EXTENSION, "iridescenceThicknessMaximum")
+          .of(IRIDESCENCE);
+
+  /** Thickness of the thin film: 0 for the minimum to 1 for the maximum. */
+  public static final MaterialParameter IRIDESCENCE_THICKNESS =
+      number("iridescenceThickness", 1)
+          .gltf(IRIDESCENCE_EXTENSION, "", "iridescenceThicknessTexture", GREEN)
+          .of(IRIDESCENCE);
+
   private final Kind kind;
   private final String key;
   private final Rgb missing;
@@ -294,7 +327,7 @@ public final class MaterialParameter {
     return gltfObject;
   }
 
-  /** Returns the member of {@link #gltfObject} that states a factor; empty for normals. */
+  /** Returns the member of {@link #gltfObject} that states a factor; empty if there is none. */
   public String gltfFactor() {
     return gltfFactor;
   }
@@ -334,7 +367,10 @@ public final class MaterialParameter {
     if (most > Double.MAX_VALUE) {
       return "a number > 0";
     }
-    return most == Double.MAX_VALUE ? "at least 0" : this == IOR ? "0 or 1 to 1e6" : "0 to 1";
+    if (least == 1) {
+      return this == IOR ? "0 or 1 to 1e6" : "1 to 1e6";
+    }
+    return most == Double.MAX_VALUE ? "at least 0" : "0 to 1";
   }
 
   /**

@@ -2,13 +2,14 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.ChromaticGlass;
 import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.Dielectric;
-import io.github.lumbre.material.internal.DispersiveGlass;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
@@ -33,6 +34,7 @@ final class MetallicBase {
   private final Optional<NormalChannel> anisotropyDirection;
   private final double ior;
   private final double dispersion;
+  private final Films films;
   private final boolean isAnisotropic;
   private final boolean isTranslucent;
   private final boolean isThin;
@@ -57,6 +59,7 @@ final class MetallicBase {
     anisotropyDirection = values.normals(MaterialParameter.ANISOTROPY_DIRECTION);
     isAnisotropic = values.states(MaterialParameter.ANISOTROPY);
     isTranslucent = values.states(MaterialParameter.DIFFUSE_TRANSMISSION);
+    films = new Films(values);
     ior = values.constant(MaterialParameter.IOR);
     dispersion = isThin ? 0 : values.constant(MaterialParameter.DISPERSION);
     this.isThin = isThin;
@@ -97,23 +100,27 @@ final class MetallicBase {
   private Bsdf solid(SurfaceHit hit, Rgb color, double metallic, double alpha) {
     Rgb f0 = dielectricF0(hit);
     double f90 = f90(hit);
-    double facetAlpha = Math.max(MIN_ALPHA, alpha);
+    Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
+    ThinFilm film = films.at(hit);
+    if (film.strength() > 0 && metallic > 0 && metallic < 1) {
+      // What the film makes of both reflections is not linear in F0.
+      return new Blend(solid(hit, color, 1, alpha), solid(hit, color, 0, alpha), metallic);
+    }
     double strength = isAnisotropic ? anisotropy.fractionAt(hit) : 0;
     // Schlick's approximation is linear in F0 and F90: the mean of both reflections is one lobe.
     Rgb mixedF0 = f0.times(1 - metallic).plus(color.times(metallic));
     double mixedF90 = f90 * (1 - metallic) + metallic;
-    Lobe reflection =
-        strength > 0
-            ? anisotropic(hit, mixedF0, mixedF90, facetAlpha, strength)
-            : new SchlickReflection(mixedF0, mixedF90, new Ggx(facetAlpha));
+    SchlickReflection isotropic = new SchlickReflection(mixedF0, mixedF90, facets, film);
+    Lobe reflection = strength > 0 ? anisotropic(hit, isotropic, strength) : isotropic;
     double through = isTranslucent ? diffuseTransmission.fractionAt(hit) : 0;
     if (metallic == 1 || through == 0 && color.isBlack()) {
       return reflection;
     }
+    double most = new SchlickReflection(f0, f90, facets, film).boundingF0();
     LayeredDiffuse white =
         strength > 0
-            ? AnisotropicReflection.below(Rgb.WHITE, f0.max(), f90, facetAlpha, strength)
-            : new LayeredDiffuse(Rgb.WHITE, f0.max(), f90, facetAlpha);
+            ? AnisotropicReflection.below(Rgb.WHITE, most, f90, facets.alpha(), strength)
+            : new LayeredDiffuse(Rgb.WHITE, most, f90, facets.alpha());
     LayeredDiffuse reflected = white.tinted(color.times((1 - metallic) * (1 - through)));
     if (through == 0) {
       return new Mixture(reflected, reflection);
@@ -122,30 +129,33 @@ final class MetallicBase {
     return new Mixture(new Translucent(reflected, white.tinted(passed)), reflection);
   }
 
-  private Lobe anisotropic(SurfaceHit hit, Rgb f0, double f90, double alpha, double strength) {
+  private Lobe anisotropic(SurfaceHit hit, SchlickReflection isotropic, double strength) {
     Vec3 direction =
         anisotropyDirection
             .map(texture -> texture.map().normal(hit.u(texture.uvSet()), hit.v(texture.uvSet())))
             .orElse(Vec3.X);
     double degrees = anisotropyRotation.at(hit);
-    return AnisotropicReflection.along(direction, degrees, f0, f90, alpha, strength);
+    return AnisotropicReflection.along(direction, degrees, isotropic, strength);
   }
 
   private Bsdf glass(SurfaceHit hit, Rgb tint, double alpha) {
+    ThinFilm film = films.at(hit);
     if (isThin) {
       Rgb f0 = dielectricF0(hit);
       Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
       return alpha < CookTorrance.SMOOTH
-          ? new SchlickReflection(f0, f90(hit), facets)
-          : new ThinGlass(tint, f0, f90(hit), facets);
-    }
-    if (isDispersive()) {
-      return alpha < CookTorrance.SMOOTH
-          ? new DispersiveGlass(tint, indices())
-          : DispersiveGlass.rough(tint, indices(), new Ggx(alpha));
+          ? new SchlickReflection(f0, f90(hit), facets, film)
+          : new ThinGlass(tint, f0, f90(hit), facets, film);
     }
     double index = ior == 0 ? 1e6 : Math.max(1, ior);
-    return alpha < CookTorrance.SMOOTH || index - 1 < 1e-8
+    boolean isSmooth = alpha < CookTorrance.SMOOTH || index - 1 < 1e-8;
+    if (isDispersive() || film.strength() > 0) {
+      Rgb indices = isDispersive() ? indices() : Rgb.grey(index);
+      return isSmooth
+          ? new ChromaticGlass(tint, indices, film)
+          : ChromaticGlass.rough(tint, indices, film, new Ggx(alpha));
+    }
+    return isSmooth
         ? new Dielectric(Rgb.WHITE, tint, index)
         : new RoughDielectric(Rgb.WHITE, tint, index, new Ggx(alpha));
   }
@@ -170,7 +180,7 @@ final class MetallicBase {
       return Rgb.BLACK;
     }
     double cosine = Math.abs(hit.wo().dot(hit.shadingNormal()));
-    Rgb reflected = SchlickReflection.fresnel(dielectricF0(hit), f90(hit), cosine);
+    Rgb reflected = SchlickReflection.fresnel(dielectricF0(hit), f90(hit), films.at(hit), cosine);
     Rgb tint = baseColor(hit).times(glassShare(hit) * coverings.passed(hit, cosine));
     return ThinGlass.passed(tint, reflected);
   }

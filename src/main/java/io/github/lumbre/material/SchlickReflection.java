@@ -2,6 +2,7 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -11,8 +12,16 @@ import io.github.lumbre.math.Vec3;
  *
  * @param f0 reflectance at normal incidence, each component in [0,1]
  * @param f90 reflectance at grazing incidence, in [0,1]
+ * @param film above the facets
  */
-record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
+record SchlickReflection(Rgb f0, double f90, Ggx facets, ThinFilm film) implements Lobe {
+  SchlickReflection(Rgb f0, double f90, Ggx facets) {
+    this(f0, f90, facets, ThinFilm.NONE);
+  }
+
+  /** Cosines at which {@link #boundingF0} compares reflectances. */
+  private static final double[] COSINES = {1, .8, .6, .4, .25, .15, .08, .03};
+
   /** Returns (1 - cos)^5. */
   static double grazing(double cosine) {
     double c = 1 - cosine;
@@ -25,6 +34,28 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
     double s = grazing(Math.min(1, cosine));
     return new Rgb(
         f0.r() + (f90 - f0.r()) * s, f0.g() + (f90 - f0.g()) * s, f0.b() + (f90 - f0.b()) * s);
+  }
+
+  /** Returns the reflectance of a facet that has a film. */
+  static Rgb fresnel(Rgb f0, double f90, ThinFilm film, double cosine) {
+    return film.over(fresnel(f0, f90, cosine), f0, f90, cosine);
+  }
+
+  /**
+   * Returns the reflectance at normal incidence of a surface without a film that reflects at least
+   * as much as this one, of each color and at each angle.
+   */
+  double boundingF0() {
+    if (film.strength() == 0) {
+      return f0.max();
+    }
+    double largest = 0;
+    for (double cosine : COSINES) {
+      double s = grazing(cosine);
+      double reflected = fresnel(f0, f90, film, cosine).max();
+      largest = Math.max(largest, (reflected - f90 * s) / (1 - s));
+    }
+    return largest;
   }
 
   @Override
@@ -41,7 +72,7 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
     double visible = facets.visible(o.z());
     double pdf = facets.density(sum.normalized()) / (4 * visible);
     // Half the sum is as long as the cosine at the facet.
-    Rgb fresnel = fresnel(f0, f90, .5 * sum.length());
+    Rgb fresnel = fresnel(f0, f90, film, .5 * sum.length());
     result.set(fresnel.times(facets.maskingRatio(o.z(), visible, i.z()) * pdf), pdf);
   }
 
@@ -53,11 +84,11 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets) implements Lobe {
 
   @Override
   public double importance(double cosine) {
-    return GgxAlbedo.of(f0.max(), f90, Math.abs(cosine), facets.alpha());
+    return GgxAlbedo.of(albedo().max(), f90, Math.abs(cosine), facets.alpha());
   }
 
   @Override
   public Rgb albedo() {
-    return f0;
+    return film.over(f0, f0, f90, 1);
   }
 }

@@ -2,6 +2,7 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
+import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 
@@ -13,8 +14,9 @@ import io.github.lumbre.math.Vec3;
  * @param tint of transmitted light, each component in [0,1]
  * @param f0 reflectance at normal incidence, each component in [0,1]
  * @param f90 reflectance at grazing incidence, in [0,1]
+ * @param film above the facets
  */
-record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets) implements Bsdf {
+record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets, ThinFilm film) implements Bsdf {
   @Override
   public boolean isTransmissive() {
     return true;
@@ -38,7 +40,7 @@ record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets) implements Bsdf {
     // The reflected direction that belongs to wi.
     Vec3 i = new Vec3(wiX * side, wiY * side, Math.abs(wiZ));
     Vec3 sum = o.plus(i);
-    Rgb fresnel = SchlickReflection.fresnel(f0, f90, .5 * sum.length());
+    Rgb fresnel = SchlickReflection.fresnel(f0, f90, film, .5 * sum.length());
     double probability = reflectProbability(fresnel);
     double visible = facets.visible(o.z());
     double pdf = facets.density(sum.normalized()) / (4 * visible);
@@ -75,7 +77,7 @@ record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets) implements Bsdf {
       result.absorb();
       return;
     }
-    Rgb fresnel = SchlickReflection.fresnel(f0, f90, cosine);
+    Rgb fresnel = SchlickReflection.fresnel(f0, f90, film, cosine);
     boolean reflects = uLobe < reflectProbability(fresnel);
     result.setDirection(i.x() * side, i.y() * side, (reflects ? side : -side) * i.z());
     result.weighBy(this, new Vec3(woX, woY, woZ));

@@ -17,6 +17,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.NormalChannel;
+import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
@@ -40,7 +41,8 @@ class AnisotropicReflectionTest {
 
   private static AnisotropicReflection mirror(double along, double across, double degrees) {
     double angle = Math.toRadians(degrees);
-    return new AnisotropicReflection(Rgb.WHITE, 1, along, across, Math.cos(angle), Math.sin(angle));
+    return new AnisotropicReflection(
+        Rgb.WHITE, 1, along, across, Math.cos(angle), Math.sin(angle), ThinFilm.NONE);
   }
 
   private static MetallicRoughness.Builder material(double metallic, double roughness) {
@@ -58,7 +60,7 @@ class AnisotropicReflectionTest {
   void equalRoughnessIsIsotropic() {
     for (double alpha : ALPHAS) {
       Lobe isotropic = new SchlickReflection(Rgb.grey(.3), 1, new Ggx(alpha));
-      Lobe found = new AnisotropicReflection(Rgb.grey(.3), 1, alpha, alpha, .6, .8);
+      Lobe found = new AnisotropicReflection(Rgb.grey(.3), 1, alpha, alpha, .6, .8, ThinFilm.NONE);
       for (int i = 0; i < 200; i++) {
         Vec3 wo = direction(random);
         BsdfSample sample = isotropic.sample(wo, .5, BsdfLaws.point(random));

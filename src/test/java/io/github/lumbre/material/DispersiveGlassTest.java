@@ -156,7 +156,7 @@ class DispersiveGlassTest {
   @Test
   void extremesAreHarmless() {
     for (double dispersion : new double[] {1e-12, 1, 1e9}) {
-      for (double ior : new double[] {1 + 1e-12, 1.5, 1e6}) {
+      for (double ior : new double[] {1 + 1e-7, 1.5, 1e6}) {
         Bsdf rough = glass(.5, dispersion).set(IOR, ior).build().at(0, 0);
         BsdfLaws.assertExtremesAreHarmless(rough);
         BsdfLaws.assertExtremesAreHarmless(rough.narrowed(new Rgb(1, 0, 0)));

@@ -17,9 +17,17 @@ import io.github.lumbre.math.Vec3;
  * @param ior index of refraction of the inside relative to the outside, &gt; 0 and not 1. At a
  *     distance of 1e-8 from 1, a refracted direction has only half of its digits left
  * @param facets distribution of the microfacet normals
+ * @param film above the facets; the index must be at least 1 if there is one
+ * @param color of the light in the film: 0 to 2 for red, green and blue
  */
-public record RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Microfacets facets)
+public record RoughDielectric(
+    Rgb reflectance, Rgb transmittance, double ior, Microfacets facets, ThinFilm film, int color)
     implements Bsdf {
+  /** Creates rough glass without a film. */
+  public RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Microfacets facets) {
+    this(reflectance, transmittance, ior, facets, ThinFilm.NONE, 0);
+  }
+
   @Override
   public boolean isTransmissive() {
     return true;
@@ -51,7 +59,7 @@ public record RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Mi
   private void reflect(Vec3 wo, Vec3 wi, BsdfValue result) {
     Vec3 sum = wo.plus(wi);
     // Half the sum's length is the cosine at the facet.
-    double fresnel = Fresnel.dielectric(Math.min(1, .5 * sum.length()), eta(wo));
+    double fresnel = reflected(Math.min(1, .5 * sum.length()), wo.z() > 0);
     double density =
         facets.density(outward(sum.normalized())) / (4 * facets.visible(Math.abs(wo.z())));
     set(result, reflectance, fresnel, density, fresnel, masking(wo, wi));
@@ -70,9 +78,7 @@ public record RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Mi
     }
     // Evaluate on the side that has no critical angle.
     double fresnel =
-        ior > 1
-            ? Fresnel.dielectric(Math.min(1, cosOuter), ior)
-            : Fresnel.dielectric(Math.min(1, cosInner), 1 / ior);
+        ior > 1 ? reflected(Math.min(1, cosOuter), true) : reflected(Math.min(1, cosInner), false);
     // Walter et al. 2007, eq. 17. The sum's length is the difference of the scaled cosines.
     double spread = (wi.z() < 0 ? ior : 1) / sum.length();
     double density =
@@ -81,6 +87,16 @@ public record RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Mi
             * (spread * spread)
             / facets.visible(Math.abs(wo.z()));
     set(result, transmittance, 1 - fresnel, density, fresnel, masking(wo, wi));
+  }
+
+  /**
+   * Returns the fraction of light that a facet reflects.
+   *
+   * @param cosine of the angle at the facet, in [0,1]
+   * @param isOutside whether the light comes from the outside
+   */
+  private double reflected(double cosine, boolean isOutside) {
+    return film.over(color, cosine, isOutside, ior);
   }
 
   private double masking(Vec3 wo, Vec3 wi) {
@@ -132,7 +148,7 @@ public record RoughDielectric(Rgb reflectance, Rgb transmittance, double ior, Mi
     Vec3 m = facets.sampleVisible(o, new Point2(u, v));
     double cosO = Math.min(1, o.dot(m));
     double eta = eta(wo);
-    double fresnel = Fresnel.dielectric(cosO, eta);
+    double fresnel = reflected(cosO, wo.z() > 0);
     double all = scattered(fresnel);
     boolean reflects = uLobe * all < fresnel * reflectance.max();
     Vec3 i =

@@ -191,9 +191,12 @@ final class GltfMaterials {
     if (parameter == MaterialParameter.OPACITY) {
       return clamped(json, member, json.numbers(member, 1, 1, 1, 1)[3], 1);
     }
+    if (member.isEmpty()) {
+      return parameter.missing().r();
+    }
     double value = json.number(member, parameter.missing().r());
-    if (parameter.most() == 1) {
-      return clamped(json, member, value, 1);
+    if (parameter.least() == 0) {
+      return clamped(json, member, value, parameter.most());
     }
     if (!parameter.accepts(value)) {
       throw json.expected(member, parameter.expected());

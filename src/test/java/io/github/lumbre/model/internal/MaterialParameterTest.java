@@ -68,7 +68,7 @@ class MaterialParameterTest {
 
   /** Returns a value of a parameter that is not its default. */
   private static double number(MaterialParameter parameter) {
-    return Math.max(.25, 1.3 * parameter.least());
+    return Math.max(.25, 1.4 * parameter.least());
   }
 
   private static Rgb factor(MaterialParameter parameter) {
@@ -109,7 +109,8 @@ class MaterialParameterTest {
       if (parameter.kind() == Kind.COLOR && parameter != MaterialParameter.ATTENUATION_COLOR) {
         builder.set(parameter, Rgb.grey(.5));
       } else if (parameter.kind() == Kind.NUMBER && isLayer) {
-        builder.set(parameter, .6);
+        // Not .6: such a coat has the index of the thin film, which is then invisible.
+        builder.set(parameter, .55);
       }
     }
     return builder.set(MaterialParameter.ROUGHNESS, .6);
@@ -137,6 +138,8 @@ class MaterialParameterTest {
       material.set(MaterialParameter.ATTENUATION_COLOR, COLOR);
     } else if (parameter == MaterialParameter.DISPERSION) {
       material.set(MaterialParameter.ATTENUATION_DISTANCE, 2);
+    } else if (parameter == MaterialParameter.IRIDESCENCE_THICKNESS_MINIMUM) {
+      material.set(MaterialParameter.IRIDESCENCE_THICKNESS, .5);
     }
     String before = effect(material);
     switch (parameter.kind()) {
@@ -214,7 +217,8 @@ class MaterialParameterTest {
     assertThat(read.uses(parameter)).isTrue();
     MetallicRoughness material =
         (MetallicRoughness) new ModelMaterials(Transform.IDENTITY, Limits.NONE).of(read, true);
-    Rgb expected = factor(parameter).times(parameter.gltfUnit());
+    boolean hasFactor = !parameter.gltfFactor().isEmpty() || parameter.kind() == Kind.NORMALS;
+    Rgb expected = (hasFactor ? factor(parameter) : Rgb.WHITE).times(parameter.gltfUnit());
     if (parameter.kind() == Kind.COLOR && parameter.isTextured()) {
       expected = expected.times(texel(ImageTexture.Role.COLOR));
     } else if (parameter.kind() == Kind.NUMBER && parameter.isTextured()) {

@@ -75,6 +75,14 @@ class TextureRolesTest {
         "'sheenColorFactor': [1, 1, 1], 'sheenRoughnessFactor': 1, 'sheenRoughnessTexture': T",
         true),
     ANISOTROPY("anisotropy", "'anisotropyStrength': 1, 'anisotropyTexture': T", true),
+    IRIDESCENCE(
+        "iridescence",
+        "'iridescenceFactor': 1, 'iridescenceIor': 2, 'iridescenceTexture': T",
+        true),
+    IRIDESCENCE_THICKNESS(
+        "iridescence",
+        "'iridescenceFactor': 1, 'iridescenceIor': 2, 'iridescenceThicknessTexture': T",
+        true),
     DIFFUSE(glossy("", "'specularFactor': [0.2, 0.1, 0.3], 'diffuseTexture': T")),
     DIFFUSE_MASK(
         glossy(
