@@ -15,6 +15,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PartTable;
 import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.scene.RenderSettings;
 import java.math.BigDecimal;
@@ -90,7 +91,7 @@ final class CheckCommand implements Callable<Integer> {
     report.putScene(file);
     ParsedScene parsed = ParsedScene.of(file);
     report.putContents(parsed.contents());
-    parsed.model().ifPresent(report::putModel);
+    parsed.model().ifPresent(model -> report.putModel(model, model.parts(parsed.scene())));
     report.put("exit_code", ExitCodes.OK);
     report.print(out);
     return ExitCodes.OK;
@@ -121,15 +122,17 @@ final class CheckCommand implements Callable<Integer> {
     String materials = listed(names.stream().map(CheckCommand::quoted));
     out.line("materials  " + contents.materials() + (materials.isEmpty() ? "" : ": " + materials));
     out.line("textures   " + contents.textures());
-    model.ifPresent(m -> describe(m, out));
+    model.ifPresent(m -> describe(m, m.parts(parsed.scene()), out));
     out.line("warnings   " + file.warnings().size());
   }
 
   /** Prints the names that flags take, and the bounds of a model. */
-  private static void describe(ModelContents model, Messages out) {
+  private static void describe(ModelContents model, PartTable parts, Messages out) {
     line("cameras   ", listed(model.cameras().stream().map(CheckCommand::quoted)), out);
     line("animations", listed(model.animations().stream().map(CheckCommand::shown)), out);
     line("variants  ", listed(model.variants().stream().map(CheckCommand::quoted)), out);
+    Stream<String> names = parts.parts().stream().map(part -> quoted(part.name()));
+    out.line("parts      " + parts.parts().size() + ": " + listed(names));
     Vec3 size = model.max().minus(model.min());
     out.line(
         "bounds     %s to %s, size %s x %s x %s"

@@ -41,6 +41,9 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PartTable;
+import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderStatistics;
@@ -282,7 +285,23 @@ final class RenderCommand implements Callable<Integer> {
               Budget.CONFIDENCE);
       RenderJob job = job(file, frames, keeper, monitor, budget, denoising, report);
       course.interruption.requireRender();
-      return job.run(flags.samples().first());
+      int code = job.run(flags.samples().first());
+      if (run.isJson()) {
+        report(file, frames.picture().target(), report);
+      }
+      return code;
+    }
+  }
+
+  /** Adds what the picture of a model shows. */
+  private static void report(SceneFile file, Path picture, JsonSummary report) {
+    ParsedScene parsed = ParsedScene.of(file);
+    if (parsed.model().isPresent()) {
+      PartTable parts = parsed.model().get().parts(parsed.scene());
+      report.putContents(parsed.contents());
+      report.putModel(parsed.model().get(), parts);
+      ViewNumbers numbers = ViewNumbers.of(parsed.scene(), parsed.settings(), parts);
+      report.putView(picture, parsed.settings(), numbers, parts);
     }
   }
 

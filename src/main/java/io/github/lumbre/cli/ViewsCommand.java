@@ -34,6 +34,10 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.parser.internal.ModelContents;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PartTable;
+import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.FilmRenderer;
@@ -116,6 +120,11 @@ final class ViewsCommand implements Callable<Integer> {
       description = "Number of threads; 0: one per processor (0).")
   private Optional<Integer> threads;
 
+  @Option(
+      names = "--json",
+      description = "Print the model's parts and what each view shows as one line of JSON.")
+  private boolean json;
+
   @Mixin private final ModelFlags flags = new ModelFlags();
 
   @Mixin private final DenoisingFlags stored = new DenoisingFlags();
@@ -130,6 +139,23 @@ final class ViewsCommand implements Callable<Integer> {
   public Integer call() throws SceneFormatException, TaskException {
     Stage stage = checkedStage();
     OutputGuard guard = guard();
+    JsonSummary report = new JsonSummary("views", model);
+    if (!json) {
+      return run(stage, guard, report);
+    }
+    Messages out = new Messages(spec.commandLine().getOut());
+    return report.around(
+        () -> {
+          int code = run(stage, guard, report);
+          report.put("exit_code", code);
+          report.print(out);
+          return code;
+        },
+        out);
+  }
+
+  private int run(Stage stage, OutputGuard guard, JsonSummary report)
+      throws SceneFormatException, TaskException {
     guard.check();
     denoising = stored.denoising(true);
     Messages messages = new Messages(spec.commandLine().getErr());
@@ -146,6 +172,9 @@ final class ViewsCommand implements Callable<Integer> {
       interruption.requireRender();
       long start = System.nanoTime();
       render(views, frames, monitor, messages);
+      if (json) {
+        describe(views, report);
+      }
       messages.line(summary(settings, (System.nanoTime() - start) * 1e-9));
       return ExitCodes.OK;
     }
@@ -237,6 +266,20 @@ final class ViewsCommand implements Callable<Integer> {
     }
     int gap = Math.max(1, settings.width() / GAPS_PER_WIDTH);
     frames.picture().write(ContactSheet.of(pictures, SHEET_COLUMNS, gap), options);
+  }
+
+  /** Adds the parts of the model, and what each view shows. */
+  private void describe(ModelViews views, JsonSummary report) {
+    ParsedScene first = ParsedScene.of(views.first());
+    ModelContents contents = first.model().orElseThrow();
+    PartTable parts = contents.parts(first.scene());
+    report.putScene(first);
+    report.putContents(first.contents());
+    report.putModel(contents, parts);
+    for (int i = 0; i < views.scenes().size(); i++) {
+      ViewNumbers numbers = ViewNumbers.of(views.scenes().get(i), first.settings(), parts);
+      report.putView(targets().get(i), first.settings(), numbers, parts);
+    }
   }
 
   private static Film rendered(RenderSettings settings, Scene view, RenderMonitor monitor)

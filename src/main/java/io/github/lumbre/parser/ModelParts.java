@@ -11,7 +11,9 @@ import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.model.internal.ModelSurface;
 import io.github.lumbre.parser.internal.Origin;
+import io.github.lumbre.parser.internal.PartSurface;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -24,6 +26,7 @@ final class ModelParts {
   private final Kernel kernel;
   private final Set<ModelGeometry> meshes = identitySet();
   private final Set<ModelMaterial> ownMaterials = identitySet();
+  private final Map<Integer, PartSurface> surfaces = new HashMap<>();
   private int count;
   private int pictures;
   private int lights;
@@ -99,6 +102,13 @@ final class ModelParts {
     return points;
   }
 
+  /**
+   * Returns the surfaces in the scene, by the numbers of their primitives, once the scene is made.
+   */
+  Map<Integer, PartSurface> surfaces() {
+    return surfaces;
+  }
+
   /** Adds a model, and its warnings and its error to the problems. */
   void add(Model model, Placement placement) {
     ModelPlace place = placement.place;
@@ -140,14 +150,20 @@ final class ModelParts {
     if (other.isEmpty() && !material.location().isEmpty()) {
       ownMaterials.add(material);
     }
+    PartSurface shown = PartSurface.of(part);
     if (ShapeReader.isMeasurable(placement.place.spot(), surface.shape())) {
       parts.add(
           placement.place.origin(part.location(), part.name()),
           placement.place.origin(material.location(), material.name()),
           placement.lightGroup,
-          scene ->
-              other.ifPresentOrElse(
-                  own -> own.add(surface.shape(), scene), () -> surface.addTo(scene)));
+          scene -> {
+            int first = scene.primitiveCount();
+            other.ifPresentOrElse(
+                own -> own.add(surface.shape(), scene), () -> surface.addTo(scene));
+            for (int primitive = first; primitive < scene.primitiveCount(); primitive++) {
+              surfaces.put(primitive, shown);
+            }
+          });
     }
   }
 }

@@ -173,7 +173,7 @@ final class StagedModel {
         parts.origins(List.of(), List.of()),
         // One line, which the header of a checkpoint file can hold.
         Optional.of(new SceneText(text, folder.resolve(file.getFileName()))),
-        Optional.of(ModelContents.of(model, framing.min(), framing.max())));
+        Optional.of(ModelContents.of(model, models.surfaces(), framing.min(), framing.max())));
   }
 
   /** Returns a scene of this model as it is seen from each of some directions. */

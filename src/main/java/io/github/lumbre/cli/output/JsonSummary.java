@@ -4,11 +4,13 @@ import com.google.gson.GsonBuilder;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.internal.ModelContents;
+import io.github.lumbre.parser.internal.PartTable;
 import io.github.lumbre.parser.internal.SceneContents;
+import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
@@ -16,6 +18,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -132,8 +135,8 @@ public final class JsonSummary {
     values.put("textures", contents.textures());
   }
 
-  /** Adds the names of what a model offers, and its bounds. */
-  public void putModel(ModelContents model) {
+  /** Adds the names of what a model offers, its bounds and its parts. */
+  public void putModel(ModelContents model, PartTable parts) {
     values.put("cameras", model.cameras());
     values.put(
         "animations",
@@ -148,11 +151,23 @@ public final class JsonSummary {
             .toList());
     values.put("variants", model.variants());
     values.put("material_names", model.materials());
-    values.put("bounds", List.of(vector(model.min()), vector(model.max())));
+    if (!model.unit().isEmpty()) {
+      values.put("unit", "meter");
+      values.put("file_unit", model.unit());
+    }
+    values.put("bounds", PartJson.bounds(new Bounds3(model.min(), model.max())));
+    values.put("part_count", parts.parts().size());
+    values.put("parts", PartJson.parts(parts));
   }
 
-  private static List<Double> vector(Vec3 vector) {
-    return List.of(vector.x(), vector.y(), vector.z());
+  /** Adds what a picture of a model shows to the list of views. */
+  public void putView(Path picture, RenderSettings settings, ViewNumbers numbers, PartTable parts) {
+    List<Object> views = new ArrayList<>();
+    if (values.get("views") instanceof List<?> before) {
+      views.addAll(before);
+    }
+    views.add(PartJson.view(picture, settings, numbers, parts));
+    values.put("views", views);
   }
 
   /** Adds the estimated memory of a render. */

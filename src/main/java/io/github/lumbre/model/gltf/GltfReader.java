@@ -129,6 +129,7 @@ public final class GltfReader {
     }
     return new Model(
         Transform.IDENTITY,
+        "meter",
         TriangleMesh.Front.WINDING,
         parts,
         1,

@@ -12,6 +12,8 @@ import java.util.Objects;
  * The scene graph is flattened: each part has its own transform. Immutable.
  *
  * @param fromFile from the axes and the unit of the file to this space
+ * @param unit of the file, such as {@code millimeter}, from which {@code fromFile} leads to meters;
+ *     empty if the file states none
  * @param front what decides which side of a triangle is its front
  * @param parts surfaces to render, in the order of the file; parts that use one mesh share one
  *     {@link ModelGeometry} object
@@ -25,6 +27,7 @@ import java.util.Objects;
  */
 public record Model(
     Transform fromFile,
+    String unit,
     TriangleMesh.Front front,
     List<ModelPart> parts,
     double pointRadius,
@@ -41,6 +44,7 @@ public record Model(
   public Model {
     Objects.requireNonNull(fromFile, "fromFile");
     Objects.requireNonNull(front, "front");
+    Objects.requireNonNull(unit, "unit");
     parts = List.copyOf(parts);
     cameras = List.copyOf(cameras);
     lights = List.copyOf(lights);
@@ -49,27 +53,45 @@ public record Model(
     warnings = List.copyOf(warnings);
   }
 
-  private Model with(
-      Transform newFromFile, List<ModelPart> newParts, double radius, List<String> newWarnings) {
+  private Model with(List<ModelPart> newParts, double radius, List<String> newWarnings) {
     return new Model(
-        newFromFile, front, newParts, radius, cameras, lights, variants, animations, newWarnings);
+        fromFile,
+        unit,
+        front,
+        newParts,
+        radius,
+        cameras,
+        lights,
+        variants,
+        animations,
+        newWarnings);
   }
 
-  /** Returns this model with another {@link #fromFile}. */
-  public Model from(Transform file) {
-    return with(file, parts, pointRadius, warnings);
+  /** Returns this model with another {@link #fromFile} and {@link #unit}. */
+  public Model from(Transform file, String unitOfFile) {
+    return new Model(
+        file,
+        unitOfFile,
+        front,
+        parts,
+        pointRadius,
+        cameras,
+        lights,
+        variants,
+        animations,
+        warnings);
   }
 
   /** Returns this model with other parts. */
   public Model with(List<ModelPart> newParts) {
-    return with(fromFile, newParts, pointRadius, warnings);
+    return with(newParts, pointRadius, warnings);
   }
 
   /** Returns this model with more warnings. */
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return with(fromFile, parts, pointRadius, all);
+    return with(parts, pointRadius, all);
   }
 
   /**
@@ -79,7 +101,7 @@ public record Model(
    */
   public Model withPointRadius(double radius) {
     double possible = Math.max(Double.MIN_NORMAL, Math.min(radius, MAX_RADIUS));
-    return with(fromFile, parts, possible, warnings);
+    return with(parts, possible, warnings);
   }
 
   /**

@@ -91,16 +91,16 @@ public final class ModelReader {
   /** Returns what the options show of a model, except for one of an archive, which is finished. */
   private static Model finished(Model read, ModelFormat format, ModelOptions options)
       throws ModelFormatException {
-    Model whole = checked(read, options);
-    Model model = PartSelection.shown(whole, options);
+    Model model = PartSelection.labeled(checked(read, options));
     boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
-    Model placed = statesUnit ? model : model.from(options.toWorld());
+    Model placed = statesUnit ? model : model.from(options.toWorld(), "");
     double unit = format == ModelFormat.GLTF ? 1 : options.unit();
     double radius =
         options.pointRadius().isPresent()
             ? options.pointRadius().getAsDouble() * unit
-            : PointSpacing.radius(whole);
-    return Sections.cut(placed.withPointRadius(radius), options);
+            : PointSpacing.radius(model);
+    Model shown = PartSelection.shown(placed.withPointRadius(radius), options);
+    return Sections.cut(shown, options);
   }
 
   private static ModelFormat format(String name, byte[] content) throws ModelFormatException {

@@ -35,6 +35,20 @@ final class PartSelection {
 
   private PartSelection() {}
 
+  /** Returns a model in which no two parts have one label. */
+  static Model labeled(Model model) {
+    Names names = new Names("");
+    Map<ModelNode, ModelNode> labeled = new HashMap<>();
+    List<ModelPart> all = new ArrayList<>();
+    for (ModelPart part : model.parts()) {
+      ModelNode node =
+          labeled.computeIfAbsent(
+              part.node(), n -> n.isDivided() ? n.labeled(names.unused(n.label())) : n);
+      all.add(part.with(node, part.geometry(), part.material()));
+    }
+    return model.with(all);
+  }
+
   /**
    * Returns a model as its options show it.
    *
@@ -44,7 +58,7 @@ final class PartSelection {
     if (options.hidden().isEmpty() && options.highlighted().isEmpty()) {
       return model;
     }
-    List<ModelPart> all = labeled(PieceModel.of(model).parts());
+    List<ModelPart> all = PieceModel.of(model).parts();
     Set<ModelNode> hidden = named("hide", options.hidden(), all);
     Set<ModelNode> highlighted = named("highlight", options.highlighted(), all);
     List<ModelPart> shown = all.stream().filter(part -> !hidden.contains(part.node())).toList();
@@ -68,19 +82,6 @@ final class PartSelection {
       painted.add(isPale || isGray ? selection.painted(part, isPale ? PALE : ACCENT) : part);
     }
     return painted;
-  }
-
-  /** Returns the same surfaces, whose parts have labels of their own. */
-  private static List<ModelPart> labeled(List<ModelPart> parts) {
-    Names names = new Names("");
-    Map<ModelNode, ModelNode> labeled = new HashMap<>();
-    List<ModelPart> all = new ArrayList<>();
-    for (ModelPart part : parts) {
-      ModelNode node =
-          labeled.computeIfAbsent(part.node(), n -> n.labeled(names.unused(n.label())));
-      all.add(part.with(node, part.geometry(), part.material()));
-    }
-    return all;
   }
 
   /**

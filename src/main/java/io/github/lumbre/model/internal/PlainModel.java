@@ -97,6 +97,7 @@ public final class PlainModel {
   public static Model of(List<ModelPart> parts, List<String> warnings) {
     return new Model(
         Transform.IDENTITY,
+        "",
         TriangleMesh.Front.NORMALS,
         parts,
         1,

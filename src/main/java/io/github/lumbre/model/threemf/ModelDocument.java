@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -33,7 +34,7 @@ final class ModelDocument {
   private final Map<Integer, ThreeMfObject> objects = new HashMap<>();
   private final List<Component> items = new ArrayList<>();
   private final PropertyReader properties;
-  private double unit = Unit.MILLIMETER.meters;
+  private Unit unit = Unit.MILLIMETER;
 
   /** The units of length. */
   private enum Unit {
@@ -80,7 +81,12 @@ final class ModelDocument {
 
   /** Returns the length of the unit in meters. */
   double unit() {
-    return unit;
+    return unit.meters;
+  }
+
+  /** Returns the name of the unit. */
+  String unitName() {
+    return unit.name().toLowerCase(Locale.ROOT);
   }
 
   private void read() throws ModelFormatException, IOException {
@@ -104,11 +110,11 @@ final class ModelDocument {
     }
   }
 
-  private double readUnit() throws ModelFormatException {
+  private Unit readUnit() throws ModelFormatException {
     String name = xml.text("unit").orElse("millimeter");
     for (Unit known : Unit.values()) {
       if (known.name().equalsIgnoreCase(name)) {
-        return known.meters;
+        return known;
       }
     }
     throw xml.error(

@@ -66,7 +66,7 @@ public final class ThreeMfReader {
       item.object().addTo(parts, toWorld.times(item.toParent()), Optional.empty());
     }
     file.tally().addTo(file.warnings());
-    return PlainModel.of(parts, file.warnings().all()).from(toWorld);
+    return PlainModel.of(parts, file.warnings().all()).from(toWorld, root.unitName());
   }
 
   /** Returns the name of the part with the model, by the relations of the archive. */

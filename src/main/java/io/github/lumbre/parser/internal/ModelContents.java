@@ -4,6 +4,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
+import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,6 +17,8 @@ import java.util.Map;
  * @param animations its animations
  * @param variants the names of its material variants
  * @param materials the names of the materials in use; the place in the file of one that has no name
+ * @param unit of its file, from which coordinates are converted to meters; empty if there is none
+ * @param surfaces its surfaces in the scene, by the numbers of their primitives
  * @param min the least coordinates of its vertices: right-handed, +Y up
  * @param max the largest coordinates
  */
@@ -24,6 +27,8 @@ public record ModelContents(
     List<ModelAnimation> animations,
     List<String> variants,
     List<String> materials,
+    String unit,
+    Map<Integer, PartSurface> surfaces,
     Vec3 min,
     Vec3 max) {
   public ModelContents {
@@ -31,15 +36,18 @@ public record ModelContents(
     animations = List.copyOf(animations);
     variants = List.copyOf(variants);
     materials = List.copyOf(materials);
+    surfaces = Map.copyOf(surfaces);
   }
 
   /**
    * Returns the contents of a model.
    *
+   * @param surfaces its surfaces in the scene, by the numbers of their primitives
    * @param low the least coordinates of its vertices, left-handed
    * @param high the largest coordinates, left-handed
    */
-  public static ModelContents of(Model model, Vec3 low, Vec3 high) {
+  public static ModelContents of(
+      Model model, Map<Integer, PartSurface> surfaces, Vec3 low, Vec3 high) {
     Map<String, String> materials = new LinkedHashMap<>();
     model.parts().stream()
         .map(part -> part.material())
@@ -50,8 +58,15 @@ public record ModelContents(
         model.animations(),
         model.variants(),
         List.copyOf(materials.values()),
+        model.unit(),
+        surfaces,
         new Vec3(low.x(), low.y(), 0 - high.z()),
         new Vec3(high.x(), high.y(), 0 - low.z()));
+  }
+
+  /** Returns the parts of the model; finding connected pieces takes time. */
+  public PartTable parts(Scene scene) {
+    return PartTable.of(scene, surfaces);
   }
 
   /** Returns the names of a model's cameras, in the order of the file. */

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests hidden and highlighted parts. */
-class PartSelectionTest {
+public class PartSelectionTest {
   private static final String LIBRARY = "newmtl red\nKd 1 0 0\nnewmtl gray\nKd .5 .5 .5\n";
 
   /** Returns an OBJ file with a triangle for each object; its material has its name. */
@@ -28,7 +28,7 @@ class PartSelectionTest {
   }
 
   /** Returns a binary STL file of tetrahedra that do not touch. */
-  static byte[] tetrahedra(int count) {
+  public static byte[] tetrahedra(int count) {
     ByteBuffer file = ByteBuffer.allocate(84 + 200 * count).order(ByteOrder.LITTLE_ENDIAN);
     file.putInt(80, 4 * count).position(84);
     float[][] corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

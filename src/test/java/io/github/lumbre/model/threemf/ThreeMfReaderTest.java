@@ -94,6 +94,7 @@ class ThreeMfReaderTest {
             .replace("unit=\"millimeter\"", "unit=\"" + unit + "\"");
     ModelPart part = new ThreeMfSample(model).fixture().part();
     assertNear(ModelFixture.mapped(part, 1, 0, 0), meters, 0, 0);
+    assertThat(new ThreeMfSample(model).fixture().read().unit()).isEqualTo(unit);
     ModelOptions options =
         new ModelOptions(Optional.empty(), Optional.empty(), ModelOptions.Up.Y, 7);
     part = new ThreeMfSample(model).fixture().with(options).part();

@@ -1,0 +1,111 @@
+package io.github.lumbre.cli.output;
+
+import io.github.lumbre.camera.internal.Projection;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.internal.PartTable;
+import io.github.lumbre.parser.internal.PartTable.Part;
+import io.github.lumbre.parser.internal.ViewNumbers;
+import io.github.lumbre.parser.internal.ViewNumbers.Seen;
+import io.github.lumbre.scene.RenderSettings;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Values for JSON that describe a model's parts, and what its pictures show. Stateless. */
+final class PartJson {
+  /** The most parts in a list. */
+  private static final int MOST = 1000;
+
+  /** Decimals with this number of digits may be those of a number that was stated. */
+  private static final int STATED_DIGITS = 15;
+
+  private PartJson() {}
+
+  /** Returns the first parts of a model. */
+  static List<Map<String, Object>> parts(PartTable table) {
+    return table.parts().stream().limit(MOST).map(PartJson::part).toList();
+  }
+
+  private static Map<String, Object> part(Part part) {
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("name", part.name());
+    if (part.triangles() > 0) {
+      entry.put("triangles", part.triangles());
+    }
+    if (part.points() > 0) {
+      entry.put("points", part.points());
+    }
+    entry.put("bounds", bounds(part.box()));
+    return entry;
+  }
+
+  /** Returns the least and the largest coordinates of a box. */
+  static List<List<BigDecimal>> bounds(Bounds3 box) {
+    return List.of(vector(box.min()), vector(box.max()));
+  }
+
+  private static List<BigDecimal> vector(Vec3 v) {
+    return List.of(decimal(v.x()), decimal(v.y()), decimal(v.z()));
+  }
+
+  /** Returns the numbers of a picture. */
+  static Map<String, Object> view(
+      Path file, RenderSettings settings, ViewNumbers numbers, PartTable table) {
+    Map<String, Object> view = new LinkedHashMap<>();
+    view.put("file", file.toString());
+    view.put("width", settings.window().width());
+    view.put("height", settings.window().height());
+    numbers
+        .projection()
+        .filter(p -> p.matrix().stream().flatMap(List::stream).allMatch(Double::isFinite))
+        .ifPresent(
+            projection -> {
+              view.put("projection", projection.isParallel() ? "parallel" : "perspective");
+              view.put("matrix", matrix(projection));
+            });
+    if (!numbers.seen().isEmpty()) {
+      view.put("depth", List.of(decimal(numbers.near()), decimal(numbers.far())));
+    }
+    view.put("visible_part_count", numbers.seen().size());
+    view.put(
+        "visible_parts", numbers.seen().stream().limit(MOST).map(s -> seen(s, table)).toList());
+    return view;
+  }
+
+  private static List<List<BigDecimal>> matrix(Projection projection) {
+    return projection.matrix().stream()
+        .map(row -> row.stream().map(PartJson::decimal).toList())
+        .toList();
+  }
+
+  private static Map<String, Object> seen(Seen seen, PartTable table) {
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("name", table.parts().get(seen.part()).name());
+    entry.put("pixels", seen.pixels());
+    entry.put("box", List.of(seen.left(), seen.top(), seen.right(), seen.bottom()));
+    return entry;
+  }
+
+  /**
+   * Returns a decimal that is read as the same number: the shortest one, up to rounding. All
+   * versions of Java return the same one, unlike {@link Double#toString(double)}.
+   *
+   * @param x finite
+   */
+  private static BigDecimal decimal(double x) {
+    BigDecimal exact = new BigDecimal(x);
+    int digits = STATED_DIGITS;
+    BigDecimal rounded = exact.round(new MathContext(digits));
+    while (rounded.doubleValue() != x) {
+      rounded = exact.round(new MathContext(++digits));
+    }
+    BigDecimal shown = rounded.stripTrailingZeros();
+    return shown.scale() < 1 && shown.precision() - shown.scale() <= STATED_DIGITS
+        ? shown.setScale(1)
+        : shown;
+  }
+}
