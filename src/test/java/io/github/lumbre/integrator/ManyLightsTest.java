@@ -15,6 +15,7 @@ import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.light.internal.LightProfile;
 import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
@@ -80,6 +81,37 @@ class ManyLightsTest {
     Estimate all = Estimate.of(new RayTracer(scene, 0, 0), ray, count > 100 ? 1 : 16, 1);
 
     Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 128, 2);
+
+    assertThat(all.error()).isLessThan(2e-3 * all.mean());
+    assertThat(chosen.error()).isLessThan(1e-2 * all.mean());
+    assertThat(chosen.z(all)).isLessThan(Estimate.CRITICAL);
+  }
+
+  /** Half of the lamps shine into a cone of 60 degrees, the others all around. */
+  @ParameterizedTest
+  @ValueSource(ints = {2, 6, 100})
+  void lampsWithProfilesHaveTheMeanOfAllLights(int count) {
+    SceneBuilder builder = empty().add(floor(), matte(.5)).add(sphere(.4, .3, .1, .3), matte(.5));
+    SplittableRandom random = new SplittableRandom(count);
+    for (int i = 0; i < count; i++) {
+      Vec3 place = new Vec3(random.nextDouble(-3, 3), 2, random.nextDouble(-3, 3));
+      double end = i % 2 == 0 ? 60 : 180;
+      LightProfile lamp =
+          new LightProfile(
+              new double[] {0, end / 2, end},
+              new double[] {0, 180, 360},
+              new int[] {0, 1, 0},
+              new double[] {.1, .4, 0, .1, .01, 0});
+      builder.add(
+          lamp.light(
+              point(place, random.nextDouble(.1, 1)),
+              turned(random.nextDouble(60, 120), random.nextDouble(360), 0)));
+    }
+    Scene scene = builder.build();
+    Ray ray = lookingDownAt(-.2);
+    Estimate all = Estimate.of(new RayTracer(scene, 0, 0), ray, 16, 1);
+
+    Estimate chosen = Estimate.of(new PathTracer(scene, 1), ray, 256, 2);
 
     assertThat(all.error()).isLessThan(2e-3 * all.mean());
     assertThat(chosen.error()).isLessThan(1e-2 * all.mean());

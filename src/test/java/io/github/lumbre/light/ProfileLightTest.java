@@ -21,7 +21,8 @@ class ProfileLightTest {
       new LightProfile(
           new double[] {0, 60, 120},
           TURN,
-          new double[] {1, 4, 0, 1, 3, 0, 1, 1, 0, 1, 2, 0, 1, 4, 0});
+          new int[] {0, 1, 2, 3, 0},
+          new double[] {1, 4, 0, 1, 3, 0, 1, 1, 0, 1, 2, 0});
 
   private static Light light(LightProfile profile, Transform toWorld) {
     PointLight source =
@@ -121,7 +122,8 @@ class ProfileLightTest {
     assertThat(bounds.spread()).isCloseTo(Math.toRadians(120), within(1e-8));
     assertThat(light(WASHER, place).farIrradiance()).isZero();
     LightProfile uplight =
-        new LightProfile(new double[] {90, 180}, new double[] {0, 360}, new double[] {0, 1, 0, 1});
+        new LightProfile(
+            new double[] {90, 180}, new double[] {0, 360}, new int[] {0, 0}, new double[] {0, 1});
     assertThat(light(uplight, place).bounds().orElseThrow().spread())
         .isGreaterThanOrEqualTo(Math.PI);
     assertThat(irradiance(light(uplight, Transform.IDENTITY), Vec3.ZERO, Vec3.Z.negated()))
@@ -136,7 +138,7 @@ class ProfileLightTest {
     assertThat(light.isBlack()).isFalse();
     assertThat(light.isDelta()).isTrue();
     LightProfile dark =
-        new LightProfile(new double[] {0}, new double[] {0, 360}, new double[] {5, 5});
+        new LightProfile(new double[] {0}, new double[] {0, 360}, new int[2], new double[] {5});
     assertThat(light(dark, Transform.IDENTITY).isBlack()).isTrue();
     assertThat(dark.flux()).isZero();
   }

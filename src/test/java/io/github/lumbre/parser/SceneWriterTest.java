@@ -177,7 +177,8 @@ class SceneWriterTest {
         .isThrownBy(() -> SceneWriter.file(glowing, SETTINGS))
         .withMessageMatching("\"object \\d+\": expected .*, found .*");
     LightProfile lamp =
-        new LightProfile(new double[] {0, 90}, new double[] {0, 360}, new double[] {1, 1, 1, 1});
+        new LightProfile(
+            new double[] {0, 90}, new double[] {0, 360}, new int[2], new double[] {1, 1});
     Light profiled = lamp.light(PointLight.of(Vec3.ZERO, Rgb.WHITE), Transform.IDENTITY);
     Scene lit = simple().add(profiled).build();
     assertThatIllegalArgumentException()

@@ -27,7 +27,10 @@ public final class LightProfile {
   private final double[] vertical;
   private final double[] horizontal;
 
-  /** The rows of the horizontal angles, one after the other. */
+  /** The row of candelas of each horizontal angle. */
+  private final int[] rows;
+
+  /** Row by row; each has those of all vertical angles. */
   private final double[] candela;
 
   private final double largest;
@@ -40,24 +43,24 @@ public final class LightProfile {
    *     below the first and above the last
    * @param horizontal ascending angles in degrees: the first in [0,180], the last is the first plus
    *     360
-   * @param candela finite intensities in cd, at least 0, for each horizontal angle those of all
+   * @param rows for each horizontal angle the index of its row of candelas; angles may share rows
+   * @param candela finite intensities in cd, at least 0, row by row; a row has those of all
    *     vertical angles
    */
-  public LightProfile(double[] vertical, double[] horizontal, double[] candela) {
-    if (candela.length != vertical.length * horizontal.length
-        || horizontal.length < 2
-        || horizontal[horizontal.length - 1] != horizontal[0] + 360) {
+  public LightProfile(double[] vertical, double[] horizontal, int[] rows, double[] candela) {
+    if (rows.length != horizontal.length
+        || rows.length < 2
+        || horizontal[rows.length - 1] != horizontal[0] + 360) {
       throw new IllegalArgumentException(
-          "candela: expected intensities for all angles of a full turn, found "
-              + candela.length
-              + " for "
-              + vertical.length
-              + " and "
+          "horizontal: expected the angles of a full turn, each with a row, found "
               + horizontal.length
-              + " angles");
+              + " angles and "
+              + rows.length
+              + " rows");
     }
     this.vertical = vertical;
     this.horizontal = horizontal;
+    this.rows = rows;
     this.candela = candela;
     largest = Arrays.stream(candela).max().orElseThrow();
     flux = sphere();
@@ -101,13 +104,17 @@ public final class LightProfile {
   }
 
   private double ofRow(int row, double polar) {
-    int at = row * vertical.length;
     if (vertical.length == 1) {
-      return candela[at];
+      return candela(row, 0);
     }
     int i = cell(vertical, polar);
     double share = (polar - vertical[i]) / (vertical[i + 1] - vertical[i]);
-    return (1 - share) * candela[at + i] + share * candela[at + i + 1];
+    return (1 - share) * candela(row, i) + share * candela(row, i + 1);
+  }
+
+  /** Returns the intensity of a horizontal and a vertical angle, by their indices. */
+  private double candela(int row, int i) {
+    return candela[rows[row] * vertical.length + i];
   }
 
   /** Returns the index of the first of the two angles around an angle. */
@@ -149,8 +156,7 @@ public final class LightProfile {
   private double aroundAxis(int i) {
     double sum = 0;
     for (int row = 1; row < horizontal.length; row++) {
-      int at = row * vertical.length + i;
-      double mean = .5 * (candela[at - vertical.length] + candela[at]);
+      double mean = .5 * (candela(row - 1, i) + candela(row, i));
       sum += mean * Math.toRadians(horizontal[row] - horizontal[row - 1]);
     }
     return sum;

@@ -74,17 +74,8 @@ final class HorizontalAngles {
     return angles;
   }
 
-  /**
-   * Returns the values of a whole turn, row by row.
-   *
-   * @param inFile the values of the file, row by row
-   * @param columns the length of a row
-   */
-  double[] spread(double[] inFile, int columns) {
-    double[] all = new double[rows.length * columns];
-    for (int i = 0; i < rows.length; i++) {
-      System.arraycopy(inFile, rows[i] * columns, all, i * columns, columns);
-    }
-    return all;
+  /** Returns for each angle the index of its row in the file. */
+  int[] rows() {
+    return rows;
   }
 }

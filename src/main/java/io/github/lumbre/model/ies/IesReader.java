@@ -70,8 +70,7 @@ public final class IesReader {
     double factor = multiplier * ballast * (hasBallastLampFactor ? ballastLamp : 1);
     double[] candela = candela(verticalCount, horizontalCount, factor);
     warnOfRest();
-    LightProfile profile =
-        new LightProfile(vertical, turn.angles(), turn.spread(candela, verticalCount));
+    LightProfile profile = new LightProfile(vertical, turn.angles(), turn.rows(), candela);
     warnOfFlux(lamps * lumens * factor, profile.flux());
     return profile;
   }
