@@ -4,7 +4,9 @@ import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
+import static io.github.lumbre.material.MaterialParameter.DISPERSION;
 import static io.github.lumbre.material.MaterialParameter.IOR;
+import static io.github.lumbre.material.MaterialParameter.IRIDESCENCE;
 import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
@@ -277,10 +279,14 @@ final class RandomScene {
             .set(IOR, 1 + random.nextDouble());
     switch (random.nextInt(4)) {
       case 0 ->
-          builder.set(TRANSMISSION, .9).set(ATTENUATION_COLOR, rgb(1)).set(ATTENUATION_DISTANCE, 2);
+          builder
+              .set(TRANSMISSION, .9)
+              .set(ATTENUATION_COLOR, rgb(1))
+              .set(ATTENUATION_DISTANCE, 2)
+              .set(DISPERSION, 1);
       case 1 -> builder.set(OPACITY, random.nextDouble());
       case 2 -> builder.set(TRANSMISSION, .5).singleSided();
-      default -> builder.set(SHEEN_ROUGHNESS, ScalarChannel.of(.4));
+      default -> builder.set(SHEEN_ROUGHNESS, ScalarChannel.of(.4)).set(IRIDESCENCE, .5);
     }
     return builder.build();
   }

@@ -1,9 +1,13 @@
 package io.github.lumbre.lab.checks;
 
 import static io.github.lumbre.material.MaterialParameter.ANISOTROPY;
+import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION;
+import static io.github.lumbre.material.MaterialParameter.DISPERSION;
+import static io.github.lumbre.material.MaterialParameter.IRIDESCENCE;
+import static io.github.lumbre.material.MaterialParameter.IRIDESCENCE_IOR;
 import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
@@ -70,8 +74,9 @@ final class MaterialInvariants {
   static List<Invariant> all() {
     String range =
         "matte, Phong with exponents 0 to 1e9, Cook-Torrance (Beckmann, GGX), glass,"
-            + " metallic-roughness, anisotropy, clear coat, sheen, diffuse transmission and thin"
-            + " glass of roughness 1e-3 to 1, mirror; cosines 0.01 to 0.95";
+            + " metallic-roughness, anisotropy, thin films, clear coat, sheen, diffuse transmission"
+            + " and thin glass of roughness 1e-3 to 1, dispersive glass, mirror; cosines 0.01 to"
+            + " 0.95";
     return List.of(
         new Invariant(
             "furnace",
@@ -88,8 +93,9 @@ final class MaterialInvariants {
         new Invariant(
             "reciprocity",
             "relative difference of f(wo, wi) and f(wi, wo)",
-            "matte, Phong, Cook-Torrance, metallic-roughness, anisotropy, clear coat, sheen,"
-                + " diffuse transmission and thin glass; roughness from 0.05, exponents to 1000",
+            "matte, Phong, Cook-Torrance, metallic-roughness, anisotropy, thin films, clear coat,"
+                + " sheen, diffuse transmission and thin glass; roughness from 0.05, exponents to"
+                + " 1000",
             1e-12,
             MaterialInvariants::reciprocity),
         new Invariant(
@@ -150,7 +156,7 @@ final class MaterialInvariants {
     return materials;
   }
 
-  /** Metals, plastics, clear coats, sheen and thin glass, smooth and rough. */
+  /** Metals, plastics, thin films, clear coats, sheen and thin glass, smooth and rough. */
   private static List<Material> layered(double leastRoughness) {
     List<Material> materials = new ArrayList<>();
     for (double alpha : ROUGHNESSES) {
@@ -162,6 +168,8 @@ final class MaterialInvariants {
         materials.add(metallic(1, roughness).build());
         materials.add(metallic(0, roughness).build());
         materials.add(metallic(1, roughness).set(ANISOTROPY, .9).build());
+        materials.add(filmed(1, roughness).build());
+        materials.add(filmed(0, roughness).build());
         materials.add(metallic(.5, .6).set(CLEARCOAT, 1).set(CLEARCOAT_ROUGHNESS, varied).build());
         materials.add(
             metallic(0, roughness).set(CLEARCOAT, .5).set(CLEARCOAT_ROUGHNESS, medium).build());
@@ -181,6 +189,18 @@ final class MaterialInvariants {
     return materials;
   }
 
+  private static MetallicRoughness.Builder filmed(double metallic, double roughness) {
+    return metallic(metallic, roughness).set(IRIDESCENCE, 1).set(IRIDESCENCE_IOR, 1.8);
+  }
+
+  private static Material dispersive(double roughness) {
+    return filmed(0, roughness)
+        .set(TRANSMISSION, 1)
+        .set(ATTENUATION_DISTANCE, 1)
+        .set(DISPERSION, 2)
+        .build();
+  }
+
   private static MetallicRoughness.Builder metallic(double metallic, double roughness) {
     return MetallicRoughness.builder().set(METALLIC, metallic).set(ROUGHNESS, roughness);
   }
@@ -190,6 +210,8 @@ final class MaterialInvariants {
     List<Material> materials = new ArrayList<>(opaque(0, Double.MAX_VALUE));
     materials.addAll(layered(0));
     materials.addAll(glasses(0));
+    materials.add(dispersive(0));
+    materials.add(dispersive(.5));
     materials.add(new Mirror(Texture.constant(Rgb.WHITE)));
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
     ScalarTexture smooth = ScalarTexture.constant(0);
@@ -223,14 +245,15 @@ final class MaterialInvariants {
     return excess <= .5 * MOST_EXCESS ? excess : mean(bsdf, wo, MANY_SAMPLES) - 1;
   }
 
+  /** Returns the largest component of the mean weight. */
   private static double mean(Bsdf bsdf, Vec3 wo, int samples) {
     Sampler sampler = new SobolSampler(21);
-    double sum = 0;
+    Rgb sum = Rgb.BLACK;
     for (int i = 0; i < samples; i++) {
       sampler.startSample(0, 0, i);
-      sum += bsdf.sample(wo, sampler.get1d(0), sampler.get2d(1)).weight().max();
+      sum = sum.plus(bsdf.sample(wo, sampler.get1d(0), sampler.get2d(1)).weight());
     }
-    return sum / samples;
+    return sum.max() / samples;
   }
 
   private static double weights(Tries tries) {

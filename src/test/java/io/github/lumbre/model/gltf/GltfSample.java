@@ -80,6 +80,10 @@ final class GltfSample {
              'diffuseTransmissionTexture': {'index': 0}, 'diffuseTransmissionColorFactor':
              [1, 0.5, 0], 'diffuseTransmissionColorTexture': {'index': 0}},
            'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationDistance': 3},
+           'KHR_materials_dispersion': {'dispersion': 0.5},
+           'KHR_materials_iridescence': {'iridescenceFactor': 0.5, 'iridescenceIor': 1.5,
+             'iridescenceThicknessMinimum': 200, 'iridescenceThicknessMaximum': 600,
+             'iridescenceThicknessTexture': {'index': 0}},
            'KHR_materials_clearcoat': {'clearcoatFactor': 1, 'clearcoatTexture': {'index': 0}},
            'KHR_materials_sheen': {'sheenColorFactor': [1, 0, 0]}}}
         """);
