@@ -78,7 +78,7 @@ class LayersTest {
           Map.entry(
               "parser",
               "math image sampling texture geometry file text limit json material camera light"
-                  + " scene model"),
+                  + " scene outline model"),
           Map.entry("checkpoint", "file image scene render"),
           Map.entry("denoise", "math image sampling scene render"),
           Map.entry("stopping", "math scene render"),
@@ -107,8 +107,8 @@ class LayersTest {
                   + " render parser checkpoint stopping lab"),
           Map.entry(
               "cli.run",
-              "image file text limit scene render parser checkpoint denoise stopping lab"
-                  + " cli.output"),
+              "image drawing outline file text limit scene render parser checkpoint denoise"
+                  + " stopping lab cli.output"),
           Map.entry(
               "cli.option",
               "image geometry file scene model parser checkpoint denoise stopping lab"
@@ -119,8 +119,8 @@ class LayersTest {
                   + " preview lab cli.output cli.run"),
           Map.entry(
               "cli",
-              "math image texture file scene model render parser checkpoint denoise audit"
-                  + " compare lab lab.perf lab.report lab.checks lab.trade cli.output cli.run"
+              "math image drawing outline texture file scene model render parser checkpoint denoise"
+                  + " audit compare lab lab.perf lab.report lab.checks lab.trade cli.output cli.run"
                   + " cli.option cli.view"));
 
   /** The third-party libraries that each package may use. */

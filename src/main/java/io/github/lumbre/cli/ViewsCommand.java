@@ -17,6 +17,7 @@ import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
@@ -28,6 +29,7 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.ModelViews;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -251,21 +253,26 @@ final class ViewsCommand implements Callable<Integer> {
       throws SceneFormatException, TaskException {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
-    List<Image> pictures = new ArrayList<>();
+    LineDrawing lines = LineDrawing.of(views.first().scene(), settings);
+    List<DisplayLight> pictures = new ArrayList<>();
     for (Scene view : views.scenes()) {
       frames.render(
           new JsonSummary("views", model),
           () -> {
             Film film = rendered(settings, view, monitor);
             DenoisedPicture denoised = denoised(film, frames, monitor, messages);
-            pictures.add(denoised.image(film.develop()));
-            frames.picture().write(pictures.get(pictures.size() - 1), denoised.noting(options));
+            Image clean = denoised.image(film.develop());
+            DisplayLight drawn = lines.onDisplay(view, clean, options);
+            pictures.add(drawn);
+            frames.picture().write(drawn.image(), denoised.noting(drawn.options()));
             denoised.requireDone();
             return ExitCodes.OK;
           });
     }
     int gap = Math.max(1, settings.width() / GAPS_PER_WIDTH);
-    frames.picture().write(ContactSheet.of(pictures, SHEET_COLUMNS, gap), options);
+    List<Image> images = pictures.stream().map(DisplayLight::image).toList();
+    Image sheet = ContactSheet.of(images, SHEET_COLUMNS, gap);
+    frames.picture().write(sheet, pictures.get(0).options());
   }
 
   /** Adds the parts of the model, and what each view shows. */

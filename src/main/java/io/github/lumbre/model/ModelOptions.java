@@ -27,6 +27,8 @@ import java.util.OptionalDouble;
  *     its unit, {@code y=50%} in percent of the model's bounds, and {@code 0,0,1/1,1,0} a point and
  *     a normal, which points to the front. In front of an axis is the viewer from the right, the
  *     top or the front; {@code +x=0.5} and {@code -x=0.5} name the removed side
+ * @param look {@link #CLAY} or {@link #WHITE}, which replaces all materials; empty for the
+ *     materials of the file
  * @param limits for the model, its textures and its other files
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
  *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
@@ -41,8 +43,15 @@ public record ModelOptions(
     List<String> hidden,
     List<String> highlighted,
     List<String> sections,
+    String look,
     Limits limits,
     boolean lenient) {
+  /** The look of matte, light gray surfaces. Cut-outs stay cut out; glass is opaque, too. */
+  public static final String CLAY = "clay";
+
+  /** The look of white paper without light and shadow, for drawings. */
+  public static final String WHITE = "white";
+
   /** The rest pose, default materials, +Y up, unit 1. */
   public static final ModelOptions DEFAULT =
       new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, 1);
@@ -74,6 +83,9 @@ public record ModelOptions(
     sections = List.copyOf(sections);
     sections.forEach(Section::of);
     Objects.requireNonNull(limits, "limits");
+    if (!List.of("", CLAY, WHITE).contains(look)) {
+      throw new IllegalArgumentException("look: expected clay or white, found " + look);
+    }
     requireLength("unit", unit);
     requireLength("pointRadius", pointRadius.orElse(1));
   }
@@ -95,18 +107,20 @@ public record ModelOptions(
         List.of(),
         List.of(),
         List.of(),
+        "",
         Limits.NONE,
         false);
   }
 
   private ModelOptions with(OptionalDouble radius, Limits newLimits, boolean isLenient) {
     return new ModelOptions(
-        pose, variant, up, unit, radius, hidden, highlighted, sections, newLimits, isLenient);
+        pose, variant, up, unit, radius, hidden, highlighted, sections, look, newLimits, isLenient);
   }
 
-  private ModelOptions showing(List<String> hide, List<String> highlight, List<String> cut) {
+  private ModelOptions showing(
+      List<String> hide, List<String> highlight, List<String> cut, String newLook) {
     return new ModelOptions(
-        pose, variant, up, unit, pointRadius, hide, highlight, cut, limits, lenient);
+        pose, variant, up, unit, pointRadius, hide, highlight, cut, newLook, limits, lenient);
   }
 
   /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
@@ -116,12 +130,12 @@ public record ModelOptions(
 
   /** Returns these options with hidden parts; see {@link #hidden}. */
   public ModelOptions hiding(List<String> parts) {
-    return showing(parts, highlighted, sections);
+    return showing(parts, highlighted, sections, look);
   }
 
   /** Returns these options with highlighted parts; see {@link #highlighted}. */
   public ModelOptions highlighting(List<String> parts) {
-    return showing(hidden, parts, sections);
+    return showing(hidden, parts, sections, look);
   }
 
   /**
@@ -130,7 +144,12 @@ public record ModelOptions(
    * @throws IllegalArgumentException if a text is not a section
    */
   public ModelOptions cutBy(List<String> planes) {
-    return showing(hidden, highlighted, planes);
+    return showing(hidden, highlighted, planes, look);
+  }
+
+  /** Returns these options with a look; see {@link #look}. */
+  public ModelOptions looking(String newLook) {
+    return showing(hidden, highlighted, sections, newLook);
   }
 
   /** Returns these options with limits. */

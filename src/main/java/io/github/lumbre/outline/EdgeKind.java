@@ -42,7 +42,7 @@ final class EdgeKind {
 
   /** Returns whether an edge is a border or a crease, or a silhouette for an eye. */
   boolean isLine(int edge, Eye eye) {
-    return isFeature(edge) || isSilhouette(edge, eye);
+    return edges.from(edge) != edges.to(edge) && (isFeature(edge) || isSilhouette(edge, eye));
   }
 
   /**
@@ -51,12 +51,16 @@ final class EdgeKind {
    */
   boolean isFeature(int edge) {
     Vec3 along = to(edge).minus(from(edge)).normalized();
-    Vec3 first = across(edge, 0, along);
+    Vec3 first = Vec3.ZERO;
     double flat = edges.isSmooth(edge) ? cosSmooth : cosCrease;
     boolean continues = false;
-    for (int i = 1; i < edges.triangles(edge); i++) {
-      double cos = first.dot(across(edge, i, along));
-      if (Math.abs(cos) < flat) {
+    for (int i = 0; i < edges.triangles(edge); i++) {
+      Vec3 across = across(edge, i, along);
+      if (first.equals(Vec3.ZERO)) {
+        first = across;
+      }
+      double cos = first.dot(across);
+      if (across.maxAbs() > 0 && Math.abs(cos) < flat) {
         return true;
       }
       continues |= cos < 0;
@@ -64,7 +68,10 @@ final class EdgeKind {
     return !continues;
   }
 
-  /** Returns the unit direction in a triangle that is away from an edge and perpendicular to it. */
+  /**
+   * Returns the unit direction in a triangle that is away from an edge and perpendicular to it;
+   * zero for a triangle without an area.
+   */
   private Vec3 across(int edge, int triangle, Vec3 along) {
     Vec3 side = place(edges.opposite(edge, triangle)).minus(from(edge));
     Vec3 across = side.plus(-side.dot(along), along);

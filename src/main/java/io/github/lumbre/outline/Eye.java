@@ -4,6 +4,8 @@ import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.internal.Projection;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.Optional;
 
 /**
@@ -12,14 +14,23 @@ import java.util.Optional;
  * @param position of the eye in perspective
  * @param forward unit direction of the view
  * @param pixels the map from world space to pixels
- * @param width of the frame in pixels
- * @param height of the frame in pixels
+ * @param width of the picture in pixels
+ * @param height of the picture in pixels
  */
 record Eye(Vec3 position, Vec3 forward, Projection pixels, int width, int height) {
   /** Returns the eye of a camera; empty if the camera bends straight lines. */
-  static Optional<Eye> of(Camera camera, int width, int height) {
-    return Projection.of(camera, width, height)
-        .map(p -> new Eye(camera.position(), camera.axes().normal(), p, width, height));
+  static Optional<Eye> of(Camera camera, RenderSettings settings) {
+    Crop window = settings.window();
+    return Projection.of(camera, settings.width(), settings.height())
+        .map(whole -> whole.cropped(window.x(), window.y()))
+        .map(
+            pixels ->
+                new Eye(
+                    camera.position(),
+                    camera.axes().normal(),
+                    pixels,
+                    window.width(),
+                    window.height()));
   }
 
   /** Returns the vector from where the ray to a point starts to the point. */

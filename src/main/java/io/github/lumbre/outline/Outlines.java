@@ -6,7 +6,9 @@ import io.github.lumbre.geometry.internal.MeshEdges;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -50,15 +52,14 @@ public final class Outlines {
   }
 
   /**
-   * Returns the visible lines for the camera of a scene; empty if it bends straight lines.
+   * Returns the visible lines for the camera of a scene, in pixels of the rendered part of the
+   * frame; empty if the camera bends straight lines.
    *
    * @param scene the scene of these edges, from any place
-   * @param width of the frame in pixels
-   * @param height of the frame in pixels
-   * @param creaseDegrees angle between two triangles from which on their edge is a crease
    */
-  public Optional<Strokes> strokes(Scene scene, int width, int height, double creaseDegrees) {
-    return Eye.of(scene.camera(), width, height)
+  public Optional<Strokes> strokes(Scene scene, RenderSettings settings) {
+    double creaseDegrees = settings.get(Setting.CREASE_ANGLE);
+    return Eye.of(scene.camera(), settings)
         .map(
             eye -> {
               Strokes strokes = new Strokes();

@@ -21,6 +21,7 @@ import java.util.concurrent.CancellationException;
 /** Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP. */
 final class ModelObjects {
   private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
+  private static final Map<String, String> LOOKS = new LinkedHashMap<>();
   private static final Map<String, Up> UPS = new LinkedHashMap<>();
 
   static {
@@ -36,9 +37,12 @@ final class ModelObjects {
             "variant",
             "hide",
             "highlight",
+            "look",
             "useLights",
             "materials",
             "shared"));
+    LOOKS.put(ModelOptions.CLAY, ModelOptions.CLAY);
+    LOOKS.put(ModelOptions.WHITE, ModelOptions.WHITE);
     UPS.put("y", Up.Y);
     UPS.put("z", Up.Z);
   }
@@ -129,6 +133,7 @@ final class ModelObjects {
         node.strings("hide"),
         node.strings("highlight"),
         sections(node),
+        node.choice("look", LOOKS, ""),
         data.allowance().left(),
         mayLackPictures);
   }

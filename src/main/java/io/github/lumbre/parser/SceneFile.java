@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.Image;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
@@ -33,6 +34,14 @@ public interface SceneFile {
    * @param path of the scene, in whose folder the names of assets start
    */
   Set<Path> assetPaths(Path path);
+
+  /**
+   * Returns a picture of the scene with the lines that the settings ask for: the same picture if
+   * they ask for none, or the camera bends straight lines.
+   *
+   * @param picture in linear light, of the size of the settings' frame or crop
+   */
+  Image withLines(Image picture);
 
   /** Returns a copy with a different scene. */
   SceneFile with(Scene other);

@@ -11,6 +11,7 @@ import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.IntegerType;
 import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -76,6 +77,10 @@ final class SettingsReader {
     }
     if (type instanceof LimitType) {
       return (T) (Double) options.number(key, (Double) missing, Range.POSITIVE);
+    }
+    if (type instanceof NumberType range) {
+      return (T)
+          (Double) options.number(key, (Double) missing, Range.closed(range.low(), range.high()));
     }
     if (type instanceof FlagType) {
       return (T) (Boolean) options.flag(key, (Boolean) missing);

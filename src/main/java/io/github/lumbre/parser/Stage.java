@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -22,6 +23,9 @@ import java.util.Optional;
  *     transparent, only shadows are visible on it
  * @param background color that the camera sees instead of the sky; empty for the sky
  * @param transparent whether the background is transparent
+ * @param lineWidth width in pixels of lines on silhouettes, creases and borders, 0 to 100; 0 for no
+ *     lines
+ * @param creaseDegrees angle between two triangles from which on their edge is a crease, 0 to 180
  * @param options what to read from the model
  */
 public record Stage(
@@ -32,6 +36,8 @@ public record Stage(
     boolean ground,
     Optional<Rgb> background,
     boolean transparent,
+    double lineWidth,
+    double creaseDegrees,
     ModelOptions options) {
   /** The default angle of view, in degrees. */
   public static final double DEFAULT_FOV = 35;
@@ -46,6 +52,8 @@ public record Stage(
           false,
           Optional.empty(),
           false,
+          Setting.LINE_WIDTH.missing(),
+          Setting.CREASE_ANGLE.missing(),
           ModelOptions.DEFAULT);
 
   /** The default size of a picture of a model, in pixels. */
@@ -179,6 +187,17 @@ public record Stage(
     Objects.requireNonNull(sky, "sky");
     Objects.requireNonNull(background, "background");
     Objects.requireNonNull(options, "options");
+    if (!Setting.LINE_WIDTH.type().accepts(lineWidth)) {
+      throw new IllegalArgumentException(
+          "lineWidth: expected " + Setting.LINE_WIDTH.type().expected() + ", found " + lineWidth);
+    }
+    if (!Setting.CREASE_ANGLE.type().accepts(creaseDegrees)) {
+      throw new IllegalArgumentException(
+          "creaseDegrees: expected "
+              + Setting.CREASE_ANGLE.type().expected()
+              + ", found "
+              + creaseDegrees);
+    }
     if (!(fov > 0 && fov < 180)) {
       throw new IllegalArgumentException(
           "fov: expected more than 0 and less than 180, found " + fov);
@@ -188,27 +207,68 @@ public record Stage(
   /** Returns this stage, seen from a direction instead of by a camera of the model. */
   public Stage seenFrom(View newView) {
     return new Stage(
-        Optional.empty(), Optional.of(newView), fov, sky, ground, background, transparent, options);
+        Optional.empty(),
+        Optional.of(newView),
+        fov,
+        sky,
+        ground,
+        background,
+        transparent,
+        lineWidth,
+        creaseDegrees,
+        options);
   }
 
   /** Returns this stage under another sky. */
   public Stage under(Sky newSky) {
-    return new Stage(camera, view, fov, newSky, ground, background, transparent, options);
+    return new Stage(
+        camera,
+        view,
+        fov,
+        newSky,
+        ground,
+        background,
+        transparent,
+        lineWidth,
+        creaseDegrees,
+        options);
   }
 
   /** Returns this stage with a floor that the model stands on. */
   public Stage onGround() {
-    return new Stage(camera, view, fov, sky, true, background, transparent, options);
+    return new Stage(
+        camera, view, fov, sky, true, background, transparent, lineWidth, creaseDegrees, options);
   }
 
   /** Returns this stage with a transparent background. */
   public Stage onTransparentBackground() {
-    return new Stage(camera, view, fov, sky, ground, Optional.empty(), true, options);
+    return new Stage(
+        camera, view, fov, sky, ground, Optional.empty(), true, lineWidth, creaseDegrees, options);
   }
 
   /** Returns this stage with other options for reading the model. */
   public Stage reading(ModelOptions newOptions) {
-    return new Stage(camera, view, fov, sky, ground, background, transparent, newOptions);
+    return new Stage(
+        camera,
+        view,
+        fov,
+        sky,
+        ground,
+        background,
+        transparent,
+        lineWidth,
+        creaseDegrees,
+        newOptions);
+  }
+
+  /**
+   * Returns this stage with lines on silhouettes, creases and borders.
+   *
+   * @param width in pixels, 0 to 100; 0 for no lines
+   */
+  public Stage withLines(double width) {
+    return new Stage(
+        camera, view, fov, sky, ground, background, transparent, width, creaseDegrees, options);
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */

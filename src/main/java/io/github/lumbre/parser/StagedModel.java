@@ -205,7 +205,12 @@ final class StagedModel {
             (int) Math.max(1, Math.round(side * Math.min(1, ratio))),
             (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
         .maxTraceDepth(MAX_TRACE_DEPTH)
-        .toneCurve(Setting.TONE_MAP.inModels().orElseThrow())
+        .toneCurve(
+            stage.options().look().isEmpty()
+                ? Setting.TONE_MAP.inModels().orElseThrow()
+                : Setting.TONE_MAP.missing())
+        .set(Setting.LINE_WIDTH, stage.lineWidth())
+        .set(Setting.CREASE_ANGLE, stage.creaseDegrees())
         .transparent(stage.transparent())
         .build();
   }

@@ -54,6 +54,9 @@ final class Written {
               object.addProperty("seconds", pose.seconds());
             });
     options.variant().ifPresent(variant -> object.addProperty("variant", variant));
+    if (!options.look().isEmpty()) {
+      object.addProperty("look", options.look());
+    }
     names(object, "hide", options.hidden());
     names(object, "highlight", options.highlighted());
   }

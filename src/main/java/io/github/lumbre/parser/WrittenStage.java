@@ -8,6 +8,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * Writes the scene around a model as a scene file.
@@ -48,6 +49,11 @@ record WrittenStage(Stage stage, StageCamera camera, double floor) {
     render.addProperty("height", settings.height());
     render.addProperty("maxTraceDepth", settings.maxTraceDepth());
     render.addProperty(Setting.TONE_MAP.name(), settings.text(Setting.TONE_MAP));
+    for (Setting<Double> setting : List.of(Setting.LINE_WIDTH, Setting.CREASE_ANGLE)) {
+      if (settings.isSet(setting)) {
+        render.addProperty(setting.name(), settings.get(setting));
+      }
+    }
     if (stage.transparent()) {
       render.addProperty("background", "transparent");
     }

@@ -122,6 +122,16 @@ public final class SceneAssembly {
     return add(new AreaLight(shape, emission), material);
   }
 
+  /**
+   * Adds a surface that shows a color to all rays that hit it, and is not sampled as a light.
+   *
+   * @param material how the surface scatters light, or lets it through
+   */
+  public SceneAssembly addFlat(Shape shape, Material material, Emission emission) {
+    add(new Primitive(shape, material, Optional.of(emission)));
+    return this;
+  }
+
   private SceneAssembly add(AreaLight light, Material material) {
     if (!light.emission().isBlack() && Double.isFinite(light.shape().area())) {
       emitterOfPrimitive.put(primitives.size(), emitters.size());

@@ -10,6 +10,7 @@ import io.github.lumbre.scene.internal.SettingTypes.IntegerType;
 import io.github.lumbre.scene.internal.SettingTypes.LayersType;
 import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -198,6 +199,26 @@ public final class Setting<T> {
           .inScenes()
           .inModels(ToneCurve.NEUTRAL)
           .withFlag("--tonemap", "NAME");
+
+  /** The width in pixels of the lines that are drawn on a finished picture; 0 for no lines. */
+  public static final Setting<Double> LINE_WIDTH =
+      new Setting<>(
+              "lineWidth",
+              Group.OUTPUT,
+              new NumberType(0, 100),
+              0.,
+              "Width in pixels of lines on silhouettes, creases and borders of meshes; 0: none.")
+          .inScenes();
+
+  /** The angle between two triangles from which on their edge is a crease, in degrees. */
+  public static final Setting<Double> CREASE_ANGLE =
+      new Setting<>(
+              "creaseAngle",
+              Group.OUTPUT,
+              new NumberType(0, 180),
+              30.,
+              "Degrees between two triangles from which on a line is drawn along their edge.")
+          .inScenes();
 
   /** What the render records besides the picture. */
   public static final Setting<Set<Layer>> LAYERS =

@@ -15,6 +15,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import java.util.ArrayList;
@@ -26,7 +27,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class OutlinesTest {
   private static final double[] NONE = {};
-  private static final double CREASE = 30;
   private static final Vec3 EYE = new Vec3(2.4, 1.7, -3.3);
 
   /** Returns a cube from -1 to 1. Each face has its own vertices, in no consistent order. */
@@ -57,7 +57,9 @@ class OutlinesTest {
   }
 
   private static Strokes strokes(Scene scene, int size) {
-    return Outlines.of(scene).strokes(scene, size, size, CREASE).orElseThrow();
+    return Outlines.of(scene)
+        .strokes(scene, RenderSettings.builder().size(size, size).build())
+        .orElseThrow();
   }
 
   private static Scene scene(Lens lens, Shape... shapes) {

@@ -34,6 +34,8 @@ class RenderSettingsTest {
           b -> b.seed(-42),
           b -> b.exposure(Exposure.AUTO),
           b -> b.toneCurve(ToneCurve.ACES),
+          b -> b.set(Setting.LINE_WIDTH, 1.5),
+          b -> b.set(Setting.CREASE_ANGLE, 45.),
           b -> b.set(Setting.LAYERS, Layer.FOR_DENOISING),
           b -> b.threads(4),
           b -> b.bucketSize(16),
@@ -54,6 +56,8 @@ class RenderSettingsTest {
         .filter(PixelFilter.TENT)
         .seed(-42)
         .exposure(Exposure.AUTO)
+        .set(Setting.LINE_WIDTH, 1.5)
+        .set(Setting.CREASE_ANGLE, 45.)
         .toneCurve(ToneCurve.ACES)
         .set(Setting.LAYERS, Layer.FOR_DENOISING)
         .threads(4)

@@ -108,6 +108,10 @@ public final class DevelopFlags {
       Path name, FilmFile film, DenoisedPicture denoised, PictureOutput picture, Messages messages)
       throws TaskException {
     FilmNotes notes = new FilmNotes(name, film.header());
+    if (notes.hasLines()) {
+      messages.line(
+          name + ": its picture has lines, which a film does not hold; 'lumbre resume' draws them");
+    }
     Exposure wanted = settings.valueOr(Setting.EXPOSURE, notes.exposure());
     Exposure stops = picture.isForScreen() ? FilmExposure.of(wanted, name, film, messages) : wanted;
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());

@@ -8,9 +8,12 @@ import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.scene.Setting;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -31,6 +34,9 @@ public final class ModelFlags {
           "--sky-rotation",
           "--ground",
           "--background",
+          "--look",
+          "--line-width",
+          "--crease",
           "--pose",
           "--variant",
           "--hide",
@@ -39,6 +45,11 @@ public final class ModelFlags {
           "--up",
           "--unit",
           "--points");
+
+  private static final String LINES = "lines";
+
+  /** The default width of lines, in pixels. */
+  private static final double LINE_WIDTH = 1.5;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -95,6 +106,23 @@ public final class ModelFlags {
       paramLabel = "COLOR",
       description = "Show sky, transparent, or a color such as #ffffff behind it (sky).")
   private Optional<String> background;
+
+  @Option(
+      names = "--look",
+      paramLabel = "LOOK",
+      description =
+          "Show the shape alone: clay (matte, light gray), lines (black on white: silhouettes,"
+              + " creases and borders), or clay,lines.")
+  private Optional<String> look;
+
+  @Option(names = "--line-width", paramLabel = "PIXELS", description = "Width of the lines (1.5).")
+  private Optional<Double> lineWidth;
+
+  @Option(
+      names = "--crease",
+      paramLabel = "DEGREES",
+      description = "Angle between two faces from which on a line is drawn between them (30).")
+  private Optional<Double> crease;
 
   @Option(
       names = "--pose",
@@ -174,16 +202,54 @@ public final class ModelFlags {
     require(
         Double.isFinite(rotation), "--sky-rotation: expected a finite number, found " + rotation);
     require(camera.isEmpty() || from.isEmpty(), "--camera and --view: expected only one of them");
+    Set<String> looks = looks();
+    boolean hasLines = looks.contains(LINES);
+    boolean isDrawing = hasLines && looks.size() == 1;
+    require(
+        !isDrawing || !ground,
+        "--ground: cannot be combined with --look lines, which has no shadows");
     boolean isTransparent = background.equals(Optional.of("transparent"));
     return new Stage(
         camera,
         from,
         angle,
-        new Sky(sky.orElse("studio"), intensity, rotation),
+        new Sky(sky.orElse(isDrawing ? "white" : "studio"), intensity, rotation),
         ground,
-        isTransparent ? Optional.empty() : background.flatMap(this::color),
+        isTransparent ? Optional.empty() : shownBackground(!looks.isEmpty()),
         isTransparent,
-        options());
+        lineSetting(
+            "--line-width", lineWidth, Setting.LINE_WIDTH, hasLines ? LINE_WIDTH : 0, hasLines),
+        lineSetting(
+            "--crease", crease, Setting.CREASE_ANGLE, Setting.CREASE_ANGLE.missing(), hasLines),
+        options()
+            .looking(looks.isEmpty() ? "" : isDrawing ? ModelOptions.WHITE : ModelOptions.CLAY));
+  }
+
+  /** Returns the color behind the model; white for pictures of the shape alone. */
+  private Optional<Rgb> shownBackground(boolean isOfShape) {
+    return background.isEmpty() && isOfShape
+        ? Optional.of(Rgb.WHITE)
+        : background.flatMap(this::color);
+  }
+
+  private Set<String> looks() {
+    List<String> named = look.map(text -> List.of(text.split(",", -1))).orElse(List.of());
+    for (String name : named) {
+      require(
+          name.equals(ModelOptions.CLAY) || name.equals(LINES),
+          "--look: expected clay, lines or clay,lines, found " + look.orElse(""));
+    }
+    return new HashSet<>(named);
+  }
+
+  private double lineSetting(
+      String flag, Optional<Double> value, Setting<Double> setting, double missing, boolean isOn) {
+    require(value.isEmpty() || isOn, flag + ": requires --look lines or clay,lines");
+    double number = value.orElse(missing);
+    require(
+        setting.type().accepts(number),
+        flag + ": expected " + setting.type().expected() + ", found " + number);
+    return number;
   }
 
   private ModelOptions options() {

@@ -43,6 +43,7 @@ public final class FilmNotes {
   private static final String SAMPLES = "samples";
   private static final String EXPOSURE = "exposure";
   private static final String TONE_CURVE = "tonemap";
+  private static final String LINE_WIDTH = Setting.LINE_WIDTH.name();
   private static final String BITS = "bits";
   private static final String LENIENT = "lenient";
   private static final String TARGET_ERROR = "target-error";
@@ -77,6 +78,9 @@ public final class FilmNotes {
     notes.put(SAMPLES, String.valueOf(settings.samples()));
     notes.put(EXPOSURE, settings.text(Setting.EXPOSURE));
     notes.put(TONE_CURVE, settings.text(Setting.TONE_MAP));
+    if (settings.isSet(Setting.LINE_WIDTH)) {
+      notes.put(LINE_WIDTH, settings.text(Setting.LINE_WIDTH));
+    }
     notes.put(BITS, String.valueOf(bits));
     notes.put(LENIENT, String.valueOf(lenient));
     budget.targetError().ifPresent(error -> notes.put(TARGET_ERROR, String.valueOf(error)));
@@ -192,6 +196,11 @@ public final class FilmNotes {
 
   public ToneCurve toneCurve() throws TaskException {
     return note(TONE_CURVE, Setting.TONE_MAP.type()::parse);
+  }
+
+  /** Returns whether the film's picture has lines, which the film does not hold. */
+  public boolean hasLines() {
+    return header.notes().containsKey(LINE_WIDTH);
   }
 
   public int bits() throws TaskException {

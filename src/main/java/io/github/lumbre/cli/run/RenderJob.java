@@ -15,11 +15,14 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.cli.output.Visible;
+import io.github.lumbre.drawing.DisplayLight;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -282,7 +285,7 @@ public record RenderJob(
             how.jpegQuality(),
             metadata);
     DenoisedPicture denoised = denoised(film);
-    picture.write(denoised.image(result.image()), layers, denoised.noting(options));
+    write(denoised.image(result.image()), layers, denoised.noting(options));
     tell(summary, noise, light);
     denoised.tell(said(), report);
     warn(result.complete() ? Optional.empty() : keeper.saved().map(RenderJob::continuation));
@@ -300,6 +303,18 @@ public record RenderJob(
       throw new TaskException(Kind.OUTPUT, keeper.failure().get());
     }
     denoised.requireDone();
+  }
+
+  /** Writes the picture with the lines that the settings ask for. */
+  private void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
+      throws TaskException {
+    LineDrawing lines = LineDrawing.of(file.scene(), file.settings());
+    if (picture.isForScreen()) {
+      DisplayLight drawn = lines.onDisplay(file.scene(), image, options);
+      picture.write(drawn.image(), layers, drawn.options());
+    } else {
+      picture.write(lines.onLight(file.scene(), image), layers, options);
+    }
   }
 
   private DenoisedPicture denoised(Film film) {

@@ -1,15 +1,16 @@
 package io.github.lumbre.geometry.internal;
 
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 
 /**
- * The edges of one or several meshes, each with the triangles that have it. Vertices at exactly the
- * same position count as one place, because files repeat them for each normal and texture
- * coordinate. Immutable.
+ * The edges of one or several meshes, each with the triangles that have it. Vertices at the same
+ * position count as one place, because files repeat them for each normal and texture coordinate.
+ * Immutable.
  *
  * <p>Triangles are numbered through all meshes, in their order.
  */
@@ -30,9 +31,20 @@ public final class MeshEdges {
 
   private final BitSet smooth = new BitSet();
 
-  private MeshEdges(List<TriangleMesh> meshes) {
+  /** Cells of this part of the longest side: vertices in one cell count as one place. */
+  private static final double CELL = 0x1p-20;
+
+  /** Where cells begin: not at round numbers, beside which files round in both directions. */
+  private static final double SHIFT = .1371;
+
+  /**
+   * @param cell size of the cells whose vertices count as one place; 0 for exact positions
+   */
+  private MeshEdges(List<TriangleMesh> meshes, double cell) {
     corners = new int[3 * meshes.stream().mapToInt(TriangleMesh::triangleCount).sum()];
     PositionIndex places = new PositionIndex();
+    double[] found = new double[3 * 8];
+    int count = 0;
     int at = 0;
     for (TriangleMesh mesh : meshes) {
       int[] placeOfVertex = new int[mesh.vertexCount()];
@@ -41,26 +53,46 @@ public final class MeshEdges {
         int vertex = mesh.vertex(corner / 3, corner % 3);
         if (placeOfVertex[vertex] < 0) {
           Vec3 p = mesh.position(vertex);
-          placeOfVertex[vertex] = places.number(p.x(), p.y(), p.z());
+          int place =
+              places.number(rounded(p.x(), cell), rounded(p.y(), cell), rounded(p.z(), cell));
+          placeOfVertex[vertex] = place;
+          if (place == count) {
+            found = 3 * count == found.length ? Arrays.copyOf(found, 6 * count) : found;
+            found[3 * count] = p.x();
+            found[3 * count + 1] = p.y();
+            found[3 * count + 2] = p.z();
+            count++;
+          }
         }
         corners[at++] = placeOfVertex[vertex];
       }
     }
-    positions = places.positions();
+    positions = Arrays.copyOf(found, 3 * count);
     sides = new int[corners.length];
     first = grouped();
   }
 
-  /** Returns the edges of meshes, which share places where they touch. */
+  private static double rounded(double coordinate, double cell) {
+    return cell > 0 ? Math.rint(coordinate / cell + SHIFT) : coordinate;
+  }
+
+  /**
+   * Returns the edges of meshes, which share places where they touch. Distances of less than a
+   * millionth of the longest side of all meshes are ignored, because many programs write the same
+   * point with rounding errors.
+   */
   public static MeshEdges of(List<TriangleMesh> meshes) {
-    MeshEdges edges = new MeshEdges(meshes);
+    Bounds3 bounds =
+        meshes.stream().map(TriangleMesh::bounds).reduce(Bounds3.EMPTY, Bounds3::union);
+    double side = bounds.max().minus(bounds.min()).maxAbs();
+    MeshEdges edges = new MeshEdges(meshes, side > 0 && side < 1e300 ? CELL * side : 0);
     edges.findSmooth(meshes);
     return edges;
   }
 
   /** Returns whether every edge of a mesh belongs to an even number of triangles. */
   public static boolean isClosed(TriangleMesh mesh) {
-    MeshEdges edges = new MeshEdges(List.of(mesh));
+    MeshEdges edges = new MeshEdges(List.of(mesh), 0);
     for (int edge = 0; edge < edges.count(); edge++) {
       if (edges.triangles(edge) % 2 != 0) {
         return false;

@@ -82,6 +82,21 @@ public record Model(
         warnings);
   }
 
+  /** Returns this model with other parts, and without lights. */
+  public Model unlit(List<ModelPart> newParts) {
+    return new Model(
+        fromFile,
+        unit,
+        front,
+        newParts,
+        pointRadius,
+        cameras,
+        List.of(),
+        variants,
+        animations,
+        warnings);
+  }
+
   /** Returns this model with other parts. */
   public Model with(List<ModelPart> newParts) {
     return with(newParts, pointRadius, warnings);

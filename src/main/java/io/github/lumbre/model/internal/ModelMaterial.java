@@ -21,6 +21,7 @@ import java.util.Optional;
  * @param alphaCutoff the threshold of {@link AlphaMode#MASK}
  * @param doubleSided whether back faces are visible
  * @param unlit whether the base color is emitted instead of lit (KHR_materials_unlit)
+ * @param flat whether an unlit surface shows its color and gives no light
  * @param glossy whether {@link MaterialParameter#ROUGHNESS} is the glossiness, 1 - roughness, and
  *     {@link MaterialParameter#BASE_COLOR} is multiplied by 1 - the largest component of {@link
  *     MaterialParameter#SPECULAR_COLOR} (KHR_materials_pbrSpecularGlossiness)
@@ -37,6 +38,7 @@ public record ModelMaterial(
     double alphaCutoff,
     boolean doubleSided,
     boolean unlit,
+    boolean flat,
     boolean glossy,
     Optional<Texture<Rgb>> hatch) {
   /** The meaning of {@link MaterialParameter#OPACITY}. */
@@ -81,6 +83,7 @@ public record ModelMaterial(
         alphaCutoff,
         true,
         unlit,
+        flat,
         glossy,
         hatch);
   }
@@ -114,6 +117,7 @@ public record ModelMaterial(
     private boolean doubleSided;
     private Optional<Texture<Rgb>> hatch = Optional.empty();
     private boolean unlit;
+    private boolean flat;
     private boolean glossy;
 
     private Builder(String name, String location) {
@@ -179,6 +183,13 @@ public record ModelMaterial(
       return this;
     }
 
+    /** Makes the surface unlit and {@linkplain ModelMaterial#flat flat}. */
+    Builder flat() {
+      unlit = true;
+      flat = true;
+      return this;
+    }
+
     /** Sets {@link ModelMaterial#glossy}. */
     public Builder glossy(boolean value) {
       glossy = value;
@@ -197,6 +208,7 @@ public record ModelMaterial(
           alphaCutoff,
           doubleSided,
           unlit,
+          flat,
           glossy,
           hatch);
     }

@@ -91,7 +91,7 @@ public final class ModelReader {
   /** Returns what the options show of a model, except for one of an archive, which is finished. */
   private static Model finished(Model read, ModelFormat format, ModelOptions options)
       throws ModelFormatException {
-    Model model = PartSelection.labeled(checked(read, options));
+    Model model = PartSelection.labeled(Looks.of(checked(read, options), options));
     boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
     Model placed = statesUnit ? model : model.from(options.toWorld(), "");
     double unit = format == ModelFormat.GLTF ? 1 : options.unit();

@@ -159,7 +159,11 @@ public final class ModelScene {
                 materials.of(part.material(), isClosed),
                 materials
                     .emission(part.material(), part.geometry().colors().length > 0)
-                    .map(emission -> EmissiveTriangles.of(mesh, shape, partToWorld, emission))
+                    .map(
+                        emission ->
+                            part.material().flat()
+                                ? List.of(new Emitter(shape, emission))
+                                : EmissiveTriangles.of(mesh, shape, partToWorld, emission))
                     .orElse(List.of())));
       }
     }

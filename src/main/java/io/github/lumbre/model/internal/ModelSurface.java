@@ -38,6 +38,12 @@ public record ModelSurface(ModelPart part, Shape shape, Material material, List<
     if (emitters.isEmpty()) {
       scene.add(shape, material);
     }
-    emitters.forEach(emitter -> scene.add(emitter.shape(), material, emitter.emission()));
+    for (Emitter emitter : emitters) {
+      if (part.material().flat()) {
+        scene.addFlat(emitter.shape(), material, emitter.emission());
+      } else {
+        scene.add(emitter.shape(), material, emitter.emission());
+      }
+    }
   }
 }

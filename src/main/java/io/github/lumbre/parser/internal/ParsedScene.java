@@ -1,6 +1,8 @@
 package io.github.lumbre.parser.internal;
 
+import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneText;
@@ -67,6 +69,11 @@ public record ParsedScene(
     Scene moved = scene.seenBy(pose.place(scene.camera()));
     return new ParsedScene(
         moved, settings, warnings, newHash, files, contents, origins, text, model);
+  }
+
+  @Override
+  public Image withLines(Image picture) {
+    return LineDrawing.of(scene, settings).onLight(scene, picture);
   }
 
   @Override

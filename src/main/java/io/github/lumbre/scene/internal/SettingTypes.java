@@ -3,6 +3,7 @@ package io.github.lumbre.scene.internal;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.text.Spelling;
 import java.util.Arrays;
 import java.util.Collections;
@@ -65,6 +66,24 @@ public final class SettingTypes {
     @Override
     public String expected() {
       return "more than 0";
+    }
+  }
+
+  /** Numbers in a range, with both ends included. */
+  public record NumberType(double low, double high) implements SettingType<Double> {
+    @Override
+    public Double parse(String text) {
+      return number(text, Double::valueOf, expected());
+    }
+
+    @Override
+    public boolean accepts(Double value) {
+      return value >= low && value <= high;
+    }
+
+    @Override
+    public String expected() {
+      return "a number from " + PrintableText.number(low) + " to " + PrintableText.number(high);
     }
   }
 

@@ -1,0 +1,70 @@
+package io.github.lumbre.outline;
+
+import io.github.lumbre.drawing.Canvas;
+import io.github.lumbre.drawing.DisplayLight;
+import io.github.lumbre.drawing.Pen;
+import io.github.lumbre.drawing.Strokes;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
+import java.util.Optional;
+
+/**
+ * Draws black lines on the pictures of a scene, and of the same scene from other places, as its
+ * settings ask for. Immutable.
+ */
+public final class LineDrawing {
+  private final RenderSettings settings;
+
+  /** The edges of the scene; empty if no lines are drawn. */
+  private final Optional<Outlines> outlines;
+
+  private LineDrawing(RenderSettings settings, Optional<Outlines> outlines) {
+    this.settings = settings;
+    this.outlines = outlines;
+  }
+
+  /** Returns the drawing of a scene; it finds the edges if there are lines to draw. */
+  public static LineDrawing of(Scene scene, RenderSettings settings) {
+    boolean isOn = settings.get(Setting.LINE_WIDTH) > 0;
+    return new LineDrawing(settings, isOn ? Optional.of(Outlines.of(scene)) : Optional.empty());
+  }
+
+  /**
+   * Returns a finished picture for the screen, with lines as dark on bright surfaces as on others.
+   *
+   * @param scene the scene of this drawing, from any place
+   * @param picture in linear light
+   * @param options exposure and tone curve of the picture
+   */
+  public DisplayLight onDisplay(Scene scene, Image picture, ImageWriter.Options options) {
+    Optional<Strokes> strokes = strokes(scene);
+    if (strokes.isEmpty()) {
+      return new DisplayLight(picture, options);
+    }
+    DisplayLight light = DisplayLight.of(picture, options);
+    return new DisplayLight(drawn(light.image(), strokes.get()), light.options());
+  }
+
+  /**
+   * Returns a picture in linear light with lines.
+   *
+   * @param scene the scene of this drawing, from any place
+   */
+  public Image onLight(Scene scene, Image picture) {
+    return strokes(scene).map(strokes -> drawn(picture, strokes)).orElse(picture);
+  }
+
+  private Optional<Strokes> strokes(Scene scene) {
+    return outlines.flatMap(edges -> edges.strokes(scene, settings));
+  }
+
+  private Image drawn(Image picture, Strokes strokes) {
+    Canvas canvas = new Canvas(picture);
+    canvas.draw(strokes, new Pen(Rgb.BLACK, settings.get(Setting.LINE_WIDTH)));
+    return canvas.image();
+  }
+}
