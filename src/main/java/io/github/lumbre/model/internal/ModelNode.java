@@ -14,10 +14,15 @@ public final class ModelNode {
   private final String label;
   private final Optional<ModelNode> parent;
 
-  private ModelNode(String name, String label, Optional<ModelNode> parent) {
+  /** What this is a piece of; empty for itself. */
+  private final Optional<ModelNode> whole;
+
+  private ModelNode(
+      String name, String label, Optional<ModelNode> parent, Optional<ModelNode> whole) {
     this.name = Objects.requireNonNull(name, "name");
     this.label = Objects.requireNonNull(label, "label");
     this.parent = Objects.requireNonNull(parent, "parent");
+    this.whole = Objects.requireNonNull(whole, "whole");
   }
 
   /**
@@ -26,7 +31,7 @@ public final class ModelNode {
    * @param name in the file; empty if there is none
    */
   public static ModelNode undivided(String name) {
-    return new ModelNode(name, "", Optional.empty());
+    return new ModelNode(name, "", Optional.empty(), Optional.empty());
   }
 
   /**
@@ -38,17 +43,25 @@ public final class ModelNode {
    */
   public static ModelNode of(String name, String otherwise, Optional<ModelNode> parent) {
     String shown = PrintableText.shortened(name);
-    return new ModelNode(name, name.isBlank() ? otherwise : shown, parent);
+    return new ModelNode(name, name.isBlank() ? otherwise : shown, parent, Optional.empty());
   }
 
   /** Returns this part with another label. */
   public ModelNode labeled(String newLabel) {
-    return new ModelNode(name, newLabel, parent);
+    return new ModelNode(name, newLabel, parent, Optional.of(whole()));
   }
 
   /** Returns the part that this one belongs to; empty for none. */
   public Optional<ModelNode> parent() {
     return parent;
+  }
+
+  /**
+   * Returns the part of the file that this one is a piece of, or has another label than; itself
+   * otherwise.
+   */
+  public ModelNode whole() {
+    return whole.orElse(this);
   }
 
   /** Returns the name in the file; empty if there is none. */

@@ -4,12 +4,19 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelPart;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.DoubleStream;
 
 /** The meshes of a part of a model, which planes cut. Confined to one thread. */
 final class BodyCut {
+  /** The largest number of shells that are bodies of their own. */
+  private static final int MAX_BODIES = 256;
+
   private final List<ModelPart> meshes;
   private final List<CutPlane> planes;
   private final Shells shells;
@@ -74,9 +81,19 @@ final class BodyCut {
     return cuts.get(mesh).kept();
   }
 
-  /** Returns the surface in which a plane cuts the body, in world space; empty for none. */
-  Optional<ModelGeometry> cap(int plane) {
-    Cap cap = new Cap(planes.get(plane));
+  /**
+   * A surface in which a plane cuts a body, in world space.
+   *
+   * @param number of the body: one if the file divides the model, otherwise one for each closed
+   *     shell with the cavities in it
+   * @param part a mesh of the body
+   */
+  record Surface(int number, ModelPart part, ModelGeometry shape) {}
+
+  /** Returns the surfaces in which a plane cuts the bodies. */
+  List<Surface> surfaces(int plane) {
+    Map<Integer, Cap> caps = new TreeMap<>();
+    Map<Integer, ModelPart> owners = new HashMap<>();
     for (int m = 0; m < cuts.size(); m++) {
       MeshCut mesh = cuts.get(m);
       ModelPart part = meshes.get(m);
@@ -84,13 +101,47 @@ final class BodyCut {
       mesh.forLines(
           plane,
           (from, to, corner) -> {
-            if (shells.isClosed(shells.of(number, corner))) {
-              cap.add(point(mesh, from, part), point(mesh, to, part));
+            int shell = shells.of(number, corner);
+            if (shells.isClosed(shell)) {
+              owners.putIfAbsent(shell, part);
+              caps.computeIfAbsent(shell, s -> new Cap(planes.get(plane)))
+                  .add(point(mesh, from, part), point(mesh, to, part));
             } else {
               open = true;
             }
           });
     }
+    join(caps);
+    List<Surface> surfaces = new ArrayList<>();
+    caps.forEach(
+        (shell, cap) ->
+            filled(cap, plane)
+                .ifPresent(shape -> surfaces.add(new Surface(shell, owners.get(shell), shape))));
+    return surfaces;
+  }
+
+  /** Joins the caps of shells to those of bodies, which have the number of a shell. */
+  private void join(Map<Integer, Cap> caps) {
+    boolean isOne = meshes.get(0).node().whole().isDivided() || caps.size() > MAX_BODIES;
+    List<Integer> solids =
+        caps.keySet().stream()
+            .filter(shell -> isOne || caps.get(shell).area() > 0)
+            .sorted(Comparator.comparingDouble(shell -> isOne ? shell : caps.get(shell).area()))
+            .toList();
+    for (int shell : List.copyOf(caps.keySet())) {
+      Cap cap = caps.get(shell);
+      Optional<Integer> around =
+          isOne
+              ? solids.stream().findFirst()
+              : solids.stream().filter(s -> caps.get(s).surrounds(cap)).findFirst();
+      boolean isJoined = isOne || !solids.contains(shell);
+      if (isJoined && around.isPresent() && around.get() != shell) {
+        caps.get(around.get()).add(caps.remove(shell));
+      }
+    }
+  }
+
+  private Optional<ModelGeometry> filled(Cap cap, int plane) {
     try {
       return cap.surface().flatMap(surface -> inFront(surface, plane));
     } catch (Triangulation.TooMuchException e) {

@@ -34,9 +34,40 @@ final class Cap {
     segments[size++] = b;
   }
 
-  /** Returns whether there is an outline. */
-  boolean isEmpty() {
-    return size == 0;
+  /** Adds the outlines of another cap. */
+  void add(Cap other) {
+    double[] points = other.index.positions();
+    for (int i = 0; i < other.size; i += 2) {
+      add(point(points, other.segments[i]), point(points, other.segments[i + 1]));
+    }
+  }
+
+  /** Returns the area inside the outlines, negative if they are clockwise: around a cavity. */
+  double area() {
+    double[] points = index.positions();
+    Vec3 origin = point(points, 0);
+    Vec3 sum = Vec3.ZERO;
+    for (int i = 0; i < size; i += 2) {
+      Vec3 from = point(points, segments[i]).minus(origin);
+      sum = sum.plus(from.cross(point(points, segments[i + 1]).minus(origin)));
+    }
+    return sum.dot(plane.normal()) / 2;
+  }
+
+  /** Returns whether the first point of another cap's outlines is inside of these. */
+  boolean surrounds(Cap other) {
+    Vec3 inside = point(other.index.positions(), 0);
+    double[] points = index.positions();
+    int winding = 0;
+    for (int i = 0; i < size; i += 2) {
+      Vec3 from = point(points, segments[i]).minus(inside);
+      Vec3 to = point(points, segments[i + 1]).minus(inside);
+      boolean isUp = plane.v(from) <= 0 && plane.v(to) > 0;
+      boolean isDown = plane.v(to) <= 0 && plane.v(from) > 0;
+      double side = plane.u(from) * plane.v(to) - plane.v(from) * plane.u(to);
+      winding += isUp && side > 0 ? 1 : isDown && side < 0 ? -1 : 0;
+    }
+    return winding != 0;
   }
 
   /**

@@ -9,11 +9,10 @@ import java.util.Deque;
  * The region inside directed closed outlines by the nonzero winding rule, as triangles whose
  * corners all meet corners. Outlines may touch, overlap and cross themselves and each other.
  *
- * <p>The outlines become edges of a {@link Triangulation}: the edges in the way of a segment are
- * flipped (Sloan 1993). Where two segments cross, both get a new point, the nearest one of the
- * grid, so that they are bent by about a unit of the grid, and orientations stay exact. Each edge
- * counts how often outlines follow it; from outside, these counts sum up to the winding number of
- * each triangle.
+ * <p>The outlines become edges of a {@link Triangulation}. Where two segments cross, both get a new
+ * point, the nearest one of the grid or an end of a segment beside it, so that they are bent by a
+ * few units of the grid and orientations stay exact. Each edge counts how often outlines follow it;
+ * from outside, these counts sum up to the winding number of each triangle.
  */
 final class Outlines {
   /** Steps of work for each segment, and at least. */
@@ -23,6 +22,9 @@ final class Outlines {
 
   /** A point that was not given. */
   static final int NEW = -1;
+
+  /** The largest distance at which a crossing moves to the end of a segment, along each axis. */
+  private static final int NEAR = 2;
 
   private final Work work;
   private final Triangulation mesh;
@@ -184,7 +186,10 @@ final class Outlines {
     double ofL = mesh.area(a, b, l);
     double ofR = mesh.area(a, b, r);
     double s = ofL / (ofL - ofR);
-    int p = mesh.add(between(mesh.x(l), mesh.x(r), s), between(mesh.y(l), mesh.y(r), s));
+    int px = between(mesh.x(l), mesh.x(r), s);
+    int py = between(mesh.y(l), mesh.y(r), s);
+    int near = near(px, py, l, r, a, b);
+    int p = near == NEW ? mesh.add(px, py) : near;
     int edge = edge(l, r);
     // If the new point is exactly on the edge, it has divided it.
     if (p != l && p != r && edge >= 0) {
@@ -198,6 +203,19 @@ final class Outlines {
       open.push(new Segment(a, p, segment.times));
       open.push(new Segment(p, b, segment.times));
     }
+  }
+
+  /**
+   * Returns a vertex that is nearly at a point. If it did not end there, a segment would cross the
+   * others at the vertex again and again, each time a unit farther.
+   */
+  private int near(int px, int py, int... vertices) {
+    for (int v : vertices) {
+      if (Math.abs(mesh.x(v) - px) <= NEAR && Math.abs(mesh.y(v) - py) <= NEAR) {
+        return v;
+      }
+    }
+    return NEW;
   }
 
   private static int between(int from, int to, double s) {

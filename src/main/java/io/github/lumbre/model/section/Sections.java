@@ -20,6 +20,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -132,7 +133,8 @@ public final class Sections {
     Map<ModelNode, List<ModelPart>> bodies =
         model.parts().stream()
             .collect(
-                Collectors.groupingBy(ModelPart::node, LinkedHashMap::new, Collectors.toList()));
+                Collectors.groupingBy(
+                    part -> part.node().whole(), LinkedHashMap::new, Collectors.toList()));
     for (List<ModelPart> body : bodies.values()) {
       body.stream().filter(part -> part.geometry().isPoints()).forEach(this::addPoints);
       addMeshes(body.stream().filter(part -> !part.geometry().isPoints()).toList());
@@ -184,11 +186,13 @@ public final class Sections {
   }
 
   private void addCaps(ModelPart first, BodyCut cut) {
-    int before = caps.size();
+    Map<Integer, Integer> numbers = new HashMap<>();
     for (int plane = 0; plane < planes.size(); plane++) {
-      cut.cap(plane).ifPresent(surface -> caps.add(cap(first, surface)));
+      for (BodyCut.Surface surface : cut.surfaces(plane)) {
+        int number = numbers.computeIfAbsent(surface.number(), n -> hatches++);
+        caps.add(cap(surface.part(), surface.shape(), number));
+      }
     }
-    hatches += caps.size() > before ? 1 : 0;
     String name = first.node().label().isEmpty() ? first.location() : first.node().label();
     if (cut.isOpen()) {
       warnings.add(
@@ -204,11 +208,11 @@ public final class Sections {
     }
   }
 
-  private ModelPart cap(ModelPart part, ModelGeometry surface) {
+  private ModelPart cap(ModelPart part, ModelGeometry surface, int number) {
     Rgb color = part.material().input(MaterialParameter.BASE_COLOR).factor();
     double lines = Math.min(distance, extent(surface) / FEWEST_LINES);
     ModelMaterial material =
-        PlainModel.matte("section", "").hatch(Hatch.of(hatches, color, lines)).build();
+        PlainModel.matte("section", "").hatch(Hatch.of(number, color, lines)).build();
     return new ModelPart(part.node(), part.location(), surface, material, Transform.IDENTITY);
   }
 

@@ -275,6 +275,28 @@ class SectionsTest {
   }
 
   @Test
+  void piecesOfAnUndividedFileAreHatchedApart() throws ModelFormatException {
+    ModelPart hollow = hollow("", box("", 0, 10), box("", 1, 9));
+    ModelPart both = hollow("", hollow, hollow("", box("", 2, 8), box("", 3, 7)));
+    // The inner box was turned with its cavity; its winding is turned back.
+    int[] corners = both.geometry().indices().clone();
+    int half = corners.length / 2;
+    for (int i = half; i < corners.length; i += 3) {
+      int second = corners[i + 1];
+      corners[i + 1] = corners[i + 2];
+      corners[i + 2] = second;
+    }
+    ModelPart turned = part("box", both.geometry().positions(), corners);
+    ModelPart one = turned.with(ModelNode.undivided(""), turned.geometry(), turned.material());
+    List<ModelPart> caps = caps(cut(List.of(one), "x=4", "-z=6"));
+    assertThat(caps).hasSize(4);
+    assertThat(caps.stream().map(cap -> cap.material().hatch()).distinct()).hasSize(2);
+    List<ModelPart> across = caps(cut(List.of(one), "x=4"));
+    assertThat(across).extracting(cap -> area(List.of(cap))).containsExactlyInAnyOrder(36., 20.);
+    assertThat(caps(cut(List.of(turned), "x=4"))).hasSize(1);
+  }
+
+  @Test
   void uncutInstancesStayShared() throws ModelFormatException {
     ModelPart box = box("box", 0, 1);
     List<ModelPart> parts = new ArrayList<>();
