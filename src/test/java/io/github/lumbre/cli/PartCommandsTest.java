@@ -108,6 +108,20 @@ class PartCommandsTest {
   }
 
   @Test
+  void namesOfPartsInScenesAreTextsInArrays() throws IOException {
+    for (String value : new String[] {"\"left\"", "[1]"}) {
+      Files.writeString(
+          directory.resolve("scene.json"),
+          "{\"objects\": [{\"type\": \"Model\", \"file\": \"a.obj\", \"hide\": " + value + "}]}");
+      String expected =
+          value.equals("[1]") ? "[0]: expected a string, found 1" : ": expected an array";
+      Outcome outcome = run("check T/scene.json");
+      assertThat(outcome.exitCode()).isEqualTo(ExitCodes.SCENE);
+      assertThat(outcome.err()).contains("$.objects[0].hide" + expected);
+    }
+  }
+
+  @Test
   void viewsAndTurntablesHideParts() {
     runs("views T/a.obj -o T/views --size 24x18 -s 1 --no-denoise --hide right");
     runs("render T/a.obj -o T/front.png -s 1 --no-denoise --hide right" + SMALL);

@@ -6,9 +6,13 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -176,6 +180,17 @@ public class PartSelectionTest {
     List<ModelPart> parts = stl(2).with(both).read().parts();
     assertThat(parts).hasSize(1);
     assertThat(color(parts.get(0))).isEqualTo(Rgb.grey(.85));
+  }
+
+  @Test
+  void partsOfModelsInArchivesAreHiddenOnce() throws ModelFormatException, IOException {
+    ByteArrayOutputStream archive = new ByteArrayOutputStream();
+    try (ZipOutputStream zip = new ZipOutputStream(archive)) {
+      zip.putNextEntry(new ZipEntry("a.stl"));
+      zip.write(tetrahedra(3));
+    }
+    ModelFixture file = new ModelFixture("a.zip", archive.toByteArray());
+    assertThat(labels(file, hiding("piece 1"))).containsExactly("piece 2", "piece 3");
   }
 
   @Test
