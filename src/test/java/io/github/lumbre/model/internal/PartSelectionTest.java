@@ -142,7 +142,20 @@ public class PartSelectionTest {
         .containsExactlyInAnyOrder(4, 0, 0, 5, 0, 0, 4, 1, 0, 4, 0, 1);
   }
 
-  /** Each triangle of 100,000 is a piece; further ones than the most parts are one. */
+  /** The first two triangles have their last corners at one place, written in two ways. */
+  @Test
+  void trianglesAreConnectedByAnyCornerAtTheSamePosition() throws ModelFormatException {
+    String vertices =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 0\nv 6 5 0\nv -0 1 0\nv 9 0 0\nv 9 1 0\nv 9 0 1\n";
+    String faces = "f 1 2 3\nf 7 8 9\nf 4 5 6\n";
+    ModelFixture file = new ModelFixture("a.obj", vertices + faces);
+    assertThat(labels(file, hiding("piece 1"))).containsExactly("piece 2");
+    Model model = file.with(hiding("piece 2")).read();
+    assertThat(model.parts()).hasSize(1);
+    assertThat(model.parts().get(0).geometry().triangleCount()).isEqualTo(2);
+  }
+
+  /** Each tetrahedron of 100,000 is a piece; further ones than the most parts are one. */
   @Test
   void manyPiecesAreJoined() throws ModelFormatException {
     List<String> left = labels(stl(100_000), hiding("piece 5", "piece 9999"));
