@@ -292,6 +292,9 @@ class GltfErrorsTest {
         "{'extensions': {'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationDistance': 0}"
             + "}} | materials[0].extensions.KHR_materials_volume.attenuationDistance: expected a"
             + " number > 0, found 0",
+        "{'extensions': {'KHR_materials_iridescence': {'iridescenceIor': 0.9}}} |"
+            + " materials[0].extensions.KHR_materials_iridescence.iridescenceIor: expected 1 to"
+            + " 1e6, found 0.9",
         "{'extensions': {'KHR_materials_unlit': true}}"
             + " | materials[0].extensions.KHR_materials_unlit: expected an object, found true"
       })
