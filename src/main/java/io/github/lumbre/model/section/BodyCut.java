@@ -143,7 +143,9 @@ final class BodyCut {
 
   private Optional<ModelGeometry> filled(Cap cap, int plane) {
     try {
-      return cap.surface().flatMap(surface -> inFront(surface, plane));
+      Optional<ModelGeometry> surface = cap.surface();
+      open |= cap.isOpen();
+      return surface.flatMap(whole -> inFront(whole, plane));
     } catch (Triangulation.TooMuchException e) {
       tangled = true;
       return Optional.empty();

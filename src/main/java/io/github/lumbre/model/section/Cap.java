@@ -4,6 +4,8 @@ import io.github.lumbre.geometry.internal.PositionIndex;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelGeometry;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 
 /** The surface in which a plane cuts a body: the inside of outlines. Mutable. */
@@ -15,6 +17,7 @@ final class Cap {
   private final PositionIndex index = new PositionIndex();
   private int[] segments = new int[64];
   private int size;
+  private boolean open;
 
   Cap(CutPlane plane) {
     this.plane = plane;
@@ -88,13 +91,17 @@ final class Cap {
     double extent =
         Math.max(Arrays.stream(u).max().orElse(0) - left, Arrays.stream(v).max().orElse(0) - low);
     double unit = extent / Triangulation.GRID;
-    if (!(unit > 0) || !Double.isFinite(unit) || !isClosed(count)) {
+    if (!(unit > 0) || !Double.isFinite(unit)) {
       return Optional.empty();
     }
     int[] x = new int[count];
     int[] y = new int[count];
     Arrays.setAll(x, i -> (int) Math.rint((u[i] - left) / unit));
     Arrays.setAll(y, i -> (int) Math.rint((v[i] - low) / unit));
+    open = !isClosed(x, y);
+    if (open) {
+      return Optional.empty();
+    }
     Outlines.Region region = Outlines.region(x, y, Arrays.copyOf(segments, size));
     int[] given = region.given();
     double[] positions = new double[3 * given.length];
@@ -120,13 +127,18 @@ final class Cap {
     return new Vec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
   }
 
-  /** Returns whether as many lines begin as end at each point. */
-  private boolean isClosed(int count) {
-    int[] balance = new int[count];
-    for (int i = 0; i < size; i += 2) {
-      balance[segments[i]]++;
-      balance[segments[i + 1]]--;
+  /** Returns whether as many lines begin as end at each point of the grid. */
+  private boolean isClosed(int[] x, int[] y) {
+    Map<Long, Integer> balance = new HashMap<>();
+    for (int i = 0; i < size; i++) {
+      long place = (long) x[segments[i]] << 32 | y[segments[i]];
+      balance.merge(place, i % 2 == 0 ? 1 : -1, Integer::sum);
     }
-    return Arrays.stream(balance).allMatch(b -> b == 0);
+    return balance.values().stream().allMatch(b -> b == 0);
+  }
+
+  /** Returns whether {@link #surface} found an outline with a gap. */
+  boolean isOpen() {
+    return open;
   }
 }

@@ -1,19 +1,28 @@
 package io.github.lumbre.model.section;
 
 import io.github.lumbre.geometry.internal.PositionIndex;
+import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelPart;
 import java.util.Arrays;
 import java.util.List;
 
 /**
  * The shells of a body: the triangles of its meshes that are connected by vertices at the same
- * position. A shell is closed if its triangles pass each edge as often in one direction as in the
- * other.
+ * position, up to rounding. A shell is closed if its triangles pass each edge as often in one
+ * direction as in the other.
  */
 final class Shells {
   private static final int BITS = 31;
+
+  /**
+   * Positions are the same within this part of the body's size: far less than the precision of
+   * floats. Lathes leave pinholes of rounding errors at their axes.
+   */
+  private static final double STEPS = 1 << 30;
 
   /** For each mesh the places of its vertices. */
   private final int[][] places;
@@ -27,12 +36,16 @@ final class Shells {
    * @param meshes triangles with finite positions in world space
    */
   Shells(List<ModelPart> meshes) {
+    Bounds3 box = Bounds3.EMPTY;
+    for (ModelPart mesh : meshes) {
+      box = box.union(mesh.toWorld().bounds(mesh.geometry().bounds()));
+    }
     PositionIndex index = new PositionIndex();
     places = new int[meshes.size()][];
     for (int i = 0; i < places.length; i++) {
-      places[i] = places(meshes.get(i), index);
+      places[i] = places(meshes.get(i), box, index);
     }
-    parents = new int[index.positions().length / 3];
+    parents = new int[Math.max(1, index.positions().length / 3)];
     open = new boolean[parents.length];
     Arrays.setAll(parents, i -> i);
     long[] edges = edges(meshes);
@@ -40,11 +53,19 @@ final class Shells {
     markOpen(edges);
   }
 
-  private static int[] places(ModelPart mesh, PositionIndex index) {
+  private static int[] places(ModelPart mesh, Bounds3 box, PositionIndex index) {
+    double step = box.max().minus(box.min()).maxAbs() / STEPS;
     int[] places = new int[mesh.geometry().vertexCount()];
     for (int i = 0; i < places.length; i++) {
-      Vec3 position = mesh.position(i);
-      places[i] = index.number(position.x(), position.y(), position.z());
+      if ((i & ModelLimits.INTERRUPT_MASK) == 0) {
+        Interrupts.check();
+      }
+      Vec3 p = mesh.position(i).minus(box.min());
+      places[i] =
+          step > 0
+              ? index.number(
+                  Math.rint(p.x() / step), Math.rint(p.y() / step), Math.rint(p.z() / step))
+              : 0;
     }
     return places;
   }

@@ -181,6 +181,24 @@ class SectionsTest {
     assertThat(area(caps(cut(List.of(torus), "y=0")))).isCloseTo(ring, within(ROUND * ring));
   }
 
+  /** Programs that turn a profile about an axis often leave a hole at it, by rounding. */
+  @Test
+  void pinholesOfRoundingErrorsAreClosed() throws ModelFormatException {
+    ModelPart ball = torus("ball", 0, 1, 64, 32);
+    double[] p = ball.geometry().positions().clone();
+    for (int i = 0; i < p.length; i += 3) {
+      if (Math.abs(p[i + 1]) == 1) {
+        p[i] = 5.5e-17 * Math.cos(i);
+        p[i + 2] = 5.5e-17 * Math.sin(i);
+      }
+    }
+    Model model = cut(List.of(part("ball", p, ball.geometry().indices())), "x=0.000001");
+    assertThat(model.warnings()).isEmpty();
+    assertThat(area(caps(model))).isCloseTo(Math.PI, within(ROUND * Math.PI));
+    Model through = cut(List.of(part("ball", p, ball.geometry().indices())), "x=0");
+    assertThat(area(caps(through))).isCloseTo(Math.PI, within(ROUND * Math.PI));
+  }
+
   @Test
   void openPartsHaveNoCapAndAWarning() throws ModelFormatException {
     ModelPart box = box("lid", 0, 2);
