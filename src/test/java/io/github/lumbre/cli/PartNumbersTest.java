@@ -265,6 +265,15 @@ class PartNumbersTest {
         .containsExactly("piece 1", "piece 3");
   }
 
+  /** The cut surfaces belong to the pieces that they close. */
+  @Test
+  void piecesStayWholeWhenTheyAreCut() throws IOException {
+    Files.write(directory.resolve("a.stl"), PartSelectionTest.tetrahedra(3));
+    JsonObject cut = json("check T/a.stl --section y=0.5").get(0);
+    assertThat(names(cut, "parts")).containsExactly("piece 1", "piece 2", "piece 3");
+    assertThat(cut.get("triangles").getAsInt()).isGreaterThan(3 * 4);
+  }
+
   @Test
   void listsOfManyPartsAreShort() throws IOException {
     Files.write(directory.resolve("a.stl"), PartSelectionTest.tetrahedra(100_000));

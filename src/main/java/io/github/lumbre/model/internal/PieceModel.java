@@ -11,43 +11,66 @@ import java.util.TreeMap;
 final class PieceModel {
   private final List<ModelPart> parts = new ArrayList<>();
   private final Map<Integer, ModelNode> nodes = new HashMap<>();
-  private int pieces;
+
+  /** The triangles of a surface. */
+  private record Triangles(ModelGeometry mesh) implements Pieces.Source {
+    @Override
+    public int triangles() {
+      return mesh.triangleCount();
+    }
+
+    @Override
+    public int vertices() {
+      return mesh.vertexCount();
+    }
+
+    @Override
+    public int vertex(int triangle, int corner) {
+      return mesh.indices()[3 * triangle + corner];
+    }
+
+    @Override
+    public Vec3 position(int vertex) {
+      double[] all = mesh.positions();
+      return new Vec3(all[3 * vertex], all[3 * vertex + 1], all[3 * vertex + 2]);
+    }
+  }
 
   private PieceModel() {}
 
   /** Returns a model with parts; the surfaces that the file divides stay as they are. */
   static Model of(Model model) {
     PieceModel divided = new PieceModel();
+    Pieces pieces =
+        Pieces.of(
+            model.parts().stream()
+                .filter(part -> !part.node().isDivided() && !part.isOnePiece())
+                .map(part -> new Triangles(part.geometry()))
+                .toList());
+    int mesh = 0;
+    int whole = pieces.count();
     for (ModelPart part : model.parts()) {
       if (part.node().isDivided()) {
         divided.parts.add(part);
       } else if (part.isOnePiece()) {
-        divided.add(part, part.geometry(), divided.pieces++);
+        divided.add(part, part.geometry(), whole++);
       } else {
-        divided.addPieces(part);
+        divided.add(part, pieces, mesh++);
       }
     }
     return model.with(divided.parts);
   }
 
-  private void addPieces(ModelPart part) {
-    ModelGeometry mesh = part.geometry();
-    double[] all = mesh.positions();
-    int[] indices = mesh.indices();
-    Pieces found =
-        Pieces.of(
-            mesh.triangleCount(),
-            mesh.vertexCount(),
-            (triangle, corner) -> indices[3 * triangle + corner],
-            v -> new Vec3(all[3 * v], all[3 * v + 1], all[3 * v + 2]));
+  private void add(ModelPart part, Pieces pieces, int mesh) {
+    ModelGeometry geometry = part.geometry();
+    int[] indices = geometry.indices();
     Map<Integer, TriangleList> triangles = new TreeMap<>();
-    for (int i = 0; i < mesh.triangleCount(); i++) {
+    for (int i = 0; i < geometry.triangleCount(); i++) {
       triangles
-          .computeIfAbsent(Math.min(pieces + found.of(i), Pieces.LAST), n -> new TriangleList(0))
+          .computeIfAbsent(Math.min(pieces.of(mesh, i), Pieces.LAST), n -> new TriangleList(0))
           .add(indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
     }
-    triangles.forEach((number, piece) -> add(part, mesh.part(piece.toArray()), number));
-    pieces += found.count();
+    triangles.forEach((number, piece) -> add(part, geometry.part(piece.toArray()), number));
   }
 
   private void add(ModelPart part, ModelGeometry geometry, int number) {

@@ -4,22 +4,42 @@ import io.github.lumbre.geometry.internal.PositionIndex;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
-import java.util.function.IntBinaryOperator;
-import java.util.function.IntFunction;
+import java.util.List;
 
 /**
- * The connected pieces of a mesh: triangles are connected if they have a vertex at exactly the same
+ * The connected pieces of meshes: triangles are connected if they have a vertex at exactly the same
  * position. Pieces are numbered from 0 by their first triangles. Immutable.
  */
 public final class Pieces {
   /** All pieces of a model from this number on are one part. */
   public static final int LAST = ModelLimits.MAX_PARTS - 1;
 
+  /** The piece of each triangle, through all meshes. */
   private final int[] ofTriangles;
+
+  /** The number of the first triangle of each mesh. */
+  private final int[] starts;
+
   private final int count;
 
-  private Pieces(int[] ofTriangles, int count) {
+  /** A mesh. */
+  public interface Source {
+    /** Returns the number of triangles. */
+    int triangles();
+
+    /** Returns the number of vertices. */
+    int vertices();
+
+    /** Returns the vertex of a triangle and one of its corners, 0 to 2. */
+    int vertex(int triangle, int corner);
+
+    /** Returns the finite position of a vertex. */
+    Vec3 position(int vertex);
+  }
+
+  private Pieces(int[] ofTriangles, int[] starts, int count) {
     this.ofTriangles = ofTriangles;
+    this.starts = starts;
     this.count = count;
   }
 
@@ -29,50 +49,57 @@ public final class Pieces {
   }
 
   /**
-   * Finds the pieces.
+   * Finds the pieces of meshes in one space.
    *
-   * @param vertex returns the vertex of a triangle and one of its corners, 0 to 2
-   * @param position returns the finite position of a vertex
    * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
-  public static Pieces of(
-      int triangles, int vertices, IntBinaryOperator vertex, IntFunction<Vec3> position) {
-    int[] places = places(vertices, position);
+  public static Pieces of(List<? extends Source> meshes) {
+    int[] starts = new int[meshes.size() + 1];
+    int vertices = 0;
+    for (int i = 0; i < meshes.size(); i++) {
+      starts[i + 1] = Math.addExact(starts[i], meshes.get(i).triangles());
+      vertices = Math.addExact(vertices, meshes.get(i).vertices());
+    }
     int[] roots = new int[vertices];
     Arrays.setAll(roots, i -> i);
-    for (int triangle = 0; triangle < triangles; triangle++) {
+    int[] places = new int[starts[meshes.size()]];
+    PositionIndex index = new PositionIndex();
+    for (int i = 0; i < meshes.size(); i++) {
+      connect(meshes.get(i), index, roots, starts[i], places);
+    }
+    int[] numbers = new int[vertices];
+    int count = 0;
+    for (int triangle = 0; triangle < places.length; triangle++) {
       check(triangle);
-      int first = root(roots, places[vertex.applyAsInt(triangle, 0)]);
+      int root = root(roots, places[triangle]);
+      if (numbers[root] == 0) {
+        numbers[root] = ++count;
+      }
+      places[triangle] = numbers[root] - 1;
+    }
+    return new Pieces(places, starts, count);
+  }
+
+  /** Connects the places of a mesh's triangles, and stores one of each triangle. */
+  private static void connect(
+      Source mesh, PositionIndex index, int[] roots, int start, int... places) {
+    int[] ofVertices = new int[mesh.vertices()];
+    for (int vertex = 0; vertex < ofVertices.length; vertex++) {
+      check(vertex);
+      Vec3 at = mesh.position(vertex);
+      ofVertices[vertex] = index.number(at.x(), at.y(), at.z());
+    }
+    for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
+      check(triangle);
+      int first = root(roots, ofVertices[mesh.vertex(triangle, 0)]);
+      places[start + triangle] = first;
       for (int corner = 1; corner < 3; corner++) {
-        int other = root(roots, places[vertex.applyAsInt(triangle, corner)]);
+        int other = root(roots, ofVertices[mesh.vertex(triangle, corner)]);
         // The smaller number stays, so that the depth of trees is that of path halving alone.
         roots[Math.max(first, other)] = Math.min(first, other);
         first = Math.min(first, other);
       }
     }
-    int[] numbers = new int[vertices];
-    int[] ofTriangles = new int[triangles];
-    int count = 0;
-    for (int triangle = 0; triangle < triangles; triangle++) {
-      check(triangle);
-      int root = root(roots, places[vertex.applyAsInt(triangle, 0)]);
-      if (numbers[root] == 0) {
-        numbers[root] = ++count;
-      }
-      ofTriangles[triangle] = numbers[root] - 1;
-    }
-    return new Pieces(ofTriangles, count);
-  }
-
-  private static int[] places(int vertices, IntFunction<Vec3> position) {
-    PositionIndex index = new PositionIndex();
-    int[] places = new int[vertices];
-    for (int i = 0; i < vertices; i++) {
-      check(i);
-      Vec3 at = position.apply(i);
-      places[i] = index.number(at.x(), at.y(), at.z());
-    }
-    return places;
   }
 
   private static void check(int item) {
@@ -96,8 +123,8 @@ public final class Pieces {
     return count;
   }
 
-  /** Returns the piece of a triangle. */
-  public int of(int triangle) {
-    return ofTriangles[triangle];
+  /** Returns the piece of a triangle of a mesh. */
+  public int of(int mesh, int triangle) {
+    return ofTriangles[starts[mesh] + triangle];
   }
 }

@@ -12,6 +12,7 @@ import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.Pieces;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -27,10 +28,13 @@ public final class PartTable {
 
   private final List<Part> parts = new ArrayList<>();
 
-  /** The part of each primitive; of one that is divided into pieces, the first. */
-  private final Map<Integer, Integer> firstParts = new HashMap<>();
+  /** The part of each primitive that is not divided into pieces. */
+  private final Map<Integer, Integer> ofPrimitives = new HashMap<>();
 
-  private final Map<Integer, Pieces> pieces = new HashMap<>();
+  /** The pieces, and the mesh of each primitive that is divided into them. */
+  private final Pieces pieces;
+
+  private final Map<Integer, Integer> meshes = new HashMap<>();
   private int pieceCount;
 
   /**
@@ -47,7 +51,45 @@ public final class PartTable {
     }
   }
 
-  private PartTable() {}
+  /** The triangles of a primitive. */
+  private record Triangles(TriangleMesh mesh) implements Pieces.Source {
+    @Override
+    public int triangles() {
+      return mesh.triangleCount();
+    }
+
+    @Override
+    public int vertices() {
+      return mesh.vertexCount();
+    }
+
+    @Override
+    public int vertex(int triangle, int corner) {
+      return mesh.vertex(triangle, corner);
+    }
+
+    @Override
+    public Vec3 position(int vertex) {
+      return mesh.position(vertex);
+    }
+  }
+
+  private PartTable(Scene scene, Map<Integer, PartSurface> surfaces) {
+    List<Triangles> divided = new ArrayList<>();
+    for (int primitive = 0; primitive < scene.primitives().size(); primitive++) {
+      PartSurface surface = surfaces.get(primitive);
+      boolean isDivided = surface != null && !surface.node().isDivided() && !surface.isOnePiece();
+      if (isDivided && scene.primitives().get(primitive).shape() instanceof Mesh mesh) {
+        meshes.put(primitive, divided.size());
+        divided.add(new Triangles(mesh.triangles()));
+      }
+    }
+    pieces = Pieces.of(divided);
+    while (pieceCount < pieces.count()) {
+      piece();
+    }
+    addPieces(divided);
+  }
 
   /**
    * Finds the parts.
@@ -55,33 +97,29 @@ public final class PartTable {
    * @param surfaces the surfaces of the model, by the numbers of their primitives
    */
   public static PartTable of(Scene scene, Map<Integer, PartSurface> surfaces) {
-    PartTable table = new PartTable();
+    PartTable table = new PartTable(scene, surfaces);
     Map<ModelNode, Integer> ofNodes = new HashMap<>();
     Map<PartSurface, Integer> ofSurfaces = new IdentityHashMap<>();
     for (int primitive = 0; primitive < scene.primitives().size(); primitive++) {
       PartSurface surface = surfaces.get(primitive);
-      if (surface == null) {
+      if (surface == null || table.meshes.containsKey(primitive)) {
         continue;
       }
-      Shape shape = scene.primitives().get(primitive).shape();
       ModelNode node = surface.node();
-      if (!node.isDivided() && !surface.isOnePiece() && shape instanceof Mesh mesh) {
-        table.addPieces(primitive, mesh.triangles());
-        continue;
-      }
       boolean isNew = !ofSurfaces.containsKey(surface);
       int part =
           node.isDivided()
               ? ofNodes.computeIfAbsent(node, n -> table.part(n.label()))
               : ofSurfaces.computeIfAbsent(surface, s -> table.piece());
       ofSurfaces.put(surface, part);
-      table.firstParts.put(primitive, part);
-      Part grown =
+      table.ofPrimitives.put(primitive, part);
+      Bounds3 box = box(scene.primitives().get(primitive).shape());
+      table.parts.set(
+          part,
           table
               .parts
               .get(part)
-              .with(isNew ? surface.triangles() : 0, isNew ? surface.points() : 0, box(shape));
-      table.parts.set(part, grown);
+              .with(isNew ? surface.triangles() : 0, isNew ? surface.points() : 0, box));
     }
     return table;
   }
@@ -97,27 +135,21 @@ public final class PartTable {
     return piece < parts.size() ? piece : part(Pieces.label(piece));
   }
 
-  private void addPieces(int primitive, TriangleMesh mesh) {
-    Pieces found =
-        Pieces.of(mesh.triangleCount(), mesh.vertexCount(), mesh::vertex, mesh::position);
-    int first = pieceCount;
-    firstParts.put(primitive, first);
-    pieces.put(primitive, found);
-    for (int i = 0; i < found.count(); i++) {
-      piece();
-    }
+  private void addPieces(List<Triangles> divided) {
     long[] triangles = new long[parts.size()];
     Bounds3[] boxes = new Bounds3[parts.size()];
-    for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
-      int part = Math.min(first + found.of(triangle), Pieces.LAST);
-      triangles[part]++;
-      Bounds3 box = boxes[part] == null ? Bounds3.EMPTY : boxes[part];
-      for (int corner = 0; corner < 3; corner++) {
-        box = box.union(mesh.position(mesh.vertex(triangle, corner)));
+    Arrays.fill(boxes, Bounds3.EMPTY);
+    for (int i = 0; i < divided.size(); i++) {
+      TriangleMesh mesh = divided.get(i).mesh;
+      for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
+        int part = Math.min(pieces.of(i, triangle), Pieces.LAST);
+        triangles[part]++;
+        for (int corner = 0; corner < 3; corner++) {
+          boxes[part] = boxes[part].union(mesh.position(mesh.vertex(triangle, corner)));
+        }
       }
-      boxes[part] = box;
     }
-    for (int part = Math.min(first, Pieces.LAST); part < triangles.length; part++) {
+    for (int part = 0; part < triangles.length; part++) {
       parts.set(part, parts.get(part).with(triangles[part], 0, mirrored(boxes[part])));
     }
   }
@@ -159,8 +191,9 @@ public final class PartTable {
     if (!hit.isHit()) {
       return NONE;
     }
-    int first = firstParts.getOrDefault(hit.shape(), NONE);
-    Pieces divided = pieces.get(hit.shape());
-    return divided == null ? first : Math.min(first + divided.of(hit.element()), Pieces.LAST);
+    Integer mesh = meshes.get(hit.shape());
+    return mesh == null
+        ? ofPrimitives.getOrDefault(hit.shape(), NONE)
+        : Math.min(pieces.of(mesh, hit.element()), Pieces.LAST);
   }
 }

@@ -155,6 +155,15 @@ public class PartSelectionTest {
     assertThat(model.parts().get(0).geometry().triangleCount()).isEqualTo(2);
   }
 
+  @Test
+  void piecesMayHaveSeveralMaterials() throws ModelFormatException {
+    String vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 9 0 0\nv 9 1 0\nv 9 0 1\n";
+    String faces = "usemtl a\nf 1 2 3\nf 5 6 7\nusemtl b\nf 2 4 3\n";
+    ModelFixture file = new ModelFixture("a.obj", vertices + faces);
+    assertThat(labels(file, hiding("piece 2"))).containsExactly("piece 1", "piece 1");
+    assertThat(labels(file, hiding("piece 1"))).containsExactly("piece 2");
+  }
+
   /** Each tetrahedron of 100,000 is a piece; further ones than the most parts are one. */
   @Test
   void manyPiecesAreJoined() throws ModelFormatException {
