@@ -141,6 +141,27 @@ class DispersedLightTest {
     assertThat(difference).isGreaterThan(6);
   }
 
+  /** Lamps are sampled through the clear ball, but not through the dispersive one before it. */
+  @Test
+  void clearGlassBesideKeepsTheMean() {
+    Scene scene =
+        empty()
+            .add(floor(), matte(.6))
+            .add(Sphere.of(new Vec3(0, 1.2, 0), 1), Kind.SMOOTH.of(GLASS, STRENGTH))
+            .add(Sphere.of(new Vec3(.4, 2.7, 0), .5), TestScenes.glass(1.5))
+            .add(sphere(1, 4.5, 0, 1), matte(0), glow(5))
+            .build();
+    PathOptions options = PathOptions.toDepth(8);
+    PathOptions alone = options.by(MisHeuristic.BSDF).withoutSpecularLinks();
+    for (Ray ray : new Ray[] {RAYS[0], RAYS[1]}) {
+      Moments[] found = light(new PathTracer(scene, options), ray, 128, 1);
+      Moments[] expected = light(new PathTracer(scene, alone), ray, 512, 2);
+      for (int color = 0; color < 3; color++) {
+        assertThat(found[color].z(expected[color])).as("%s %s", ray, color).isBetween(-4.5, 4.5);
+      }
+    }
+  }
+
   @ParameterizedTest
   @EnumSource(
       value = Kind.class,
