@@ -5,7 +5,9 @@ import io.github.lumbre.math.Vec3;
 
 /**
  * A layer above another BSDF: f = layer + base · min(1 - E(o), 1 - E(i)), where E is the layer's
- * directional albedo. The minimum keeps the sum reciprocal and at most 1.
+ * directional albedo. The minimum keeps the sum reciprocal and at most 1. Above rough glass, which
+ * scatters to directions of other albedos, it would lose light that nothing absorbs; there the
+ * factor is 1 - E(o), and the sum is not reciprocal.
  *
  * @param reflected fraction of the light from a direction that the layer reflects
  */
@@ -21,7 +23,9 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
   }
 
   private double passed(double reflectedOut, double wiX, double wiY, double wiZ) {
-    return Math.max(0, 1 - Math.max(reflectedOut, reflected.at(wiX, wiY, wiZ)));
+    return base.isTransmissive()
+        ? 1 - reflectedOut
+        : Math.max(0, 1 - Math.max(reflectedOut, reflected.at(wiX, wiY, wiZ)));
   }
 
   /** Returns the probability of sampling the layer. */

@@ -7,7 +7,6 @@ import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.NormalChannel;
-import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Vec3;
@@ -111,7 +110,10 @@ final class MetallicBase {
     Rgb mixedF0 = f0.times(1 - metallic).plus(color.times(metallic));
     double mixedF90 = f90 * (1 - metallic) + metallic;
     SchlickReflection isotropic = new SchlickReflection(mixedF0, mixedF90, facets, film);
-    Lobe reflection = strength > 0 ? anisotropic(hit, isotropic, strength) : isotropic;
+    Lobe reflection =
+        strength > 0
+            ? anisotropic(hit, isotropic, strength)
+            : compensated(isotropic, color, metallic);
     double through = isTranslucent ? diffuseTransmission.fractionAt(hit) : 0;
     if (metallic == 1 || through == 0 && color.isBlack()) {
       return reflection;
@@ -127,6 +129,19 @@ final class MetallicBase {
     }
     Rgb passed = diffuseTransmissionColor.at(hit).clampedToOne().times((1 - metallic) * through);
     return new Mixture(new Translucent(reflected, white.tinted(passed)), reflection);
+  }
+
+  /**
+   * Returns an isotropic reflection with what its metallic part reflects repeatedly. What the
+   * plastic part does not reflect reaches its diffuse base.
+   */
+  private static Lobe compensated(SchlickReflection single, Rgb color, double metallic) {
+    double alpha = single.facets().alpha();
+    if (metallic == 0 || alpha == MIN_ALPHA) {
+      return single;
+    }
+    Rgb mean = SchlickReflection.meanFresnel(color, 1, single.film());
+    return new Compensated(single, MultipleScattering.reflected(mean, metallic, alpha));
   }
 
   private Lobe anisotropic(SurfaceHit hit, SchlickReflection isotropic, double strength) {
@@ -145,7 +160,7 @@ final class MetallicBase {
       Ggx facets = new Ggx(Math.max(MIN_ALPHA, alpha));
       return alpha < CookTorrance.SMOOTH
           ? new SchlickReflection(f0, f90(hit), facets, film)
-          : new ThinGlass(tint, f0, f90(hit), facets, film);
+          : Compensated.pane(new ThinGlass(tint, f0, f90(hit), facets, film));
     }
     double index = ior == 0 ? 1e6 : Math.max(1, ior);
     boolean isSmooth = alpha < CookTorrance.SMOOTH || index - 1 < 1e-8;
@@ -157,7 +172,7 @@ final class MetallicBase {
     }
     return isSmooth
         ? new Dielectric(Rgb.WHITE, tint, index)
-        : new RoughDielectric(Rgb.WHITE, tint, index, new Ggx(alpha));
+        : Compensated.glass(Rgb.WHITE, tint, index, alpha);
   }
 
   /**

@@ -19,9 +19,11 @@ import java.util.function.DoubleUnaryOperator;
  * KHR_materials_} extensions: specular, ior, transmission, diffuse transmission, volume,
  * anisotropy, clearcoat and sheen.
  *
- * <p>The lobes are those of the specification. Unlike there, a layer's albedo weights what lies
- * below it, so that the material is reciprocal and never reflects more light than arrives. Smooth
- * thin transmission and partial opacity let rays pass straight through; see {@link #transmittance}.
+ * <p>The lobes are those of the specification, with the light that rough metal and glass scatter
+ * repeatedly. Unlike there, a layer's albedo weights what lies below it, so that the material never
+ * reflects more light than arrives, and is reciprocal except where a layer covers rough glass.
+ * Smooth thin transmission and partial opacity let rays pass straight through; see {@link
+ * #transmittance}.
  *
  * <p>Immutable; {@link #builder} builds it.
  */

@@ -9,6 +9,9 @@ import io.github.lumbre.math.Vec3;
  * lobes.
  */
 record Mixture(Lobe first, Lobe second) implements Bsdf {
+  /** The largest random number. */
+  private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
+
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
     double share = shareOfFirst(wo.z());
@@ -37,7 +40,9 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
     double share = shareOfFirst(woZ);
     boolean drawsFirst = uLobe < share;
     Lobe chosen = drawsFirst ? first : second;
-    if (!chosen.draw(woX, woY, woZ, uLobe, u, v, result)) {
+    // What is left of the random number is uniform again.
+    double uRest = drawsFirst ? uLobe / share : Math.min(BELOW_ONE, (uLobe - share) / (1 - share));
+    if (!chosen.draw(woX, woY, woZ, uRest, u, v, result)) {
       result.absorb();
     } else if (chosen.isSpecular()) {
       result.setSpecular(result.wi(), result.weight().times(1 / (drawsFirst ? share : 1 - share)));

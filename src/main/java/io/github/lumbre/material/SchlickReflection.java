@@ -58,6 +58,16 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets, ThinFilm film) implemen
     return largest;
   }
 
+  /**
+   * Returns the mean reflectance of a facet under uniform radiance: F0 + (F90 - F0) / 21, or about
+   * the reflectance at the mean cosine, 2/3, if there is a film.
+   */
+  static Rgb meanFresnel(Rgb f0, double f90, ThinFilm film) {
+    return film.strength() > 0
+        ? fresnel(f0, f90, film, 2.0 / 3)
+        : f0.times(20.0 / 21).plus(Rgb.grey(f90 / 21));
+  }
+
   @Override
   public void evaluate(
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {

@@ -94,7 +94,7 @@ final class GgxAlbedoQuadrature {
   }
 
   /** Returns the azimuth in turns, at most 0.5, where b + a cos φ becomes 0. */
-  private static double lastAzimuth(double b, double a) {
+  static double lastAzimuth(double b, double a) {
     if (b >= a) {
       return .5;
     }

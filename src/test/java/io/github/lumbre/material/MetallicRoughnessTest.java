@@ -27,6 +27,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -44,6 +45,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Tests the metallic-roughness material against known values and BSDF invariants. */
 class MetallicRoughnessTest {
   private static final double[] BOTH_SIDES = {1, -1};
+
+  /** The error of 8000 lattice points in the mean weight of a rough look. */
+  private static final double LATTICE = 3e-3;
+
   private static final Rgb COLOR = new Rgb(.9, .5, .1);
 
   private final SplittableRandom random = new SplittableRandom(Effort.seed(61));
@@ -72,6 +77,11 @@ class MetallicRoughnessTest {
 
     Bsdf bsdf(Rgb color) {
       return builder(color).build().at(0, 0);
+    }
+
+    /** Returns whether a layer covers rough glass. */
+    boolean isCoveredGlass() {
+      return coat + sheen > 0 && roughness > 0 && (1 - metallic) * transmission > 0;
     }
 
     /** Returns whether a delta lobe refracts. */
@@ -104,27 +114,77 @@ class MetallicRoughnessTest {
 
   /**
    * In a uniform environment of radiance 1, a white surface returns at most that: what it scatters
-   * and what passes straight through. The lattice finds an excess of 0.003 in any of these looks.
+   * and what passes straight through. Where a few points of a lattice give more, many decide; they
+   * find an excess of 0.001 in any of these looks.
    */
   @Test
   void whiteFurnaceGainsNoEnergy() {
     for (Look look : looks(0, .1, .4, 1)) {
       MetallicRoughness material = look.builder(Rgb.WHITE).build();
-      Bsdf bsdf = material.at(0, 0);
       for (double cos : COSINES) {
         for (double side : BOTH_SIDES) {
           Vec3 wo = direction(side * cos);
-          double scattered = BsdfLaws.sampledAlbedo(bsdf, wo, Effort.count(4000, 100_000));
-          double straight = material.transmittance(seenFrom(wo)).max();
-          assertThat(scattered + straight)
+          double few = returned(material, wo, 4000);
+          assertThat(few <= 1.001 ? few : returned(material, wo, 200_000))
               .as("%s, cosine %s", look, side * cos)
-              .isLessThanOrEqualTo(1 + 3e-3);
+              .isLessThanOrEqualTo(1.001);
         }
       }
     }
   }
 
-  /** Only rough facets and layers lose light: that of multiple scattering. */
+  private static double returned(MetallicRoughness material, Vec3 wo, int points) {
+    return BsdfLaws.sampledAlbedo(material.at(0, 0), wo, points)
+        + material.transmittance(seenFrom(wo)).max();
+  }
+
+  /**
+   * Metal, thin glass and solid glass of any roughness and index, also below a clear coat, return
+   * all light to within 1 %.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {1.05, 1.33, 1.5, 2.4})
+  void roughWhiteSurfacesKeepTheirLight(double ior) {
+    for (double roughness : new double[] {.1, .3, .6, 1}) {
+      for (Look look :
+          List.of(
+              new Look(1, roughness, 0, 0, 0, true),
+              new Look(0, roughness, 1, 0, 0, true),
+              new Look(0, roughness, 1, 1, 0, true),
+              new Look(0, roughness, 1, 0, 0, false),
+              new Look(0, roughness, 1, 1, 0, false))) {
+        Bsdf bsdf = look.builder(Rgb.WHITE).set(IOR, ior).build().at(0, 0);
+        for (double cos : COSINES) {
+          for (double side : BOTH_SIDES) {
+            assertThat(BsdfLaws.sampledAlbedo(bsdf, direction(side * cos), 8000))
+                .as("%s, cosine %s", look, side * cos)
+                .isBetween(.99 - LATTICE, 1 + LATTICE);
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * Each reflection tints the light of a metal once more, so that rough metals are more colorful.
+   */
+  @Test
+  void roughMetalsAreMoreSaturated() {
+    Rgb once = SchlickReflection.meanFresnel(COLOR, 1, ThinFilm.NONE);
+    double last = once.b() / once.r();
+    for (double roughness : new double[] {.3, .6, 1}) {
+      Bsdf metal = new Look(1, roughness, 0, 0, 0, true).bsdf(COLOR);
+      Rgb sum = Rgb.BLACK;
+      for (int i = 0; i < 20_000; i++) {
+        Vec3 wo = direction(Math.sqrt((i + .5) / 20_000));
+        sum = sum.plus(metal.sample(wo, random.nextDouble(), BsdfLaws.point(random)).weight());
+      }
+      assertThat(sum.b() / sum.r()).as("%s", roughness).isLessThan(last);
+      last = sum.b() / sum.r();
+    }
+  }
+
+  /** Only layers lose light: each takes the minimum of two albedos. */
   @Test
   void smoothWhiteSurfacesKeepMostEnergy() {
     for (Look look : looks(0, .1)) {
@@ -141,10 +201,16 @@ class MetallicRoughnessTest {
     }
   }
 
-  /** Radiance divided by the squared index is invariant, as for rough glass. */
+  /**
+   * Radiance divided by the squared index is invariant, as for rough glass. A layer above rough
+   * glass keeps all light instead.
+   */
   @Test
   void scatteringIsReciprocalButForTheIndices() {
     for (Look look : looks(.1, .4, 1)) {
+      if (look.isCoveredGlass()) {
+        continue;
+      }
       Bsdf bsdf = look.bsdf(COLOR);
       double index = look.isThin() ? 1 : 1.5;
       for (int i = 0; i < 200; i++) {
@@ -255,7 +321,12 @@ class MetallicRoughnessTest {
     double facets = 1 / (Math.PI * Math.pow(.25, 2));
     assertThat(black.evaluate(Vec3.Z, Vec3.Z).f().g()).isCloseTo(.04 * facets / 4, within(1e-12));
     Bsdf metal = new Look(1, .5, 0, 0, 0, true).bsdf(COLOR);
-    assertThat(metal.evaluate(Vec3.Z, Vec3.Z).f().r()).isCloseTo(.9 * facets / 4, within(1e-12));
+    // What is reflected repeatedly adds to that.
+    Rgb mean = SchlickReflection.meanFresnel(COLOR, 1, ThinFilm.NONE);
+    double rest = MultipleScattering.reflected(mean, 1, .25).evaluate(Vec3.Z, Vec3.Z).f().r();
+    assertThat(rest).isBetween(.01, .02);
+    assertThat(metal.evaluate(Vec3.Z, Vec3.Z).f().r())
+        .isCloseTo(.9 * facets / 4 + rest, within(1e-12));
     Bsdf smooth = new Look(0, 0, 0, 0, 0, true).bsdf(Rgb.BLACK);
     assertThat(BsdfLaws.sampledAlbedo(smooth, Vec3.Z, 2000)).isCloseTo(.04, within(1e-4));
     Bsdf diamond = plastic.builder(Rgb.BLACK).set(IOR, 2.4).build().at(0, 0);
