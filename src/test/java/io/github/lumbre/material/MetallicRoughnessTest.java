@@ -46,8 +46,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class MetallicRoughnessTest {
   private static final double[] BOTH_SIDES = {1, -1};
 
-  /** The error of 8000 lattice points in the mean weight of a rough look. */
-  private static final double LATTICE = 3e-3;
+  /** The error of 4000 lattice points in the mean weight of a rough look. */
+  private static final double LATTICE = 4e-3;
 
   private static final Rgb COLOR = new Rgb(.9, .5, .1);
 
@@ -115,7 +115,7 @@ class MetallicRoughnessTest {
   /**
    * In a uniform environment of radiance 1, a white surface returns at most that: what it scatters
    * and what passes straight through. Where a few points of a lattice give more, many decide; they
-   * find an excess of 0.001 in any of these looks.
+   * find an excess of 0.002 in any of these looks.
    */
   @Test
   void whiteFurnaceGainsNoEnergy() {
@@ -125,9 +125,9 @@ class MetallicRoughnessTest {
         for (double side : BOTH_SIDES) {
           Vec3 wo = direction(side * cos);
           double few = returned(material, wo, 4000);
-          assertThat(few <= 1.001 ? few : returned(material, wo, 200_000))
+          assertThat(few <= 1.0015 ? few : returned(material, wo, 40_000))
               .as("%s, cosine %s", look, side * cos)
-              .isLessThanOrEqualTo(1.001);
+              .isLessThanOrEqualTo(1.0015);
         }
       }
     }
@@ -156,7 +156,7 @@ class MetallicRoughnessTest {
         Bsdf bsdf = look.builder(Rgb.WHITE).set(IOR, ior).build().at(0, 0);
         for (double cos : COSINES) {
           for (double side : BOTH_SIDES) {
-            assertThat(BsdfLaws.sampledAlbedo(bsdf, direction(side * cos), 8000))
+            assertThat(BsdfLaws.sampledAlbedo(bsdf, direction(side * cos), 4000))
                 .as("%s, cosine %s", look, side * cos)
                 .isBetween(.99 - LATTICE, 1 + LATTICE);
           }
