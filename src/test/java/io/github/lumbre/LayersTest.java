@@ -115,8 +115,8 @@ class LayersTest {
                   + " cli.output cli.run"),
           Map.entry(
               "cli.view",
-              "math image geometry path camera scene render parser checkpoint denoise stopping"
-                  + " preview lab cli.output cli.run"),
+              "math image outline geometry path camera scene render parser checkpoint denoise"
+                  + " stopping preview lab cli.output cli.run"),
           Map.entry(
               "cli",
               "math image drawing outline texture file scene model render parser checkpoint denoise"

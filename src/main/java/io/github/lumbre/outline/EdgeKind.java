@@ -73,9 +73,17 @@ final class EdgeKind {
    * zero for a triangle without an area.
    */
   private Vec3 across(int edge, int triangle, Vec3 along) {
+    if (isOnEdge(edge, edges.opposite(edge, triangle))) {
+      return Vec3.ZERO;
+    }
     Vec3 side = place(edges.opposite(edge, triangle)).minus(from(edge));
     Vec3 across = side.plus(-side.dot(along), along);
     return across.maxAbs() > 0 ? across.normalized() : Vec3.ZERO;
+  }
+
+  /** Returns whether a place is an end of an edge, as in slivers whose corners became one place. */
+  private boolean isOnEdge(int edge, int place) {
+    return place == edges.from(edge) || place == edges.to(edge);
   }
 
   /** Returns whether all triangles of an edge are on the same side of it in the picture. */
@@ -85,7 +93,8 @@ final class EdgeKind {
     boolean isLeft = false;
     boolean isRight = false;
     for (int i = 0; i < edges.triangles(edge); i++) {
-      double side = normal.dot(place(edges.opposite(edge, i)).minus(from));
+      int opposite = edges.opposite(edge, i);
+      double side = isOnEdge(edge, opposite) ? 0 : normal.dot(place(opposite).minus(from));
       isLeft |= side > 0;
       isRight |= side < 0;
     }

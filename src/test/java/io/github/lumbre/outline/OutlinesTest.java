@@ -190,6 +190,22 @@ class OutlinesTest {
     assertThat(length(strokes(scene, 500))).isCloseTo(expected, within(.5));
   }
 
+  /** A disk of sectors whose middle corners differ by rounding, with slivers between them. */
+  @Test
+  void sliversBetweenCornersOfOnePlaceAreNoLines() {
+    List<Vec3> corners = new ArrayList<>();
+    for (int i = 0; i < 12; i++) {
+      Vec3 middle = new Vec3(1e-9 * i, 0, 1e-9 * i * i);
+      Vec3 next = new Vec3(1e-9 * (i + 1), 0, 1e-9 * (i + 1) * (i + 1));
+      Vec3 one = new Vec3(Math.cos(i * Math.PI / 6), 0, Math.sin(i * Math.PI / 6));
+      Vec3 other =
+          new Vec3(Math.cos((i + 1) % 12 * Math.PI / 6), 0, Math.sin((i + 1) % 12 * Math.PI / 6));
+      corners.addAll(List.of(one, other, middle, middle, other, next));
+    }
+    Scene scene = scene(Lens.pinhole(50), Mesh.of(triangles(corners.toArray(Vec3[]::new))));
+    assertThat(strokes(scene, 300).count()).isEqualTo(12);
+  }
+
   @Test
   void linesEndWhereASurfaceInFrontBegins() {
     // A sheet between the eye and the cube, whose left border is a vertical line in the picture.

@@ -79,7 +79,13 @@ final class Drafts {
     double seconds = Math.max(1e-4, clock.seconds());
     Preview preview =
         new Preview(
-            film.develop(), List.of(), 1, film.totalSamples(), true, Optional.empty(), Map.of());
+            file.with(small).withLines(film.develop()),
+            List.of(),
+            1,
+            film.totalSamples(),
+            true,
+            Optional.empty(),
+            Map.of());
     session.show(job.generation(), preview, true, false);
     return width * (double) height * DRAFT_SECONDS / seconds;
   }

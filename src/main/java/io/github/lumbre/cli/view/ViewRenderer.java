@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.checkpoint.RecordedLayers;
+import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.preview.Preview;
 import io.github.lumbre.preview.PreviewListener;
@@ -83,6 +84,7 @@ public final class ViewRenderer implements Runnable {
   /** Passes previews of a generation to the session. */
   private final class Sink implements PreviewListener {
     private final ViewSession.Job job;
+    private final LineDrawing lines;
     private boolean isLast;
     private final long start = System.nanoTime();
     private boolean hasShown;
@@ -90,6 +92,7 @@ public final class ViewRenderer implements Runnable {
 
     Sink(ViewSession.Job job) {
       this.job = job;
+      lines = LineDrawing.of(job.file().scene(), job.file().settings());
     }
 
     @Override
@@ -129,7 +132,16 @@ public final class ViewRenderer implements Runnable {
     public void show(Preview preview) {
       session.viewers().served();
       hasShown = true;
-      session.show(job.generation(), preview, false, isLast);
+      Preview lined =
+          new Preview(
+              lines.onLight(job.file().scene(), preview.image()),
+              preview.layers(),
+              preview.samples(),
+              preview.totalSamples(),
+              preview.isEndOfPass(),
+              preview.noise(),
+              preview.metadata());
+      session.show(job.generation(), lined, false, isLast);
     }
   }
 
