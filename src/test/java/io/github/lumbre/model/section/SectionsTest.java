@@ -11,6 +11,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
@@ -210,7 +211,19 @@ class SectionsTest {
         .containsExactly(
             "lid: the part is not closed, or its triangles face different sides; its cut has no"
                 + " surface");
-    assertThat(model.parts().get(0).material().doubleSided()).isTrue();
+    // The hole is in the face x = 0, which this plane does not cut.
+    Model beside = cut(List.of(open), "x=1");
+    assertThat(caps(beside)).isEmpty();
+    assertThat(beside.warnings()).isEqualTo(model.warnings());
+  }
+
+  @Test
+  void cutMeshesAreVisibleFromBothSides() throws ModelFormatException {
+    ModelPart box = box("box", 0, 2);
+    ModelMaterial oneSided = ModelMaterial.builder("", "").build();
+    ModelPart part = box.with(box.node(), box.geometry(), oneSided);
+    assertThat(cut(List.of(part), "y=1").parts().get(0).material().doubleSided()).isTrue();
+    assertThat(cut(List.of(part), "y=3").parts().get(0).material().doubleSided()).isFalse();
   }
 
   @Test
