@@ -40,21 +40,38 @@ def glass(roughness=0, **more):
     return {"metallic": 0, "roughness": roughness, "transmission": 1, "attenuationDistance": 1e6, **more}
 
 
+def facets(roughness):
+    """Metal of the report, without the light that hits several facets."""
+    return {
+        "materialType": "CookTorrance",
+        "distribution": "ggx",
+        "color": {"r": 0, "g": 0, "b": 0},
+        "specularColor": WHITE,
+        "roughness": roughness**2,
+        "ior": 3.0504,
+    }
+
+
+def single_glass(roughness):
+    return {"materialType": "Refractive", "ior": 1.5, "roughness": roughness**2}
+
+
 def ink():
     color = {channel: float(np.exp(-value)) for channel, value in SIGMA.items()}
     return glass(attenuationDistance=1, attenuationColor=color)
 
 
 MATERIALS = [
-    *[("metal, roughness %g" % r, metal(r), BOTH) for r in (0.1, 0.3, 0.5, 0.75, 1)],
+    ("metal, roughness 0.1", metal(0.1), BOTH),
+    *[("metal, roughness %g" % r, metal(r), CYCLES) for r in (0.3, 0.5, 0.75, 1)],
     *[("diffuse, opacity %g" % o, matte(opacity=o), BOTH) for o in (0.25, 0.5, 0.75)],
     ("glass", glass(), BOTH),
     ("glass with an absorbing volume", ink(), BOTH),
-    ("rough glass, roughness 0.4", glass(0.4), BOTH),
-    ("rough glass, roughness 0.7", glass(0.7), BOTH),
+    ("rough glass, roughness 0.4", glass(0.4), CYCLES),
+    ("rough glass, roughness 0.7", glass(0.7), CYCLES),
     ("diffuse", matte(), BOTH),
-    ("metal, roughness 1, multiple scattering", metal(1, multipleScattering=True), CYCLES),
-    ("rough glass, roughness 0.7, multiple scattering", glass(0.7, multipleScattering=True), CYCLES),
+    ("metal, roughness 1, single scattering", facets(1), BOTH),
+    ("rough glass, roughness 0.7, single scattering", single_glass(0.7), BOTH),
     ("clear coat on metal, roughness 0.5", metal(0.5, clearcoat=1, clearcoatRoughness=0.1), NEITHER),
     ("sheen on black", matte(baseColor={"r": 0, "g": 0, "b": 0}, sheenColor=WHITE, sheenRoughness=0.5), NEITHER),
     (
@@ -157,6 +174,8 @@ def mitsuba(scene, folder, samples):
                 part["interior"] = {"type": "homogeneous", "albedo": 0.0, "sigma_t": rgb(SIGMA)}
 
         def material(self, asset):
+            if asset["materialType"] == "Refractive":
+                return self.glass(asset["ior"], asset["roughness"])
             if asset["materialType"] != "MetallicRoughness":
                 return super().material(asset)
             color = rgb(asset.get("baseColor", WHITE))
@@ -164,13 +183,16 @@ def mitsuba(scene, folder, samples):
             if asset["metallic"] == 1:
                 return {"type": "principled", "base_color": color, "metallic": 1.0, "roughness": roughness}
             if "transmission" in asset:
-                glass = {"int_ior": asset.get("ior", 1.5), "ext_ior": 1.0}
-                if roughness == 0:
-                    return {"type": "dielectric", **glass}
-                return {"type": "roughdielectric", "distribution": "ggx", "alpha": roughness**2, **glass}
+                return self.glass(asset.get("ior", 1.5), roughness**2)
             diffuse = {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": color}}
             opacity = asset.get("opacity", 1)
             return diffuse if opacity == 1 else {"type": "mask", "opacity": opacity, "bsdf": diffuse}
+
+        def glass(self, ior, alpha):
+            result = {"int_ior": ior, "ext_ior": 1.0}
+            if alpha == 0:
+                return {"type": "dielectric", **result}
+            return {"type": "roughdielectric", "distribution": "ggx", "alpha": alpha, **result}
 
     converter = Spheres(scene, folder)
     converter.add_all()
@@ -203,24 +225,37 @@ def cycles(scene, folder, samples):
             return material
 
         def bsdf(self, tree, asset):
-            if asset["materialType"] != "MetallicRoughness":
+            kind = asset["materialType"]
+            if kind == "CookTorrance":
+                result = tree.node("BsdfMetallic", fresnel_type="PHYSICAL_CONDUCTOR", distribution="GGX")
+                result.inputs["IOR"].default_value = [asset["ior"]] * 3
+                result.inputs["Extinction"].default_value = [0, 0, 0]
+                result.inputs["Roughness"].default_value = asset["roughness"] ** 0.5
+                return result
+            if kind == "Refractive":
+                return self.glass(tree, asset["ior"], asset["roughness"] ** 0.5, "GGX")
+            if kind != "MetallicRoughness":
                 return super().bsdf(tree, asset)
-            several = "MULTI_GGX" if asset.get("multipleScattering") else "GGX"
             color = [*[asset.get("baseColor", WHITE)[c] for c in "rgb"], 1]
             if asset["metallic"] == 1:
-                result = tree.node("BsdfMetallic", fresnel_type="F82", distribution=several)
+                result = tree.node("BsdfMetallic", fresnel_type="F82", distribution="MULTI_GGX")
                 result.inputs["Base Color"].default_value = color
                 result.inputs["Edge Tint"].default_value = [1, 1, 1, 1]
                 if "iridescence" in asset:
                     result.inputs["Thin Film Thickness"].default_value = asset["iridescenceThicknessMaximum"]
                     result.inputs["Thin Film IOR"].default_value = asset["iridescenceIor"]
             elif "transmission" in asset:
-                result = tree.node("BsdfGlass", distribution=several)
-                result.inputs["Color"].default_value = [1, 1, 1, 1]
-                result.inputs["IOR"].default_value = asset.get("ior", 1.5)
+                return self.glass(tree, asset.get("ior", 1.5), asset["roughness"], "MULTI_GGX")
             else:
                 return self.mixed(tree, asset, color)
             result.inputs["Roughness"].default_value = asset["roughness"]
+            return result
+
+        def glass(self, tree, ior, roughness, distribution):
+            result = tree.node("BsdfGlass", distribution=distribution)
+            result.inputs["Color"].default_value = [1, 1, 1, 1]
+            result.inputs["IOR"].default_value = ior
+            result.inputs["Roughness"].default_value = roughness
             return result
 
         def mixed(self, tree, asset, color):
