@@ -3,7 +3,7 @@
     python spheres.py [--samples N] [--folder FOLDER] [lumbre | mitsuba | cycles | table]...
 
 Without the name of a part, all are done, Mitsuba and Cycles each in a Python of its own. Each renders four pictures with
-other seeds. The table has the mean of each sphere's pixels in green, and relative differences with their standard errors.
+other seeds, of the spheres that it has an equal of, and Lumbre renders the same ones. The table has the mean of each sphere's pixels in green, and relative differences with their standard errors.
 A dash stands for a renderer that has no equal of the material.
 """
 
@@ -93,7 +93,8 @@ def place(position):
     return dict(zip("xyz", map(float, position), strict=True))
 
 
-def write_scene(path):
+def write_scene(path, renderer):
+    """Writes the spheres that a renderer has an equal of, so that all others see the same neighbors."""
     assets = [{"id": 1, "assetType": "Material", "name": "floor", "materialType": "Diffuse", "color": 0.5}]
     assets[0]["color"] = {"r": 0.5, "g": 0.5, "b": 0.5}
     lamp = {"type": "Light", "lightType": "Rectangle", "unit": "radiance", "intensity": 12, "width": 2, "height": 2}
@@ -110,7 +111,9 @@ def write_scene(path):
         lamp,
         {"id": 3, "type": "Shape", "shapeType": "Plane", "finite": True, "width": 200, "height": 200, "materialID": 1},
     ]
-    for i, (name, material, _) in enumerate(MATERIALS):
+    for i, (name, material, equals) in enumerate(MATERIALS):
+        if renderer not in (*equals, "lumbre"):
+            continue
         number = 10 + i
         kind = {"id": number, "assetType": "Material", "name": name, "materialType": "MetallicRoughness"}
         assets.append({**kind, **material})
@@ -147,14 +150,14 @@ def keep(folder, renderer, seed, values):
     np.asarray(values, "<f4").tofile(picture(folder, renderer, seed))
 
 
-def lumbre(scene, folder, samples):
+def lumbre(scene, folder, samples, other="lumbre"):
     for seed in range(SEEDS):
-        path = os.path.join(folder, "lumbre-%d.pfm" % seed)
+        path = os.path.join(folder, "%s-%d.pfm" % (other, seed))
         command = [os.path.join(HOME, "lumbre"), "render", scene, "-o", path, "--overwrite", "--no-denoise"]
         subprocess.run([*command, "--samples", str(samples), "--seed", str(seed)], check=True)
         with open(path, "rb") as file:
             values = np.frombuffer(file.read()[-12 * WIDTH * HEIGHT :], "<f4")
-        keep(folder, "lumbre", seed, values.reshape(HEIGHT, WIDTH, 3)[::-1])
+        keep(folder, "lumbre-" + other, seed, values.reshape(HEIGHT, WIDTH, 3)[::-1])
 
 
 def mitsuba(scene, folder, samples):
@@ -295,19 +298,21 @@ def means(folder, renderer, spheres):
 
 def table(folder):
     spheres = masks()
-    found = {renderer: means(folder, renderer, spheres) for renderer in ("lumbre", "mitsuba", "cycles")}
     print("| sphere | Lumbre | Lumbre / Mitsuba − 1 | Lumbre / Cycles − 1 |\n|---|--:|--:|--:|")
-    own = found["lumbre"]
+    own = means(folder, "lumbre-lumbre", spheres)
+    pairs = {
+        other: (means(folder, "lumbre-" + other, spheres), means(folder, other, spheres))
+        for other in ("mitsuba", "cycles")
+    }
     for i, (name, _, equals) in enumerate(MATERIALS):
         cells = []
-        for renderer in ("mitsuba", "cycles"):
-            other = found[renderer]
-            if other is None or renderer not in equals:
+        for other, pair in pairs.items():
+            if other not in equals or any(found is None for found in pair):
                 cells.append("–")
                 continue
-            ratio = own[:, i].mean() / other[:, i].mean() - 1
-            errors = [a[:, i].std(ddof=1) / a[:, i].mean() / SEEDS**0.5 for a in (own, other)]
-            cells.append("%.2f % % ± %.2f".replace("% %", "%%") % (100 * ratio, 100 * np.hypot(*errors)))
+            first, second = (found[:, i].mean() for found in pair)
+            errors = [found[:, i].std(ddof=1) / found[:, i].mean() / SEEDS**0.5 for found in pair]
+            cells.append("%.2f %% ± %.2f" % (100 * (first / second - 1), 100 * np.hypot(*errors)))
         print("| %s | %.4f | %s | %s |" % (name, own[:, i].mean(), *cells))
 
 
@@ -318,14 +323,18 @@ def main():
     parser.add_argument("parts", nargs="*")
     options = parser.parse_args()
     os.makedirs(options.folder, exist_ok=True)
-    scene = os.path.join(options.folder, "spheres.json")
-    write_scene(scene)
-    parts = {"lumbre": lumbre, "mitsuba": mitsuba, "cycles": cycles}
-    for part in options.parts or [*parts, "table"]:
+    scenes = {}
+    for renderer in ("lumbre", "mitsuba", "cycles"):
+        scenes[renderer] = os.path.join(options.folder, renderer + ".json")
+        write_scene(scenes[renderer], renderer)
+    for part in options.parts or ["lumbre", "mitsuba", "cycles", "table"]:
         if part == "table":
             table(options.folder)
-        elif options.parts or part == "lumbre":
-            parts[part](scene, options.folder, options.samples)
+        elif part == "lumbre":
+            for other, scene in scenes.items():
+                lumbre(scene, options.folder, options.samples, other)
+        elif options.parts:
+            {"mitsuba": mitsuba, "cycles": cycles}[part](scenes[part], options.folder, options.samples)
         else:
             command = [sys.executable, __file__, "--samples", str(options.samples), "--folder", options.folder]
             subprocess.run([*command, part], check=True)
