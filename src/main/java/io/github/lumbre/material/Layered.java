@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Tilted;
 import io.github.lumbre.math.Vec3;
 
 /**
@@ -23,9 +24,21 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
   }
 
   private double passed(double reflectedOut, double wiX, double wiY, double wiZ) {
-    return base.isTransmissive()
+    return isGlass(base)
         ? 1 - reflectedOut
         : Math.max(0, 1 - Math.max(reflectedOut, reflected.at(wiX, wiY, wiZ)));
+  }
+
+  /** Returns whether facets transmit light, not only a diffuse lobe. */
+  private static boolean isGlass(Bsdf base) {
+    if (base instanceof Layered layered) {
+      return isGlass(layered.base);
+    }
+    if (base instanceof Tilted tilted) {
+      return isGlass(tilted.bsdf());
+    }
+    // A mixture transmits only by diffuse transmission.
+    return base.isTransmissive() && !(base instanceof Mixture);
   }
 
   /** Returns the probability of sampling the layer. */
