@@ -83,6 +83,7 @@ public final class Lumbre implements Runnable {
             DevelopCommand.class,
             DenoiseCommand.class,
             ViewsCommand.class,
+            McpCommand.class,
             ImportCommand.class));
     SECTIONS.put(
         "Understand a scene",

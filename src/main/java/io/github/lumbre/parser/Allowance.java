@@ -5,6 +5,9 @@ import java.util.Optional;
 
 /** What is left of the limits while one scene is read. Mutable; confined to one thread. */
 final class Allowance {
+  private static final long BYTES_PER_TRIANGLE = 250;
+  private static final long BYTES_PER_TEXEL = 12;
+
   private final Limits limits;
   private long bytes;
   private long texels;
@@ -52,6 +55,11 @@ final class Allowance {
   /** Adds the triangles of a mesh, or the points of a cloud, that was read within {@link #left}. */
   void addTriangles(long more) {
     triangles += more;
+  }
+
+  /** Returns about how many bytes of memory the scene takes, with the files that it is made of. */
+  long memory() {
+    return bytes + BYTES_PER_TRIANGLE * triangles + BYTES_PER_TEXEL * texels;
   }
 
   /** Returns the limits for the next mesh or model. */

@@ -180,20 +180,26 @@ public final class SceneParser {
    */
   public SceneFile parse(String name, byte[] model, ModelFolder files, Stage stage)
       throws SceneFormatException, IOException {
+    Path file = inNoFolder(name);
+    return TimedReading.of(
+        limits(), problemsOf(file), () -> staged(file, model, files, stage).scene(this));
+  }
+
+  private static Path inNoFolder(String name) {
     Path here = Path.of("").toAbsolutePath();
     Path file = here.resolve(name).normalize();
     if (!here.equals(file.getParent())) {
       throw new IllegalArgumentException(
           "name: expected a name without folders, found " + PrintableText.quoted(name));
     }
+    return file;
+  }
+
+  private StagedModel staged(Path file, byte[] model, ModelFolder files, Stage stage)
+      throws SceneFormatException, IOException {
     Stage lenient = stage.reading(stage.options().lenient(true));
-    return TimedReading.of(
-        limits(),
-        problemsOf(file),
-        () ->
-            new StagedModel(
-                    lenient, stage.folderOf(file), file, model, Optional.of(files), limits())
-                .scene(this));
+    return new StagedModel(
+        lenient, stage.folderOf(file), file, model, Optional.of(files), limits());
   }
 
   /**
@@ -211,11 +217,22 @@ public final class SceneParser {
     return TimedReading.of(
         limits(),
         problemsOf(model),
-        () -> {
-          StagedModel staged = staged(model, stage.seenFrom(views.get(0)));
-          SceneFile first = staged.scene(this);
-          return new ModelViews(first, staged.seenFrom(views, first, this));
-        });
+        () -> new ModelViews(staged(model, stage.seenFrom(views.get(0))), views, this));
+  }
+
+  /**
+   * Builds the scenes around a model whose bytes are known for several views; see {@link
+   * #parse(Path, Stage, List)} and {@link #parse(String, byte[], ModelFolder, Stage)}.
+   */
+  public ModelViews parse(
+      String name, byte[] model, ModelFolder files, Stage stage, List<Stage.View> views)
+      throws SceneFormatException, IOException {
+    Path file = inNoFolder(name);
+    return TimedReading.of(
+        limits(),
+        problemsOf(file),
+        () ->
+            new ModelViews(staged(file, model, files, stage.seenFrom(views.get(0))), views, this));
   }
 
   private static Problems problemsOf(Path model) {

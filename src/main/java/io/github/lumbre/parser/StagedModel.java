@@ -143,7 +143,7 @@ final class StagedModel {
 
   /** Returns the scene. Call it once. */
   SceneFile scene(SceneParser parser) throws SceneFormatException {
-    StageCamera camera = camera(stage, parser);
+    StageCamera camera = camera(stage, parser.settings().frameAspect());
     RenderSettings inFile = settings(camera, parser);
     RenderSettings settings = parser.settings().changed(inFile, "size", problems);
     WrittenStage written = new WrittenStage(stage, camera, framing.min().y());
@@ -176,20 +176,29 @@ final class StagedModel {
         Optional.of(ModelContents.of(model, models.surfaces(), framing.min(), framing.max())));
   }
 
-  /** Returns a scene of this model as it is seen from each of some directions. */
-  List<Scene> seenFrom(List<View> views, SceneFile scene, SceneParser parser)
+  /**
+   * Returns a scene of this model as it is seen from each of some directions.
+   *
+   * @param frameAspect width over height of the frame into which the model is to fit
+   */
+  List<Scene> seenFrom(List<View> views, SceneFile scene, double frameAspect)
       throws SceneFormatException {
     List<Scene> scenes = new ArrayList<>();
     for (View view : views) {
-      StageCamera camera = camera(stage.seenFrom(view), parser);
+      StageCamera camera = camera(stage.seenFrom(view), frameAspect);
       scenes.add(scene.scene().seenBy(camera.placed(scene.settings().aspect())));
     }
     return scenes;
   }
 
-  private StageCamera camera(Stage of, SceneParser parser) throws SceneFormatException {
+  /** Returns about how many bytes of memory the model and its scene take. */
+  long memory() {
+    return data.allowance().memory();
+  }
+
+  private StageCamera camera(Stage of, double frameAspect) throws SceneFormatException {
     try {
-      return StageCamera.of(of, model, framing, parser.settings().frameAspect());
+      return StageCamera.of(of, model, framing, frameAspect);
     } catch (ModelFormatException e) {
       place.error(e);
       throw problems.exception();

@@ -1,0 +1,66 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.cli.mcp.Mcp;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre mcp}: renders models for other programs, such as agents that make them. */
+@Command(
+    name = "mcp",
+    header = "Render models for other programs, by the Model Context Protocol.",
+    description =
+        "Read messages of the Model Context Protocol from standard input and answer them on"
+            + " standard output, so that programs, such as language models that make parts, can see"
+            + " their models. A client starts the command; docs/mcp.md has its configuration.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    footer = {"", "Example:", "  lumbre mcp --root parts"},
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:The input has ended",
+      "2:The command line is invalid, or a folder does not exist",
+      "7:Internal error",
+      "129, 130, 143:Ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
+    })
+final class McpCommand implements Callable<Integer> {
+  @Option(
+      names = "--root",
+      paramLabel = "DIR",
+      description = "Folder from which models may be read; repeatable (none).")
+  private List<Path> roots = List.of();
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws TaskException {
+    for (Path root : roots) {
+      if (!Files.isDirectory(root)) {
+        throw new ParameterException(
+            spec.commandLine(), "--root: expected a folder, found none at " + root);
+      }
+    }
+    try {
+      Mcp.serve(
+          roots, new FileInputStream(FileDescriptor.in), new FileOutputStream(FileDescriptor.out));
+      return ExitCodes.OK;
+    } catch (IOException e) {
+      throw new TaskException(Kind.USAGE, "standard input: " + FileFailure.reason(e), e);
+    }
+  }
+}

@@ -1,0 +1,54 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.json.JsonValue;
+import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.text.Spelling;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The arguments of a call, checked by the declarations of a tool. Immutable. */
+final class Arguments {
+  private final Map<Input<?>, Object> values = new LinkedHashMap<>();
+
+  /**
+   * @param given by their names
+   * @throws ToolException that names the first argument that is wrong, missing or unknown
+   */
+  Arguments(List<Input<?>> inputs, Map<String, JsonValue> given) throws ToolException {
+    List<String> names = inputs.stream().map(Input::name).toList();
+    for (String name : given.keySet()) {
+      if (!names.contains(name)) {
+        throw new ToolException(
+            PrintableText.quoted(name)
+                + ": expected one of the arguments "
+                + String.join(", ", names)
+                + Spelling.suggestion(name, names));
+      }
+    }
+    for (Input<?> input : inputs) {
+      values.put(input, value(input, Optional.ofNullable(given.get(input.name()))));
+    }
+  }
+
+  private static Object value(Input<?> input, Optional<JsonValue> given) throws ToolException {
+    if (given.isEmpty() && input.missing().isPresent()) {
+      return input.missing().get();
+    }
+    if (given.isEmpty()) {
+      throw new ToolException(input.expected() + ", found none");
+    }
+    Optional<?> value = input.reader().read(given.get());
+    if (value.isEmpty()) {
+      throw new ToolException(input.expected() + ", found " + given.get().found());
+    }
+    return value.get();
+  }
+
+  /** Returns the value of an argument of the tool. */
+  @SuppressWarnings("unchecked") // The constructor puts values of this type.
+  <T> T get(Input<T> input) {
+    return (T) values.get(input);
+  }
+}

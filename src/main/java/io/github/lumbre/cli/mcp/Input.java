@@ -1,0 +1,124 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.json.JsonValue;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * An argument of tools, declared once: its schema and the check of its value.
+ *
+ * @param schema in JSON Schema 2020-12
+ * @param reader turns JSON into a value
+ * @param missing the value of a missing argument; empty if the argument is required
+ */
+record Input<T>(String name, Map<String, Object> schema, Reader<T> reader, Optional<T> missing) {
+  private static final int MOST_TEXT = 4096;
+  private static final int MOST_ELEMENTS = 64;
+
+  /** Turns JSON into a value. */
+  @FunctionalInterface
+  interface Reader<T> {
+    /** Returns the value; empty if it is none of the kind that is expected. */
+    Optional<T> read(JsonValue value);
+  }
+
+  /** Returns a text that must be given. */
+  static Input<String> requiredText(String name, String description) {
+    return new Input<>(name, schema("string", description), Input::text, Optional.empty());
+  }
+
+  /** Returns a text that may be missing. */
+  static Input<Optional<String>> text(String name, String description) {
+    return new Input<>(
+        name,
+        schema("string", description),
+        value -> text(value).map(Optional::of),
+        Optional.of(Optional.empty()));
+  }
+
+  /** Returns a list of texts, which is empty if it is missing. */
+  static Input<List<String>> texts(String name, String description) {
+    Map<String, Object> schema = schema("array", description);
+    schema.put("items", Map.of("type", "string"));
+    schema.put("maxItems", MOST_ELEMENTS);
+    return new Input<>(name, schema, Input::texts, Optional.of(List.of()));
+  }
+
+  /** Returns an integer. */
+  static Input<Integer> integer(String name, int least, int most, int missing, String description) {
+    return new Input<>(
+        name,
+        bounds(schema("integer", description), least, most, missing),
+        value -> value.exactLong().filter(n -> n >= least && n <= most).map(n -> (int) (long) n),
+        Optional.of(missing));
+  }
+
+  /** Returns an integer that must be given. */
+  static Input<Integer> requiredInteger(String name, int least, int most, String description) {
+    Input<Integer> input = integer(name, least, most, least, description);
+    input.schema.remove("default");
+    return new Input<>(name, input.schema, input.reader, Optional.empty());
+  }
+
+  /** Returns a flag, which is false if it is missing. */
+  static Input<Boolean> flag(String name, String description) {
+    Map<String, Object> schema = schema("boolean", description);
+    schema.put("default", false);
+    return new Input<>(
+        name,
+        schema,
+        value -> value.isFlag() ? Optional.of(value.flag()) : Optional.empty(),
+        Optional.of(false));
+  }
+
+  private static Map<String, Object> schema(String type, String description) {
+    Map<String, Object> schema = new LinkedHashMap<>();
+    schema.put("type", type);
+    schema.put("description", description);
+    return schema;
+  }
+
+  private static Map<String, Object> bounds(
+      Map<String, Object> schema, int least, int most, int missing) {
+    schema.put("minimum", least);
+    schema.put("maximum", most);
+    schema.put("default", missing);
+    return schema;
+  }
+
+  private static Optional<String> text(JsonValue value) {
+    return value.isString() && value.text().length() <= MOST_TEXT
+        ? Optional.of(value.text())
+        : Optional.empty();
+  }
+
+  private static Optional<List<String>> texts(JsonValue value) {
+    if (!value.isArray() || value.elements().size() > MOST_ELEMENTS) {
+      return Optional.empty();
+    }
+    List<String> texts = new ArrayList<>();
+    for (JsonValue element : value.elements()) {
+      text(element).ifPresent(texts::add);
+    }
+    return texts.size() == value.elements().size() ? Optional.of(texts) : Optional.empty();
+  }
+
+  boolean isRequired() {
+    return missing.isEmpty();
+  }
+
+  /** Returns what is expected, for messages. */
+  String expected() {
+    String kind =
+        switch ((String) schema.get("type")) {
+          case "string" -> "a string of at most " + MOST_TEXT + " characters";
+          case "array" -> "an array of at most " + MOST_ELEMENTS + " strings";
+          case "boolean" -> "true or false";
+          default -> "an integer from " + schema.get("minimum") + " to " + schema.get("maximum");
+        };
+    return name + ": expected " + kind;
+  }
+}

@@ -1,0 +1,24 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.limit.Limits;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The tools for models as a server. Stateless. */
+public final class Mcp {
+  private Mcp() {}
+
+  /**
+   * Serves one client until its messages end.
+   *
+   * @param roots folders that exist; calls may read files in them and below
+   * @throws IOException if the messages or a folder cannot be read
+   */
+  public static void serve(List<Path> roots, InputStream in, OutputStream out) throws IOException {
+    Studio studio = new Studio(new Roots(roots), Limits.UPLOADS);
+    new McpServer(in, new Answers(out), List.of(new RenderTool(studio))).serve();
+  }
+}

@@ -1,0 +1,82 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.parser.SceneFile;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Renders a model from one direction. */
+final class RenderTool implements Tool {
+  private static final int MOST_PIXELS = 1024;
+  private static final int MOST_SAMPLES = 64;
+
+  private static final Input<Optional<String>> VIEW =
+      Input.text(
+          "view",
+          "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
+              + " 30,20 (the default).");
+
+  private static final Input<Integer> WIDTH =
+      Input.integer("width", 16, MOST_PIXELS, 512, "Width of the picture in pixels.");
+
+  private static final Input<Integer> HEIGHT =
+      Input.integer("height", 16, MOST_PIXELS, 384, "Height of the picture in pixels.");
+
+  private static final Input<Integer> SAMPLES =
+      Input.integer(
+          "samples",
+          1,
+          MOST_SAMPLES,
+          Denoising.MODEL_SAMPLES,
+          "Samples per pixel: more are cleaner, and take longer.");
+
+  private final Studio studio;
+
+  RenderTool(Studio studio) {
+    this.studio = studio;
+  }
+
+  @Override
+  public String name() {
+    return "render";
+  }
+
+  @Override
+  public String title() {
+    return "Render a model";
+  }
+
+  @Override
+  public String description() {
+    return "Renders a 3D model from one direction, as a clean PNG picture.";
+  }
+
+  @Override
+  public List<Input<?>> inputs() {
+    return List.of(ModelInputs.MODEL, VIEW, WIDTH, HEIGHT, SAMPLES, ModelInputs.Z_UP);
+  }
+
+  @Override
+  public Outcome call(Arguments arguments, CallProgress progress)
+      throws ToolException, InterruptedException {
+    int width = arguments.get(WIDTH);
+    int height = arguments.get(HEIGHT);
+    int samples = arguments.get(SAMPLES);
+    String view = arguments.get(VIEW).orElse("30,20");
+    Studio.Staged model =
+        studio.model(arguments.get(ModelInputs.MODEL), ModelInputs.stage(arguments));
+    SceneFile file = model.seenFrom(ModelInputs.view(view), width, height);
+    progress.expect((long) width * height * samples);
+    Image picture = studio.picture(file, samples, progress);
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("model", model.file().toString());
+    values.put("view", view);
+    values.put("warnings", ModelInputs.warnings(file));
+    return new Outcome(
+        List.of(ImageFormat.PNG.bytes(picture, file.settings().development())), values);
+  }
+}

@@ -1,0 +1,159 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.cli.output.ProblemText;
+import io.github.lumbre.denoise.BuiltInDenoiser;
+import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.Models;
+import io.github.lumbre.parser.ModelViews;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassLoop;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads and renders the models of calls, and keeps the last ones. Thread-safe. */
+final class Studio {
+  /** The models that are kept take at most one part in so many of the heap. */
+  private static final int KEPT_PART = 4;
+
+  private final Roots roots;
+  private final Limits limits;
+  private final ModelCache<Staged> kept =
+      new ModelCache<>(Runtime.getRuntime().maxMemory() / KEPT_PART);
+
+  Studio(Roots roots, Limits limits) {
+    this.roots = roots;
+    this.limits = limits;
+  }
+
+  /** What scenes are made of. */
+  private record Key(Path file, String hash, Stage stage) {}
+
+  /** A model on its stage, which is read once for all pictures of it. Thread-safe. */
+  static final class Staged {
+    private final Path file;
+    private final ModelViews views;
+    private final SeenFiles others;
+
+    private Staged(Path file, ModelViews views, SeenFiles others) {
+      this.file = file;
+      this.views = views;
+      this.others = others;
+    }
+
+    Path file() {
+      return file;
+    }
+
+    /** Returns the scene of the view with which it was read. */
+    SceneFile first() {
+      return views.first();
+    }
+
+    /** Returns the scene from a direction, for a picture of a size in pixels. */
+    synchronized SceneFile seenFrom(View view, int width, int height) throws ToolException {
+      try {
+        return views.seenFrom(view, width, height);
+      } catch (SceneFormatException e) {
+        throw new ToolException(String.join("\n", ProblemText.of(e)), e);
+      }
+    }
+  }
+
+  /**
+   * Returns a model.
+   *
+   * @param name path of its file, as the client gives it
+   * @param stage its camera and view do not count
+   * @throws InterruptedException if the call is cancelled
+   */
+  Staged model(String name, Stage stage) throws ToolException, InterruptedException {
+    Path file = roots.file(name);
+    if (!Models.isModelName(file.getFileName().toString())) {
+      throw new ToolException(PrintableText.quoted(name) + ": expected a model: " + Models.NAMES);
+    }
+    try {
+      byte[] content = content(file);
+      Stage seen = stage.seenFrom(View.DEFAULT);
+      Key key = new Key(file, Sha256.of(content), seen);
+      ModelFolder folder = Roots.folderOf(file, limits.bytes());
+      Optional<Staged> known = kept.get(key);
+      if (known.isPresent() && known.get().others.areSame(folder)) {
+        return known.get();
+      }
+      Staged staged = read(file, content, new SeenFiles(folder), seen);
+      kept.put(key, staged, staged.views.memory());
+      return staged;
+    } catch (ClosedByInterruptException | InterruptedIOException e) {
+      throw interrupted(e);
+    } catch (IOException e) {
+      String reason = FileFailure.reason(e);
+      throw new ToolException(PrintableText.quoted(name) + ": cannot be read: " + reason, e);
+    }
+  }
+
+  private static InterruptedException interrupted(Exception e) {
+    InterruptedException interrupted = new InterruptedException(e.getMessage());
+    interrupted.initCause(e);
+    return interrupted;
+  }
+
+  private byte[] content(Path file) throws IOException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return limits.bytesOf(in);
+    }
+  }
+
+  private Staged read(Path file, byte[] content, SeenFiles others, Stage stage)
+      throws ToolException, IOException {
+    SceneParser parser = new SceneParser().limitedTo(limits);
+    try {
+      String name = file.getFileName().toString();
+      ModelViews views = parser.parse(name, content, others, stage, List.of(View.DEFAULT));
+      return new Staged(file, views, others);
+    } catch (SceneFormatException e) {
+      throw new ToolException(String.join("\n", ProblemText.of(e)), e);
+    }
+  }
+
+  /**
+   * Returns a denoised picture.
+   *
+   * @param samples per pixel
+   * @throws InterruptedException if the call is cancelled
+   */
+  Image picture(SceneFile file, int samples, CallProgress progress) throws InterruptedException {
+    RenderSettings settings =
+        file.settings().toBuilder()
+            .samples(samples)
+            .set(Setting.LAYERS, Layer.FOR_DENOISING)
+            .build();
+    FilmRenderer renderer = new FilmRenderer(settings, file.scene());
+    Film film = renderer.newFilm();
+    if (!new PassLoop(renderer, film).run(progress).complete()) {
+      throw new InterruptedException("cancelled");
+    }
+    int threads = Runtime.getRuntime().availableProcessors();
+    return BuiltInDenoiser.denoise(NoisyPicture.of(film), threads).image();
+  }
+}
