@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
  */
 final class Calls implements AutoCloseable {
   /** The calls that run at once: each may use all processors, and a slow one holds up none. */
-  private static final int RUNNING = 4;
+  static final int RUNNING = 4;
 
   /** The calls that may wait. */
   static final int WAITING = 64;
