@@ -118,10 +118,14 @@ class LayersTest {
               "math image outline geometry path camera scene render parser checkpoint denoise"
                   + " stopping preview lab cli.output cli.run"),
           Map.entry(
+              "cli.mcp",
+              "math image text limit json scene model render parser denoise compare file lab"
+                  + " cli.output"),
+          Map.entry(
               "cli",
               "math image drawing outline texture file scene model render parser checkpoint denoise"
                   + " audit compare lab lab.perf lab.report lab.checks lab.trade cli.output cli.run"
-                  + " cli.option cli.view"));
+                  + " cli.option cli.view cli.mcp"));
 
   /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =
@@ -135,6 +139,7 @@ class LayersTest {
           Map.entry("lab.trade", List.of("com.google.gson..")),
           Map.entry("cli.output", List.of("com.google.gson..", "picocli..")),
           Map.entry("cli.option", List.of("picocli..")),
+          Map.entry("cli.mcp", List.of("com.google.gson..")),
           Map.entry("cli.view", List.of("com.google.gson..", "com.sun.net.httpserver..")),
           Map.entry("cli", List.of("com.google.gson..", "picocli..")));
 

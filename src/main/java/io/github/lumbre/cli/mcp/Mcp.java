@@ -18,7 +18,16 @@ public final class Mcp {
    * @throws IOException if the messages or a folder cannot be read
    */
   public static void serve(List<Path> roots, InputStream in, OutputStream out) throws IOException {
-    Studio studio = new Studio(new Roots(roots), Limits.UPLOADS);
-    new McpServer(in, new Answers(out), List.of(new RenderTool(studio))).serve();
+    Roots confined = new Roots(roots);
+    Limits limits = Limits.UPLOADS;
+    Studio studio = new Studio(confined, limits);
+    List<Tool> tools =
+        List.of(
+            new ViewsTool(studio),
+            new RenderTool(studio),
+            new DescribeTool(studio),
+            new PixelTool(studio),
+            new CompareTool(confined, limits));
+    new McpServer(in, new Answers(out), tools).serve();
   }
 }

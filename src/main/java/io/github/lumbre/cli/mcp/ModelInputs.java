@@ -20,8 +20,13 @@ final class ModelInputs {
 
   private ModelInputs() {}
 
-  /** Returns the stage on which a model is shown. */
-  static Stage stage(Arguments arguments) {
+  /** Returns the model that the arguments name. */
+  static Studio.Staged model(Studio studio, Arguments arguments)
+      throws ToolException, InterruptedException {
+    return studio.model(arguments.get(MODEL), stage(arguments));
+  }
+
+  private static Stage stage(Arguments arguments) {
     Up up = arguments.get(Z_UP) ? Up.Z : Up.Y;
     return Stage.DEFAULT.reading(new ModelOptions(Optional.empty(), Optional.empty(), up, 1));
   }

@@ -11,22 +11,23 @@ import java.util.Optional;
 
 /** Renders a model from one direction. */
 final class RenderTool implements Tool {
-  private static final int MOST_PIXELS = 1024;
+  static final int MOST_PIXELS = 1024;
   private static final int MOST_SAMPLES = 64;
+  private static final String DEFAULT_VIEW = "30,20";
 
-  private static final Input<Optional<String>> VIEW =
+  static final Input<Optional<String>> VIEW =
       Input.text(
           "view",
           "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
               + " 30,20 (the default).");
 
-  private static final Input<Integer> WIDTH =
+  static final Input<Integer> WIDTH =
       Input.integer("width", 16, MOST_PIXELS, 512, "Width of the picture in pixels.");
 
-  private static final Input<Integer> HEIGHT =
+  static final Input<Integer> HEIGHT =
       Input.integer("height", 16, MOST_PIXELS, 384, "Height of the picture in pixels.");
 
-  private static final Input<Integer> SAMPLES =
+  static final Input<Integer> SAMPLES =
       Input.integer(
           "samples",
           1,
@@ -63,20 +64,25 @@ final class RenderTool implements Tool {
   @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
-    int width = arguments.get(WIDTH);
-    int height = arguments.get(HEIGHT);
-    int samples = arguments.get(SAMPLES);
-    String view = arguments.get(VIEW).orElse("30,20");
-    Studio.Staged model =
-        studio.model(arguments.get(ModelInputs.MODEL), ModelInputs.stage(arguments));
-    SceneFile file = model.seenFrom(ModelInputs.view(view), width, height);
-    progress.expect((long) width * height * samples);
-    Image picture = studio.picture(file, samples, progress);
+    SceneFile file = scene(studio, arguments);
+    progress.expect(file.settings().window().pixels() * file.settings().samples());
+    Image picture = studio.picture(file, progress);
     Map<String, Object> values = new LinkedHashMap<>();
-    values.put("model", model.file().toString());
-    values.put("view", view);
+    values.put("view", arguments.get(VIEW).orElse(DEFAULT_VIEW));
     values.put("warnings", ModelInputs.warnings(file));
     return new Outcome(
         List.of(ImageFormat.PNG.bytes(picture, file.settings().development())), values);
+  }
+
+  /** Returns the scene that the arguments {@link #inputs} ask for. */
+  static SceneFile scene(Studio studio, Arguments arguments)
+      throws ToolException, InterruptedException {
+    String view = arguments.get(VIEW).orElse(DEFAULT_VIEW);
+    return ModelInputs.model(studio, arguments)
+        .seenFrom(
+            ModelInputs.view(view),
+            arguments.get(WIDTH),
+            arguments.get(HEIGHT),
+            arguments.get(SAMPLES));
   }
 }

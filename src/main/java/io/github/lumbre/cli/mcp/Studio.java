@@ -70,10 +70,16 @@ final class Studio {
       return views.first();
     }
 
-    /** Returns the scene from a direction, for a picture of a size in pixels. */
-    synchronized SceneFile seenFrom(View view, int width, int height) throws ToolException {
+    /**
+     * Returns the scene from a direction, for a picture of a size in pixels.
+     *
+     * @param samples per pixel
+     */
+    synchronized SceneFile seenFrom(View view, int width, int height, int samples)
+        throws ToolException {
       try {
-        return views.seenFrom(view, width, height);
+        SceneFile seen = views.seenFrom(view, width, height);
+        return seen.with(seen.settings().toBuilder().samples(samples).build());
       } catch (SceneFormatException e) {
         throw new ToolException(String.join("\n", ProblemText.of(e)), e);
       }
@@ -139,15 +145,11 @@ final class Studio {
   /**
    * Returns a denoised picture.
    *
-   * @param samples per pixel
    * @throws InterruptedException if the call is cancelled
    */
-  Image picture(SceneFile file, int samples, CallProgress progress) throws InterruptedException {
+  Image picture(SceneFile file, CallProgress progress) throws InterruptedException {
     RenderSettings settings =
-        file.settings().toBuilder()
-            .samples(samples)
-            .set(Setting.LAYERS, Layer.FOR_DENOISING)
-            .build();
+        file.settings().toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build();
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
     Film film = renderer.newFilm();
     if (!new PassLoop(renderer, film).run(progress).complete()) {

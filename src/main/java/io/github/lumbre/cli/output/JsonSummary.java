@@ -19,6 +19,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -92,6 +93,11 @@ public final class JsonSummary {
   public void print(Messages out) {
     values.replaceAll((key, value) -> value instanceof Supplier<?> late ? late.get() : value);
     out.line(new GsonBuilder().disableHtmlEscaping().create().toJson(values));
+  }
+
+  /** Returns the values by their keys. */
+  public Map<String, Object> values() {
+    return Collections.unmodifiableMap(values);
   }
 
   public void put(String key, Object value) {

@@ -44,6 +44,11 @@ public final class PixelJson {
    * Returns the statistics of all samples, and the rejected and brightest samples with their paths.
    */
   public static String text(PixelReport report, PixelReplay.Pixel pixel) {
+    return GSON.toJson(values(report, pixel));
+  }
+
+  /** Returns the values of {@link #text(PixelReport, PixelReplay.Pixel)} by their keys. */
+  public static Map<String, Object> values(PixelReport report, PixelReplay.Pixel pixel) {
     PixelJson json = new PixelJson(report);
     Map<String, Object> values = head(report);
     values.put("samples", pixel.samples());
@@ -53,7 +58,7 @@ public final class PixelJson {
     values.put("rejected", pixel.rejected());
     values.put("first_rejected", pixel.firstRejected().stream().map(json::sample).toList());
     values.put("brightest", pixel.brightest().stream().map(json::sample).toList());
-    return GSON.toJson(values);
+    return values;
   }
 
   private static Map<String, Object> seen(PixelReport.Seen seen) {

@@ -1,0 +1,95 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.compare.internal.ErrorMap;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Measures how much two pictures differ. */
+final class CompareTool implements Tool {
+  private static final Input<String> PICTURE =
+      Input.requiredText("picture", "Path of a PNG, JPEG, EXR, HDR, PFM or other picture.");
+
+  private static final Input<String> REFERENCE =
+      Input.requiredText("reference", "Path of a picture of the same size.");
+
+  private final Roots roots;
+  private final Limits limits;
+
+  CompareTool(Roots roots, Limits limits) {
+    this.roots = roots;
+    this.limits = limits;
+  }
+
+  @Override
+  public String name() {
+    return "compare";
+  }
+
+  @Override
+  public String title() {
+    return "Compare two pictures";
+  }
+
+  @Override
+  public String description() {
+    return "Measures how much a picture differs from another one of the same size: flip (0: same,"
+        + " 1: largest visible difference), ssim (1: same), rmse and others in linear light,"
+        + " and a PNG map of each pixel's relative error: black up to 0.001, purple 0.01,"
+        + " orange 0.1, pale yellow from 1.";
+  }
+
+  @Override
+  public List<Input<?>> inputs() {
+    return List.of(PICTURE, REFERENCE);
+  }
+
+  @Override
+  public Outcome call(Arguments arguments, CallProgress progress) throws ToolException {
+    Image picture = read(arguments.get(PICTURE));
+    Image reference = read(arguments.get(REFERENCE));
+    if (picture.width() != reference.width() || picture.height() != reference.height()) {
+      throw new ToolException(
+          "picture, reference: expected the same size, found %dx%d and %dx%d"
+              .formatted(picture.width(), picture.height(), reference.width(), reference.height()));
+    }
+    Map<String, Object> values = new LinkedHashMap<>(PictureError.of(picture, reference).byName());
+    byte[] map =
+        ImageFormat.PNG.bytes(ErrorMap.of(picture, reference), ImageWriter.Options.DEFAULT);
+    return new Outcome(List.of(map), values);
+  }
+
+  private Image read(String name) throws ToolException {
+    Path file = roots.file(name);
+    String shown = PrintableText.quoted(name);
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] content = limits.bytesOf(in);
+      if (content.length > limits.bytes()) {
+        throw new ToolException(shown + ": expected at most " + limits.bytes() + " bytes");
+      }
+      Image light = ImageFormat.read(content, limits.pixels()).light();
+      for (float value : light.rgb()) {
+        if (!Float.isFinite(value)) {
+          throw new ToolException(shown + ": expected finite values, found NaN or infinite ones");
+        }
+      }
+      return light;
+    } catch (ImageFormatException e) {
+      throw new ToolException(shown + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new ToolException(shown + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+}

@@ -1,0 +1,47 @@
+package io.github.lumbre.cli.mcp;
+
+import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.parser.internal.ParsedScene;
+import java.util.List;
+
+/** Lists what a model has, without rendering it. */
+final class DescribeTool implements Tool {
+  private final Studio studio;
+
+  DescribeTool(Studio studio) {
+    this.studio = studio;
+  }
+
+  @Override
+  public String name() {
+    return "describe";
+  }
+
+  @Override
+  public String title() {
+    return "Describe a model";
+  }
+
+  @Override
+  public String description() {
+    return "Returns the bounds, parts, triangles, materials, cameras and animations of a 3D model,"
+        + " and warnings about what a picture would lack, without rendering it.";
+  }
+
+  @Override
+  public List<Input<?>> inputs() {
+    return List.of(ModelInputs.MODEL, ModelInputs.Z_UP);
+  }
+
+  @Override
+  public Outcome call(Arguments arguments, CallProgress progress)
+      throws ToolException, InterruptedException {
+    Studio.Staged model = ModelInputs.model(studio, arguments);
+    ParsedScene scene = ParsedScene.of(model.first());
+    JsonSummary summary = new JsonSummary(name(), "model", model.file());
+    summary.putContents(scene.contents());
+    scene.model().ifPresent(summary::putModel);
+    summary.put("warnings", ModelInputs.warnings(scene));
+    return new Outcome(List.of(), summary.values());
+  }
+}
