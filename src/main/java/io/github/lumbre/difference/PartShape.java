@@ -1,0 +1,127 @@
+package io.github.lumbre.difference;
+
+import io.github.lumbre.geometry.internal.PositionIndex;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Vec3;
+import java.util.Set;
+
+/**
+ * A part of a model: its surface in the model's world space, and what identifies it. Immutable.
+ *
+ * @param name unique in its model
+ * @param isNamed whether the file states the name, so that it means the same part in another file
+ * @param vertices its distinct vertices, three coordinates each; points of clouds count as vertices
+ * @param triangles their number
+ * @param area of the surface
+ * @param edges sum of the lengths of all sides of triangles
+ * @param centroid of the surface; of the vertices, if it has no area
+ * @param spread root mean square distance of the surface from its centroid
+ * @param bounds of the vertices
+ * @param materials that the surface has
+ */
+record PartShape(
+    String name,
+    boolean isNamed,
+    double[] vertices,
+    int triangles,
+    double area,
+    double edges,
+    Vec3 centroid,
+    double spread,
+    Bounds3 bounds,
+    Set<Object> materials) {
+  /** Sums up the surface of a part. Mutable. */
+  static final class Builder {
+    private final PositionIndex index = new PositionIndex();
+    private final Vec3 middle;
+    private int triangles;
+    private double area;
+    private double edges;
+    private Vec3 moment = Vec3.ZERO;
+    private double squares;
+    private Vec3 sum = Vec3.ZERO;
+    private Bounds3 bounds = Bounds3.EMPTY;
+    private int points;
+
+    /**
+     * @param middle a point near the part, so that sums stay exact
+     */
+    Builder(Vec3 middle) {
+      this.middle = middle;
+    }
+
+    private void addVertex(Vec3 p) {
+      index.number(p.x(), p.y(), p.z());
+      bounds = bounds.union(p);
+      sum = sum.plus(p.minus(middle));
+      points++;
+    }
+
+    Builder point(Vec3 p) {
+      addVertex(p);
+      return this;
+    }
+
+    Builder triangle(Vec3 p, Vec3 q, Vec3 r) {
+      addVertex(p);
+      addVertex(q);
+      addVertex(r);
+      Vec3 a = p.minus(middle);
+      Vec3 b = q.minus(middle);
+      Vec3 c = r.minus(middle);
+      double size = .5 * b.minus(a).cross(c.minus(a)).length();
+      triangles++;
+      area += size;
+      edges += b.minus(a).length() + c.minus(b).length() + a.minus(c).length();
+      Vec3 corners = a.plus(b).plus(c);
+      moment = moment.plus(corners.times(size / 3));
+      // The mean square of a triangle: the squares of its corners, and of their sum, by 12.
+      double mean = (a.dot(a) + b.dot(b) + c.dot(c) + corners.dot(corners)) / 12;
+      squares += size * mean;
+      return this;
+    }
+
+    PartShape build(String name, boolean isNamed, Set<Object> materials) {
+      Vec3 centre = area > 0 ? moment.times(1 / area) : sum.times(1. / Math.max(1, points));
+      double variance = area > 0 ? squares / area - centre.dot(centre) : 0;
+      return new PartShape(
+          name,
+          isNamed,
+          index.positions(),
+          triangles,
+          area,
+          edges,
+          middle.plus(centre),
+          Math.sqrt(Math.max(0, variance)),
+          bounds,
+          Set.copyOf(materials));
+    }
+  }
+
+  private Vec3 vertex(int number) {
+    return new Vec3(vertices[3 * number], vertices[3 * number + 1], vertices[3 * number + 2]);
+  }
+
+  int vertexCount() {
+    return vertices.length / 3;
+  }
+
+  /** Returns a vertex as an offset from the centroid. */
+  Vec3 offset(int number) {
+    return vertex(number).minus(centroid);
+  }
+
+  /**
+   * Returns whether another surface may be this one after a motion: numbers that no motion changes
+   * agree.
+   *
+   * @param tolerance by which vertices may differ
+   */
+  boolean isLike(PartShape other, double tolerance) {
+    double areas = 2 * tolerance * Math.max(edges, other.edges);
+    double spreads = 2 * tolerance + spread * areas / Math.max(area, Double.MIN_NORMAL);
+    return Math.abs(area - other.area) <= areas
+        && Math.abs(spread - other.spread) <= spreads
+        && (triangles == 0) == (other.triangles == 0);
+  }
+}
