@@ -301,7 +301,7 @@ final class RenderCommand implements Callable<Integer> {
       report.putContents(parsed.contents());
       report.putModel(parsed.model().get(), parts);
       ViewNumbers numbers = ViewNumbers.of(parsed.scene(), parsed.settings(), parts);
-      report.putView(picture, parsed.settings(), numbers, parts);
+      report.putView("file", picture, parsed.settings(), numbers, parts);
     }
   }
 

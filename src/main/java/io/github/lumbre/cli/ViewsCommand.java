@@ -285,7 +285,7 @@ final class ViewsCommand implements Callable<Integer> {
     report.putModel(contents, parts);
     for (int i = 0; i < views.scenes().size(); i++) {
       ViewNumbers numbers = ViewNumbers.of(views.scenes().get(i), first.settings(), parts);
-      report.putView(targets().get(i), first.settings(), numbers, parts);
+      report.putView("file", targets().get(i), first.settings(), numbers, parts);
     }
   }
 

@@ -38,10 +38,9 @@ final class DescribeTool implements Tool {
       throws ToolException, InterruptedException {
     Studio.Staged model = ModelInputs.model(studio, arguments);
     ParsedScene scene = ParsedScene.of(model.first());
-    JsonSummary summary = new JsonSummary(name(), "model", model.file());
+    JsonSummary summary = model.summary(name());
     summary.putContents(scene.contents());
-    scene.model().ifPresent(summary::putModel);
-    summary.put("warnings", ModelInputs.warnings(scene));
+    summary.putModel(scene.model().orElseThrow(), model.parts());
     return new Outcome(List.of(), summary.values());
   }
 }

@@ -1,12 +1,9 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
-import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
-import java.util.List;
 import java.util.Optional;
 
 /** The arguments that several tools take. Stateless. */
@@ -38,10 +35,5 @@ final class ModelInputs {
     } catch (IllegalArgumentException e) {
       throw new ToolException("view: " + e.getMessage(), e);
     }
-  }
-
-  /** Returns what a model's file has and the picture lacks. */
-  static List<String> warnings(SceneFile file) {
-    return file.warnings().stream().map(ProblemText::of).toList();
   }
 }

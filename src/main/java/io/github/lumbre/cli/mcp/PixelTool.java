@@ -59,7 +59,7 @@ final class PixelTool implements Tool {
       throws ToolException, InterruptedException {
     int x = arguments.get(X);
     int y = arguments.get(Y);
-    SceneFile file = RenderTool.scene(studio, arguments);
+    SceneFile file = RenderTool.scene(ModelInputs.model(studio, arguments), arguments);
     int width = file.settings().width();
     int height = file.settings().height();
     if (x >= width || y >= height) {

@@ -1,12 +1,11 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.SceneFile;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Renders a model from one direction. */
@@ -64,25 +63,23 @@ final class RenderTool implements Tool {
   @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
-    SceneFile file = scene(studio, arguments);
+    Studio.Staged model = ModelInputs.model(studio, arguments);
+    SceneFile file = scene(model, arguments);
     progress.expect(file.settings().window().pixels() * file.settings().samples());
     Image picture = studio.picture(file, progress);
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("view", arguments.get(VIEW).orElse(DEFAULT_VIEW));
-    values.put("warnings", ModelInputs.warnings(file));
+    JsonSummary summary = model.summary(name());
+    model.describe(arguments.get(VIEW).orElse(DEFAULT_VIEW), file, summary);
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(picture, file.settings().development())), values);
+        List.of(ImageFormat.PNG.bytes(picture, file.settings().development())), summary.values());
   }
 
   /** Returns the scene that the arguments {@link #inputs} ask for. */
-  static SceneFile scene(Studio studio, Arguments arguments)
-      throws ToolException, InterruptedException {
+  static SceneFile scene(Studio.Staged model, Arguments arguments) throws ToolException {
     String view = arguments.get(VIEW).orElse(DEFAULT_VIEW);
-    return ModelInputs.model(studio, arguments)
-        .seenFrom(
-            ModelInputs.view(view),
-            arguments.get(WIDTH),
-            arguments.get(HEIGHT),
-            arguments.get(SAMPLES));
+    return model.seenFrom(
+        ModelInputs.view(view),
+        arguments.get(WIDTH),
+        arguments.get(HEIGHT),
+        arguments.get(SAMPLES));
   }
 }

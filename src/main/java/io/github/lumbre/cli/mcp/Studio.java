@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.denoise.NoisyPicture;
@@ -15,6 +16,9 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PartTable;
+import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassLoop;
@@ -54,6 +58,7 @@ final class Studio {
     private final Path file;
     private final ModelViews views;
     private final SeenFiles others;
+    private Optional<PartTable> parts = Optional.empty();
 
     private Staged(Path file, ModelViews views, SeenFiles others) {
       this.file = file;
@@ -63,6 +68,28 @@ final class Studio {
 
     Path file() {
       return file;
+    }
+
+    /** Returns the parts of the model. */
+    synchronized PartTable parts() {
+      if (parts.isEmpty()) {
+        ParsedScene scene = ParsedScene.of(first());
+        parts = Optional.of(scene.model().orElseThrow().parts(scene.scene()));
+      }
+      return parts.get();
+    }
+
+    /** Returns a summary of a tool's result: the model, and what a picture of it lacks. */
+    JsonSummary summary(String tool) {
+      JsonSummary summary = new JsonSummary(tool, "model", file);
+      summary.put("warnings", first().warnings().stream().map(ProblemText::of).toList());
+      return summary;
+    }
+
+    /** Adds what is seen from a direction. */
+    void describe(String view, SceneFile seen, JsonSummary summary) {
+      ViewNumbers numbers = ViewNumbers.of(seen.scene(), seen.settings(), parts());
+      summary.putView("view", view, seen.settings(), numbers, parts());
     }
 
     /** Returns the scene of the view with which it was read. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
@@ -7,7 +8,6 @@ import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.Stage.View;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -57,17 +57,16 @@ final class ViewsTool implements Tool {
     int height = arguments.get(HEIGHT);
     Map<String, View> views = View.standard();
     progress.expect((long) width * height * Denoising.VIEW_SAMPLES * views.size());
+    JsonSummary summary = model.summary(name());
     List<Image> pictures = new ArrayList<>();
-    for (View view : views.values()) {
-      SceneFile file = model.seenFrom(view, width, height, Denoising.VIEW_SAMPLES);
+    for (Map.Entry<String, View> view : views.entrySet()) {
+      SceneFile file = model.seenFrom(view.getValue(), width, height, Denoising.VIEW_SAMPLES);
       pictures.add(studio.picture(file, progress));
+      model.describe(view.getKey(), file, summary);
     }
     Image sheet = ContactSheet.of(pictures, COLUMNS, Math.max(1, width / 64));
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("model", model.file().toString());
-    values.put("views", List.copyOf(views.keySet()));
-    values.put("warnings", ModelInputs.warnings(model.first()));
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(sheet, model.first().settings().development())), values);
+        List.of(ImageFormat.PNG.bytes(sheet, model.first().settings().development())),
+        summary.values());
   }
 }

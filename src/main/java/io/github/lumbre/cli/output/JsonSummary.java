@@ -167,12 +167,16 @@ public final class JsonSummary {
   }
 
   /** Adds what a picture of a model shows to the list of views. */
-  public void putView(Path picture, RenderSettings settings, ViewNumbers numbers, PartTable parts) {
+  public void putView(
+      String key, Object name, RenderSettings settings, ViewNumbers numbers, PartTable parts) {
     List<Object> views = new ArrayList<>();
     if (values.get("views") instanceof List<?> before) {
       views.addAll(before);
     }
-    views.add(PartJson.view(picture, settings, numbers, parts));
+    Map<String, Object> view = new LinkedHashMap<>();
+    view.put(key, name.toString());
+    view.putAll(PartJson.view(settings, numbers, parts));
+    views.add(view);
     values.put("views", views);
   }
 

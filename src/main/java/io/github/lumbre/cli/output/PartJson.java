@@ -10,7 +10,6 @@ import io.github.lumbre.parser.internal.ViewNumbers.Seen;
 import io.github.lumbre.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -53,10 +52,8 @@ final class PartJson {
   }
 
   /** Returns the numbers of a picture. */
-  static Map<String, Object> view(
-      Path file, RenderSettings settings, ViewNumbers numbers, PartTable table) {
+  static Map<String, Object> view(RenderSettings settings, ViewNumbers numbers, PartTable table) {
     Map<String, Object> view = new LinkedHashMap<>();
-    view.put("file", file.toString());
     view.put("width", settings.window().width());
     view.put("height", settings.window().height());
     numbers
