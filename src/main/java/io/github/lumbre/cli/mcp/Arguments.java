@@ -46,9 +46,9 @@ final class Arguments {
     return value.get();
   }
 
-  /** Returns the value of an argument of the tool. */
+  /** Returns the value of an argument; of one that the tool does not take, the default. */
   @SuppressWarnings("unchecked") // The constructor puts values of this type.
   <T> T get(Input<T> input) {
-    return (T) values.get(input);
+    return values.containsKey(input) ? (T) values.get(input) : input.missing().orElseThrow();
   }
 }

@@ -24,7 +24,8 @@ public final class Mcp {
     List<Tool> tools =
         List.of(
             new ViewsTool(studio),
-            new RenderTool(studio),
+            new RenderTool(studio, false),
+            new RenderTool(studio, true),
             new DescribeTool(studio),
             new PixelTool(studio),
             new CompareTool(confined, limits));

@@ -4,6 +4,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
+import java.util.List;
 import java.util.Optional;
 
 /** The arguments that several tools take. Stateless. */
@@ -15,6 +16,19 @@ final class ModelInputs {
   static final Input<Boolean> Z_UP =
       Input.flag("z_up", "Whether the z axis of an STL, PLY, OBJ or OFF file points up.");
 
+  static final Input<List<String>> HIDE =
+      Input.texts("hide", "Names of parts to leave out, as 'describe' lists them; * and ? match.");
+
+  static final Input<List<String>> HIGHLIGHT =
+      Input.texts("highlight", "Names of parts to show in color, and all others pale.");
+
+  static final Input<List<String>> PLANES =
+      Input.texts(
+          "planes",
+          "Planes that cut the model, in the file's unit: x=0.5 or y=50% (of the bounds) removes"
+              + " larger x or y, -z=2 smaller z, and 0,0,1/1,1,0 is a plane by a point"
+              + " and a normal to the removed side. Two planes remove a quarter.");
+
   private ModelInputs() {}
 
   /** Returns the model that the arguments name. */
@@ -23,9 +37,17 @@ final class ModelInputs {
     return studio.model(arguments.get(MODEL), stage(arguments));
   }
 
-  private static Stage stage(Arguments arguments) {
+  private static Stage stage(Arguments arguments) throws ToolException {
     Up up = arguments.get(Z_UP) ? Up.Z : Up.Y;
-    return Stage.DEFAULT.reading(new ModelOptions(Optional.empty(), Optional.empty(), up, 1));
+    ModelOptions options =
+        new ModelOptions(Optional.empty(), Optional.empty(), up, 1)
+            .hiding(arguments.get(HIDE))
+            .highlighting(arguments.get(HIGHLIGHT));
+    try {
+      return Stage.DEFAULT.reading(options.cutBy(arguments.get(PLANES)));
+    } catch (IllegalArgumentException e) {
+      throw new ToolException("planes: " + e.getMessage(), e);
+    }
   }
 
   /** Returns the direction in a text. */

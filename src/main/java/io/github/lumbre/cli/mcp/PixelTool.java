@@ -36,9 +36,9 @@ final class PixelTool implements Tool {
 
   @Override
   public String description() {
-    return "Says what is seen in a pixel of the picture that 'render' makes with the same"
-        + " arguments: the parts and materials, the position in the model's space and the normal of"
-        + " the surface, and the color.";
+    return "Says what is seen in a pixel of the picture that 'render' or 'section' makes with the"
+               + " same arguments: the parts and materials, the position in the model's space and"
+               + " the normal of the surface, and the color.";
   }
 
   @Override
@@ -51,6 +51,9 @@ final class PixelTool implements Tool {
         RenderTool.WIDTH,
         RenderTool.HEIGHT,
         RenderTool.SAMPLES,
+        ModelInputs.HIDE,
+        ModelInputs.HIGHLIGHT,
+        ModelInputs.PLANES,
         ModelInputs.Z_UP);
   }
 

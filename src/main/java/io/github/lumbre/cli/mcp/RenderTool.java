@@ -5,10 +5,11 @@ import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.SceneFile;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Renders a model from one direction. */
+/** Renders a model from one direction, whole or cut open. */
 final class RenderTool implements Tool {
   static final int MOST_PIXELS = 1024;
   private static final int MOST_SAMPLES = 64;
@@ -35,29 +36,52 @@ final class RenderTool implements Tool {
           "Samples per pixel: more are cleaner, and take longer.");
 
   private final Studio studio;
+  private final boolean isCut;
 
-  RenderTool(Studio studio) {
+  /**
+   * @param isCut whether planes cut the models
+   */
+  RenderTool(Studio studio, boolean isCut) {
     this.studio = studio;
+    this.isCut = isCut;
   }
 
   @Override
   public String name() {
-    return "render";
+    return isCut ? "section" : "render";
   }
 
   @Override
   public String title() {
-    return "Render a model";
+    return isCut ? "Cut a model open" : "Render a model";
   }
 
   @Override
   public String description() {
-    return "Renders a 3D model from one direction, as a clean PNG picture.";
+    return isCut
+        ? "Renders a 3D model that planes cut open, from one direction, as a clean PNG picture."
+            + " Where the planes cut closed parts, the cut is hatched."
+        : "Renders a 3D model from one direction, as a clean PNG picture, and returns which parts"
+            + " are seen where, and the matrix that maps points of the model to pixels.";
   }
 
   @Override
   public List<Input<?>> inputs() {
-    return List.of(ModelInputs.MODEL, VIEW, WIDTH, HEIGHT, SAMPLES, ModelInputs.Z_UP);
+    List<Input<?>> inputs =
+        new ArrayList<>(
+            List.of(
+                ModelInputs.MODEL,
+                VIEW,
+                WIDTH,
+                HEIGHT,
+                SAMPLES,
+                ModelInputs.HIDE,
+                ModelInputs.HIGHLIGHT,
+                ModelInputs.Z_UP));
+    if (isCut) {
+      inputs.add(1, ModelInputs.PLANES);
+    }
+    return inputs;
   }
 
   @Override

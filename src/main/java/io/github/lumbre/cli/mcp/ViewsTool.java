@@ -46,7 +46,13 @@ final class ViewsTool implements Tool {
 
   @Override
   public List<Input<?>> inputs() {
-    return List.of(ModelInputs.MODEL, WIDTH, HEIGHT, ModelInputs.Z_UP);
+    return List.of(
+        ModelInputs.MODEL,
+        WIDTH,
+        HEIGHT,
+        ModelInputs.HIDE,
+        ModelInputs.HIGHLIGHT,
+        ModelInputs.Z_UP);
   }
 
   @Override
