@@ -91,7 +91,11 @@ public final class Lumbre implements Runnable {
     SECTIONS.put(
         "Measure",
         List.of(
-            CompareCommand.class, TradeCommand.class, PerfCommand.class, SelfTestCommand.class));
+            CompareCommand.class,
+            DiffCommand.class,
+            TradeCommand.class,
+            PerfCommand.class,
+            SelfTestCommand.class));
     SECTIONS.put("The 2016 report", List.of(BenchmarkCommand.class));
     SECTIONS.put("Other", List.of(CompletionCommand.class, HelpCommand.class));
     SECTIONS.values().stream()

@@ -1,8 +1,13 @@
 package io.github.lumbre.difference;
 
 import io.github.lumbre.difference.PartChange.Kind;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.text.PrintableText;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -10,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.BiPredicate;
 
 /**
  * Pairs the parts of two models: by names that their files state, then by shape. The order of
@@ -17,8 +23,11 @@ import java.util.function.BiFunction;
  * Mutable; not reusable.
  */
 public final class ModelDifference {
-  /** The default tolerance, relative to the diagonal of both models. */
-  public static final double TOLERANCE = 5e-6;
+  /** The default tolerance, relative to the diagonal of the box around both models. */
+  private static final double TOLERANCE = 5e-6;
+
+  /** The most pairs that are looked at in a step. */
+  private static final int MOST_CANDIDATES = 4_000_000;
 
   private final double tolerance;
   private final Set<PartShape> old;
@@ -48,6 +57,22 @@ public final class ModelDifference {
    * Compares two models.
    *
    * @param tolerance largest distance of vertices that count as the same, in world units, &gt; 0
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
+   */
+  public static Result between(Model old, Model now, double tolerance) {
+    return between(PartShapes.of(old), PartShapes.of(now), tolerance);
+  }
+
+  /** Returns a tolerance above the rounding of usual exporters: of the size of both models. */
+  public static double tolerance(Model old, Model now) {
+    Bounds3 box = PartShapes.box(old).union(PartShapes.box(now));
+    return Math.max(Double.MIN_NORMAL, TOLERANCE * box.max().minus(box.min()).length());
+  }
+
+  /**
+   * Compares the parts of two models.
+   *
+   * @param tolerance largest distance of vertices that count as the same, in world units, &gt; 0
    */
   static Result between(List<PartShape> old, List<PartShape> now, double tolerance) {
     return new ModelDifference(old, now, tolerance).result();
@@ -55,20 +80,18 @@ public final class ModelDifference {
 
   private Result result() {
     // Names that the files state come first, so that equal parts are not exchanged.
-    pair((a, b) -> isNamesake(a, b) && isSame(a, b) ? Optional.of(changed(a, b)) : none());
-    pair((a, b) -> isNamesake(a, b) ? moved(a, b) : none());
-    pair((a, b) -> isSame(a, b) ? Optional.of(changed(a, b)) : none());
-    pair((a, b) -> isNamesake(a, b) ? Optional.of(reshaped(a, b)) : none());
-    pair(this::moved);
-    pair((a, b) -> isNameless(a, b) && overlaps(a, b) ? Optional.of(reshaped(a, b)) : none());
+    BiPredicate<PartShape, PartShape> isNamesake = ModelDifference::isNamesake;
+    BiPredicate<PartShape, PartShape> isLike = (a, b) -> a.isLike(b, tolerance);
+    pair(isNamesake.and(this::isNear), this::same);
+    pair(isNamesake.and(isLike), this::moved);
+    pair(this::isNear, this::same);
+    pair(isNamesake, (a, b) -> Optional.of(reshaped(a, b)));
+    pair(isLike, this::moved);
+    pair(ModelDifference::isSamePlace, (a, b) -> Optional.of(reshaped(a, b)));
     old.forEach(part -> add(Kind.REMOVED, Optional.of(part), Optional.empty()));
     now.forEach(part -> add(Kind.ADDED, Optional.empty(), Optional.of(part)));
     changes.sort(Comparator.comparing(PartChange::kind).thenComparing(change -> change.name()));
     return new Result(changes, same);
-  }
-
-  private static Optional<Optional<PartChange>> none() {
-    return Optional.empty();
   }
 
   private void add(Kind kind, Optional<PartShape> before, Optional<PartShape> after) {
@@ -77,44 +100,67 @@ public final class ModelDifference {
             kind, before.map(PartShape::name), after.map(PartShape::name), 0, 0, List.of()));
   }
 
+  /** What happened to the parts of a pair; empty if they are none, absent if nothing happened. */
+  private interface Rule extends BiFunction<PartShape, PartShape, Optional<Optional<PartChange>>> {}
+
+  /** Two parts that may be a pair. */
+  private record Candidate(PartShape before, PartShape after) {
+    double distance() {
+      return after.centroid().minus(before.centroid()).length();
+    }
+  }
+
   /**
-   * Takes pairs out of the parts that are left.
+   * Takes pairs out of the parts that are left, the nearest ones first.
    *
-   * @param rule empty if two parts are no pair; else what happened, which is nothing if they are
-   *     the same
+   * @param mayBe a quick test
    */
-  private void pair(BiFunction<PartShape, PartShape, Optional<Optional<PartChange>>> rule) {
-    for (PartShape before : List.copyOf(old)) {
+  private void pair(BiPredicate<PartShape, PartShape> mayBe, Rule rule) {
+    List<Candidate> candidates = new ArrayList<>();
+    for (PartShape before : old) {
       for (PartShape after : now) {
-        Optional<Optional<PartChange>> found = rule.apply(before, after);
-        if (found.isPresent()) {
-          found.get().ifPresentOrElse(changes::add, () -> same++);
-          old.remove(before);
-          now.remove(after);
-          break;
+        if (candidates.size() < MOST_CANDIDATES && mayBe.test(before, after)) {
+          candidates.add(new Candidate(before, after));
         }
+      }
+    }
+    candidates.sort(Comparator.comparingDouble(Candidate::distance));
+    for (Candidate candidate : candidates) {
+      if (old.contains(candidate.before) && now.contains(candidate.after)) {
+        Interrupts.check();
+        rule.apply(candidate.before, candidate.after)
+            .ifPresent(
+                change -> {
+                  change.ifPresentOrElse(changes::add, () -> same++);
+                  old.remove(candidate.before);
+                  now.remove(candidate.after);
+                });
       }
     }
   }
 
   private static boolean isNamesake(PartShape a, PartShape b) {
-    return a.isNamed() && b.isNamed() && a.name().equals(b.name());
+    return !a.stated().isEmpty() && a.stated().equals(b.stated());
   }
 
   private static boolean isNameless(PartShape a, PartShape b) {
-    return !(a.isNamed() && b.isNamed());
+    return a.stated().isEmpty() || b.stated().isEmpty();
   }
 
-  private boolean isSame(PartShape a, PartShape b) {
-    return a.centroid().minus(b.centroid()).length() <= 4 * tolerance
-        && a.isLike(b, tolerance)
-        && new ShapeMatch(a, b, tolerance).isInPlace();
+  private boolean isNear(PartShape a, PartShape b) {
+    return a.centroid().minus(b.centroid()).length() <= 4 * tolerance && a.isLike(b, tolerance);
+  }
+
+  private Optional<Optional<PartChange>> same(PartShape a, PartShape b) {
+    return new ShapeMatch(a, b, tolerance).isInPlace()
+        ? Optional.of(changed(a, b))
+        : Optional.empty();
   }
 
   /** Returns what is different in two parts of the same shape at the same place. */
   private static Optional<PartChange> changed(PartShape a, PartShape b) {
     boolean isRecolored = !a.materials().equals(b.materials());
-    boolean isRenamed = a.isNamed() && b.isNamed() && !a.name().equals(b.name());
+    boolean isRenamed = !isNameless(a, b) && !isNamesake(a, b);
     if (!isRecolored && !isRenamed) {
       return Optional.empty();
     }
@@ -129,9 +175,6 @@ public final class ModelDifference {
   }
 
   private Optional<Optional<PartChange>> moved(PartShape a, PartShape b) {
-    if (!a.isLike(b, tolerance)) {
-      return Optional.empty();
-    }
     return new ShapeMatch(a, b, tolerance)
         .motion()
         .map(
@@ -174,22 +217,22 @@ public final class ModelDifference {
   }
 
   private static String number(double value) {
-    return io.github.lumbre.text.PrintableText.number(rounded(value));
+    return PrintableText.number(rounded(value));
   }
 
   /** Rounds to five significant digits. */
   private static double rounded(double value) {
-    return new java.math.BigDecimal(value, new java.math.MathContext(5)).doubleValue();
+    return new BigDecimal(value, new MathContext(5)).doubleValue();
   }
 
-  private static boolean overlaps(PartShape a, PartShape b) {
-    Bounds3 one = a.bounds();
-    Bounds3 other = b.bounds();
-    return one.min().x() <= other.max().x()
-        && other.min().x() <= one.max().x()
-        && one.min().y() <= other.max().y()
-        && other.min().y() <= one.max().y()
-        && one.min().z() <= other.max().z()
-        && other.min().z() <= one.max().z();
+  /** Returns whether parts without names have their centroids in each other's boxes. */
+  private static boolean isSamePlace(PartShape a, PartShape b) {
+    return isNameless(a, b)
+        && contains(a.bounds(), b.centroid())
+        && contains(b.bounds(), a.centroid());
+  }
+
+  private static boolean contains(Bounds3 box, Vec3 point) {
+    return Bounds3.of(point).union(box).equals(box);
   }
 }

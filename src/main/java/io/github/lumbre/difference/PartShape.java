@@ -8,8 +8,8 @@ import java.util.Set;
 /**
  * A part of a model: its surface in the model's world space, and what identifies it. Immutable.
  *
- * @param name unique in its model
- * @param isNamed whether the file states the name, so that it means the same part in another file
+ * @param name unique in its model, for users
+ * @param stated name in the file, by which it is the same part in another file; empty for none
  * @param vertices its distinct vertices, three coordinates each; points of clouds count as vertices
  * @param triangles their number
  * @param area of the surface
@@ -21,7 +21,7 @@ import java.util.Set;
  */
 record PartShape(
     String name,
-    boolean isNamed,
+    String stated,
     double[] vertices,
     int triangles,
     double area,
@@ -29,7 +29,7 @@ record PartShape(
     Vec3 centroid,
     double spread,
     Bounds3 bounds,
-    Set<Object> materials) {
+    Set<String> materials) {
   /** Sums up the surface of a part. Mutable. */
   static final class Builder {
     private final PositionIndex index = new PositionIndex();
@@ -81,12 +81,12 @@ record PartShape(
       return this;
     }
 
-    PartShape build(String name, boolean isNamed, Set<Object> materials) {
+    PartShape build(String name, String stated, Set<String> materials) {
       Vec3 centre = area > 0 ? moment.times(1 / area) : sum.times(1. / Math.max(1, points));
       double variance = area > 0 ? squares / area - centre.dot(centre) : 0;
       return new PartShape(
           name,
-          isNamed,
+          stated,
           index.positions(),
           triangles,
           area,

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
@@ -7,6 +8,7 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.parser.Stage.View;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 
@@ -89,6 +91,14 @@ final class Framing {
     return box[0] > box[3]
         ? new Framing(parts, Vec3.ZERO, Vec3.ZERO)
         : new Framing(parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+  }
+
+  /** Returns where a camera must stand so that two models are in the frame. */
+  Framing with(Framing other) {
+    List<Vertices> all = new ArrayList<>(parts);
+    all.addAll(other.parts);
+    Bounds3 box = new Bounds3(min, max).union(new Bounds3(other.min, other.max));
+    return new Framing(List.copyOf(all), box.min(), box.max());
   }
 
   private static void forVertices(List<Vertices> parts, Visitor visitor) {

@@ -40,8 +40,26 @@ public final class ModelViews {
    * @param height of the picture in pixels, at least 1
    */
   public SceneFile seenFrom(View view, int width, int height) throws SceneFormatException {
+    return seenFrom(view, width, height, model.framing());
+  }
+
+  /**
+   * Returns the model from another direction, by a camera that frames this model and another one.
+   *
+   * @param other whose scene has the same camera
+   * @param width of the picture in pixels, at least 1
+   * @param height of the picture in pixels, at least 1
+   */
+  public SceneFile seenBeside(ModelViews other, View view, int width, int height)
+      throws SceneFormatException {
+    return seenFrom(view, width, height, model.framing().with(other.model.framing()));
+  }
+
+  private SceneFile seenFrom(View view, int width, int height, Framing framing)
+      throws SceneFormatException {
     SceneFile sized = first.with(first.settings().toBuilder().size(width, height).build());
-    return sized.with(model.seenFrom(List.of(view), sized, (double) width / height).get(0));
+    double aspect = (double) width / height;
+    return sized.with(model.seenFrom(List.of(view), sized, aspect, framing).get(0));
   }
 
   /** Returns about how many bytes of memory the model and its scenes take. */

@@ -143,7 +143,7 @@ final class StagedModel {
 
   /** Returns the scene. Call it once. */
   SceneFile scene(SceneParser parser) throws SceneFormatException {
-    StageCamera camera = camera(stage, parser.settings().frameAspect());
+    StageCamera camera = camera(stage, parser.settings().frameAspect(), framing);
     RenderSettings inFile = settings(camera, parser);
     RenderSettings settings = parser.settings().changed(inFile, "size", problems);
     WrittenStage written = new WrittenStage(stage, camera, framing.min().y());
@@ -183,9 +183,18 @@ final class StagedModel {
    */
   List<Scene> seenFrom(List<View> views, SceneFile scene, double frameAspect)
       throws SceneFormatException {
+    return seenFrom(views, scene, frameAspect, framing);
+  }
+
+  /**
+   * Returns a scene of this model as it is seen from each of some directions by cameras that frame
+   * something else.
+   */
+  List<Scene> seenFrom(List<View> views, SceneFile scene, double frameAspect, Framing of)
+      throws SceneFormatException {
     List<Scene> scenes = new ArrayList<>();
     for (View view : views) {
-      StageCamera camera = camera(stage.seenFrom(view), frameAspect);
+      StageCamera camera = camera(stage.seenFrom(view), frameAspect, of);
       scenes.add(scene.scene().seenBy(camera.placed(scene.settings().aspect())));
     }
     return scenes;
@@ -196,9 +205,15 @@ final class StagedModel {
     return data.allowance().memory();
   }
 
-  private StageCamera camera(Stage of, double frameAspect) throws SceneFormatException {
+  /** Returns what the model's cameras have in their frames. */
+  Framing framing() {
+    return framing;
+  }
+
+  private StageCamera camera(Stage of, double frameAspect, Framing framed)
+      throws SceneFormatException {
     try {
-      return StageCamera.of(of, model, framing, frameAspect);
+      return StageCamera.of(of, model, framed, frameAspect);
     } catch (ModelFormatException e) {
       place.error(e);
       throw problems.exception();

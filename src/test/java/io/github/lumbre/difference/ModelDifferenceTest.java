@@ -61,7 +61,7 @@ class ModelDifferenceTest {
     for (Vec3[] t : triangles) {
       builder.triangle(place.apply(t[0]), place.apply(t[1]), place.apply(t[2]));
     }
-    return builder.build(name, isNamed, Set.of(material));
+    return builder.build(name, isNamed ? name : "", Set.of(material));
   }
 
   private static UnaryOperator<Vec3> at(double x, double y, double z) {

@@ -37,8 +37,8 @@ final class PixelTool implements Tool {
   @Override
   public String description() {
     return "Says what is seen in a pixel of the picture that 'render' or 'section' makes with the"
-               + " same arguments: the parts and materials, the position in the model's space and"
-               + " the normal of the surface, and the color.";
+        + " same arguments: the parts and materials, the position in the model's space and"
+        + " the normal of the surface, and the color.";
   }
 
   @Override

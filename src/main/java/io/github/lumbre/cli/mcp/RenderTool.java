@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ImageFormat;
@@ -90,7 +91,7 @@ final class RenderTool implements Tool {
     Studio.Staged model = ModelInputs.model(studio, arguments);
     SceneFile file = scene(model, arguments);
     progress.expect(file.settings().window().pixels() * file.settings().samples());
-    Image picture = studio.picture(file, progress);
+    Image picture = CleanPicture.of(file, progress);
     JsonSummary summary = model.summary(name());
     model.describe(arguments.get(VIEW).orElse(DEFAULT_VIEW), file, summary);
     return new Outcome(

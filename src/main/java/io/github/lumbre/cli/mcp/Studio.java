@@ -2,10 +2,7 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.ProblemText;
-import io.github.lumbre.denoise.BuiltInDenoiser;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.image.Image;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
@@ -19,12 +16,6 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.PartTable;
 import io.github.lumbre.parser.internal.ViewNumbers;
-import io.github.lumbre.render.Film;
-import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.PassLoop;
-import io.github.lumbre.scene.Layer;
-import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Setting;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
@@ -167,22 +158,5 @@ final class Studio {
     } catch (SceneFormatException e) {
       throw new ToolException(String.join("\n", ProblemText.of(e)), e);
     }
-  }
-
-  /**
-   * Returns a denoised picture.
-   *
-   * @throws InterruptedException if the call is cancelled
-   */
-  Image picture(SceneFile file, CallProgress progress) throws InterruptedException {
-    RenderSettings settings =
-        file.settings().toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build();
-    FilmRenderer renderer = new FilmRenderer(settings, file.scene());
-    Film film = renderer.newFilm();
-    if (!new PassLoop(renderer, film).run(progress).complete()) {
-      throw new InterruptedException("cancelled");
-    }
-    int threads = Runtime.getRuntime().availableProcessors();
-    return BuiltInDenoiser.denoise(NoisyPicture.of(film), threads).image();
   }
 }

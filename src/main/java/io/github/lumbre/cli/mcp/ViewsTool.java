@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
@@ -67,7 +68,7 @@ final class ViewsTool implements Tool {
     List<Image> pictures = new ArrayList<>();
     for (Map.Entry<String, View> view : views.entrySet()) {
       SceneFile file = model.seenFrom(view.getValue(), width, height, Denoising.VIEW_SAMPLES);
-      pictures.add(studio.picture(file, progress));
+      pictures.add(CleanPicture.of(file, progress));
       model.describe(view.getKey(), file, summary);
     }
     Image sheet = ContactSheet.of(pictures, COLUMNS, Math.max(1, width / 64));

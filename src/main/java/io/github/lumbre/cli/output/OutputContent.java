@@ -17,6 +17,9 @@ public enum OutputContent {
   TRADE_PAGE(
       "a page of 'lumbre trade'",
       text(start -> start.startsWith("<!DOCTYPE html>") && start.contains("Speed for accuracy"))),
+  DIFF_PAGE(
+      "a page of 'lumbre diff'",
+      text(start -> start.startsWith("<!DOCTYPE html>") && start.contains("What changed"))),
   TRADE_CSV("a CSV file of 'lumbre trade'", text(start -> start.startsWith("knob,value,kind,"))),
   TRADE_JSON(
       "a JSON file of 'lumbre trade'",

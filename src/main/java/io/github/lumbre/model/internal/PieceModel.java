@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** Divides a model that its file does not divide: each connected piece is a part. Not reusable. */
-final class PieceModel {
+public final class PieceModel {
   private final List<ModelPart> parts = new ArrayList<>();
   private final Map<Integer, ModelNode> nodes = new HashMap<>();
 
@@ -39,7 +39,7 @@ final class PieceModel {
   private PieceModel() {}
 
   /** Returns a model with parts; the surfaces that the file divides stay as they are. */
-  static Model of(Model model) {
+  public static Model of(Model model) {
     PieceModel divided = new PieceModel();
     Pieces pieces =
         Pieces.of(

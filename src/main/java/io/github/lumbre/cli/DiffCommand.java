@@ -1,0 +1,280 @@
+package io.github.lumbre.cli;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+import io.github.lumbre.cli.diff.ChangePage;
+import io.github.lumbre.cli.option.ModelFlags;
+import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.Version;
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.OutputContent;
+import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.TextOutput;
+import io.github.lumbre.cli.run.CleanPicture;
+import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.difference.ModelDifference;
+import io.github.lumbre.difference.PartChange;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.Models;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.parser.ModelViews;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code lumbre diff}: says what changed between two models. */
+@Command(
+    name = "diff",
+    header = "Say what changed between two models.",
+    description =
+        "Pair the parts of two models by name and by shape, and list those that were added,"
+            + " removed, moved, changed or renamed. The order of parts, vertices and triangles does"
+            + " not matter.",
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    abbreviateSynopsis = true,
+    footer = {
+      "",
+      "Examples:",
+      "  lumbre diff bracket-1.step.glb bracket-2.step.glb",
+      "  lumbre diff old.stl new.stl -o what-changed.html --up z"
+    },
+    exitCodeListHeading = "%nExit codes:%n",
+    exitCodeList = {
+      "0:Nothing changed",
+      "1:Something changed",
+      "2:The command line is invalid",
+      "3:A model is missing, unreadable or invalid",
+      "4:A picture of a model cannot be decoded",
+      "5:A limit or the available memory is exceeded",
+      "6:The page cannot be written",
+      "7:Internal error"
+    })
+final class DiffCommand implements Callable<Integer> {
+  private static final String FORMAT = "lumbre-diff-1";
+  private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
+  private static final int WIDTH = 640;
+  private static final int HEIGHT = 480;
+  private static final int DIGITS = 4;
+
+  @Parameters(index = "0", paramLabel = "OLD", description = "Model file.")
+  private Path old;
+
+  @Parameters(index = "1", paramLabel = "NEW", description = "Model file to compare it with.")
+  private Path now;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "PAGE.html",
+      description = "Write a page with pictures of both, and of the difference.")
+  private Optional<Path> page = Optional.empty();
+
+  @Option(
+      names = "--tolerance",
+      paramLabel = "LENGTH",
+      description =
+          "Largest distance of vertices that count as the same (5e-6 of the models' diagonal).")
+  private Optional<Double> tolerance = Optional.empty();
+
+  @Option(names = "--json", description = "Print the changes as JSON.")
+  private boolean json;
+
+  @Mixin private final ModelFlags flags = new ModelFlags();
+
+  @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws SceneFormatException, TaskException {
+    for (Path model : List.of(old, now)) {
+      require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
+    }
+    tolerance.ifPresent(
+        length ->
+            require(
+                length > 0 && length < Double.POSITIVE_INFINITY,
+                "--tolerance: expected a finite number > 0, found " + length));
+    Stage stage = flags.stage(OptionalDouble.empty());
+    OutputGuard guard = overwrite.guard().reads(old, "a model").reads(now, "a model");
+    page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));
+    guard.check();
+    try (TextOutput output = TextOutput.reserve(page)) {
+      Model before = read(old, stage);
+      Model after = read(now, stage);
+      double near = tolerance.orElseGet(() -> ModelDifference.tolerance(before, after));
+      ModelDifference.Result found = ModelDifference.between(before, after, near);
+      List<String> lines = found.changes().stream().map(DiffCommand::text).toList();
+      if (page.isPresent()) {
+        output.write(page(stage, found, lines));
+      }
+      print(found, lines, near);
+      return found.changes().isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
+    }
+  }
+
+  private Model read(Path path, Stage stage) throws TaskException {
+    try {
+      return ModelReader.read(
+          path.getFileName().toString(),
+          Files.readAllBytes(path),
+          ModelFolder.of(path.toAbsolutePath().getParent()),
+          stage.options().lenient(true));
+    } catch (ModelFormatException e) {
+      Kind kind =
+          switch (e.kind()) {
+            case TOO_LARGE -> Kind.LIMIT;
+            case ASSET -> Kind.ASSET;
+            default -> Kind.SCENE;
+          };
+      throw new TaskException(kind, path + ": " + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  private String page(Stage stage, ModelDifference.Result found, List<String> lines)
+      throws SceneFormatException, TaskException {
+    ModelViews before = views(old, stage);
+    ModelViews after = views(now, stage);
+    View view = stage.view().orElse(View.DEFAULT);
+    return ChangePage.of(
+        side(old, before.seenBeside(after, view, WIDTH, HEIGHT)),
+        side(now, after.seenBeside(before, view, WIDTH, HEIGHT)),
+        found.changes(),
+        summary(found),
+        lines);
+  }
+
+  private ModelViews views(Path model, Stage stage) throws SceneFormatException, TaskException {
+    View view = stage.view().orElse(View.DEFAULT);
+    SceneParser parser =
+        new SceneParser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build());
+    try {
+      return parser.parse(model, stage, List.of(view));
+    } catch (IOException e) {
+      throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  private static ChangePage.Side side(Path path, SceneFile file) throws TaskException {
+    try {
+      return new ChangePage.Side(path, file, CleanPicture.of(file, Progress.NONE));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new TaskException(Kind.STOPPED, "stopped before the pictures were complete", e);
+    }
+  }
+
+  /** Returns the numbers of changes by their kinds. */
+  private static String summary(ModelDifference.Result found) {
+    Map<PartChange.Kind, Integer> counts = new EnumMap<>(PartChange.Kind.class);
+    found.changes().forEach(change -> counts.merge(change.kind(), 1, Integer::sum));
+    List<String> texts = new ArrayList<>();
+    counts.forEach((kind, count) -> texts.add(count + " " + ChangePage.word(kind)));
+    texts.add(found.same() + " the same");
+    return String.join(", ", texts);
+  }
+
+  private static String text(PartChange change) {
+    List<String> texts = new ArrayList<>();
+    if (change.kind() == PartChange.Kind.MOVED) {
+      if (change.distance() > 0) {
+        texts.add("by " + number(change.distance()));
+      }
+      if (change.degrees() > 0) {
+        texts.add("turned by " + number(change.degrees()) + " degrees");
+      }
+    }
+    texts.addAll(change.details());
+    if (change.old().isPresent()
+        && change.now().isPresent()
+        && !change.old().equals(change.now())) {
+      texts.add("was " + PrintableText.quoted(change.old().get()));
+    }
+    return String.join(", ", texts);
+  }
+
+  private static String number(double value) {
+    return PrintableText.number(new BigDecimal(value, new MathContext(DIGITS)).doubleValue());
+  }
+
+  private void print(ModelDifference.Result found, List<String> lines, double near) {
+    Messages out = new Messages(spec.commandLine().getOut());
+    if (json) {
+      GSON.toJson(values(found, near)).lines().forEach(out::line);
+      return;
+    }
+    out.line("%s against %s: %s".formatted(now, old, summary(found)));
+    int width = found.changes().stream().mapToInt(change -> change.name().length()).max().orElse(0);
+    for (int i = 0; i < lines.size(); i++) {
+      PartChange change = found.changes().get(i);
+      String name = change.name() + " ".repeat(width - change.name().length());
+      out.line(
+          "%-8s %s  %s"
+              .formatted(ChangePage.word(change.kind()), name, lines.get(i))
+              .stripTrailing());
+    }
+    page.ifPresent(file -> out.line("page       " + file));
+  }
+
+  private Map<String, Object> values(ModelDifference.Result found, double near) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("format", FORMAT);
+    values.put("old", old.toString());
+    values.put("new", now.toString());
+    values.put("tolerance", near);
+    values.put("same", found.same());
+    values.put("changes", found.changes().stream().map(DiffCommand::values).toList());
+    return values;
+  }
+
+  private static Map<String, Object> values(PartChange change) {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("kind", ChangePage.word(change.kind()));
+    change.old().ifPresent(name -> values.put("old", name));
+    change.now().ifPresent(name -> values.put("new", name));
+    if (change.kind() == PartChange.Kind.MOVED) {
+      values.put("distance", change.distance());
+      values.put("degrees", change.degrees());
+    }
+    values.put("details", change.details());
+    return values;
+  }
+
+  private void require(boolean condition, String message) {
+    if (!condition) {
+      throw new ParameterException(spec.commandLine(), message);
+    }
+  }
+}

@@ -1,0 +1,144 @@
+package io.github.lumbre.cli.diff;
+
+import io.github.lumbre.camera.CameraRay;
+import io.github.lumbre.difference.PartChange;
+import io.github.lumbre.difference.PartChange.Kind;
+import io.github.lumbre.geometry.NearestHit;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PartTable;
+import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * Paints the changes of parts over a pale picture of the new model, and what is gone from where it
+ * was in the old one. Confined to one thread.
+ */
+final class ChangePicture {
+  /** Rays per pixel and axis, so that edges are smooth. */
+  private static final int GRID = 3;
+
+  private static final double PALE = .35;
+
+  /** Colors that people with any color vision tell apart (Okabe and Ito 2008), linear. */
+  private static final Map<Kind, Rgb> COLORS = new EnumMap<>(Kind.class);
+
+  /** The color of a part where it was, and is not any more. */
+  static final Rgb GONE = new Rgb(.665, .112, 0);
+
+  static {
+    COLORS.put(Kind.ADDED, new Rgb(0, .342, .171));
+    COLORS.put(Kind.MOVED, new Rgb(0, .168, .445));
+    COLORS.put(Kind.CHANGED, new Rgb(.791, .347, 0));
+    COLORS.put(Kind.RENAMED, new Rgb(.604, .191, .386));
+  }
+
+  private final Scene scene;
+  private final RenderSettings settings;
+  private final PartTable parts;
+  private final Map<String, Rgb> colors = new HashMap<>();
+  private final NearestHit hit = new NearestHit();
+  private final CameraRay aimed = new CameraRay();
+
+  /**
+   * @param name returns the name of a changed part in this model
+   * @param color returns the color of a change; empty to leave it out
+   */
+  private ChangePicture(
+      ParsedScene file,
+      List<PartChange> changes,
+      Function<PartChange, Optional<String>> name,
+      Function<PartChange, Optional<Rgb>> color) {
+    scene = file.scene().framed(file.settings().aspect());
+    settings = file.settings();
+    parts = file.model().orElseThrow().parts(file.scene());
+    for (PartChange change : changes) {
+      name.apply(change)
+          .ifPresent(part -> color.apply(change).ifPresent(rgb -> colors.put(part, rgb)));
+    }
+  }
+
+  /** Returns the color of a kind of change. */
+  static Optional<Rgb> color(Kind kind) {
+    return Optional.ofNullable(COLORS.get(kind));
+  }
+
+  /**
+   * Returns the picture.
+   *
+   * @param oldPicture of the old scene
+   * @param nowPicture of the new scene, by the same camera
+   */
+  static Image of(
+      ParsedScene old,
+      Image oldPicture,
+      ParsedScene now,
+      Image nowPicture,
+      List<PartChange> changes) {
+    ChangePicture before =
+        new ChangePicture(
+            old,
+            changes,
+            PartChange::old,
+            change ->
+                change.kind() == Kind.REMOVED || change.kind() == Kind.MOVED
+                    ? Optional.of(GONE)
+                    : Optional.empty());
+    ChangePicture after =
+        new ChangePicture(now, changes, PartChange::now, change -> color(change.kind()));
+    float[] rgb = new float[3 * nowPicture.width() * nowPicture.height()];
+    for (int y = 0; y < nowPicture.height(); y++) {
+      for (int x = 0; x < nowPicture.width(); x++) {
+        Rgb color = pixel(before, oldPicture, after, nowPicture, x, y);
+        int at = 3 * (y * nowPicture.width() + x);
+        rgb[at] = (float) color.r();
+        rgb[at + 1] = (float) color.g();
+        rgb[at + 2] = (float) color.b();
+      }
+    }
+    return new Image(nowPicture.width(), nowPicture.height(), rgb, new float[0]);
+  }
+
+  private static Rgb pixel(
+      ChangePicture before, Image oldPicture, ChangePicture after, Image nowPicture, int x, int y) {
+    double shade = brightness(nowPicture, x, y);
+    double oldShade = brightness(oldPicture, x, y);
+    Rgb pale = Rgb.grey(1 - PALE + PALE * shade);
+    Rgb sum = Rgb.BLACK;
+    for (int i = 0; i < GRID * GRID; i++) {
+      double u = (x + (i % GRID + .5) / GRID) / nowPicture.width();
+      double v = (y + (i / GRID + .5) / GRID) / nowPicture.height();
+      Optional<Rgb> painted = after.at(u, v).map(color -> color.times(.3 + .7 * shade));
+      Optional<Rgb> gone =
+          painted.isPresent()
+              ? painted
+              : before.at(u, v).map(color -> color.times(.5 + .5 * oldShade).plus(pale).times(.5));
+      sum = sum.plus(gone.orElse(pale));
+    }
+    return sum.times(1. / (GRID * GRID));
+  }
+
+  private static double brightness(Image picture, int x, int y) {
+    return Math.min(1, picture.pixel(x, y).luminance());
+  }
+
+  /** Returns the color of the changed part that is seen at a point of the frame. */
+  private Optional<Rgb> at(double u, double v) {
+    if (colors.isEmpty() || !scene.camera().aim(u, v, new SobolSampler(0), aimed)) {
+      return Optional.empty();
+    }
+    scene.intersect(aimed.toRay(), hit);
+    int part = parts.at(hit);
+    return part == PartTable.NONE
+        ? Optional.empty()
+        : Optional.ofNullable(colors.get(parts.parts().get(part).name()));
+  }
+}
