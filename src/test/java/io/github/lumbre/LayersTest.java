@@ -47,7 +47,7 @@ class LayersTest {
   private static final String LIBRARY =
       "math image drawing sampling texture geometry file text limit json path material camera light"
           + " scene outline model guiding integrator render parser checkpoint denoise stopping"
-          + " preview audit compare thumbnail";
+          + " preview audit compare thumbnail difference";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -63,6 +63,7 @@ class LayersTest {
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
           Map.entry("geometry", "math image sampling texture"),
+          Map.entry("difference", "math image geometry limit text material model"),
           Map.entry("material", "math image sampling texture geometry"),
           Map.entry("camera", "math sampling"),
           Map.entry("light", "math image sampling texture geometry"),
@@ -117,15 +118,16 @@ class LayersTest {
               "cli.view",
               "math image outline geometry path camera scene render parser checkpoint denoise"
                   + " stopping preview lab cli.output cli.run"),
+          Map.entry("cli.diff", "image geometry camera sampling scene parser difference"),
           Map.entry(
               "cli.mcp",
-              "math image text limit json scene model render parser denoise compare file lab"
-                  + " cli.output"),
+              "math image text limit json scene model render parser compare file lab"
+                  + " cli.output cli.run"),
           Map.entry(
               "cli",
-              "math image drawing outline texture file scene model render parser checkpoint denoise"
-                  + " audit compare lab lab.perf lab.report lab.checks lab.trade cli.output cli.run"
-                  + " cli.option cli.view cli.mcp"));
+              "math image drawing outline texture file text scene model render parser checkpoint"
+                  + " denoise audit compare lab lab.perf lab.report lab.checks lab.trade cli.output"
+                  + " cli.run cli.option cli.view cli.mcp cli.diff difference"));
 
   /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =
