@@ -14,6 +14,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -194,13 +195,19 @@ class OutlinesTest {
   @Test
   void sliversBetweenCornersOfOnePlaceAreNoLines() {
     List<Vec3> corners = new ArrayList<>();
+    // Off the axes, so that products of coordinates are rounded.
+    Transform turned =
+        Transform.translation(new Vec3(.1, .2, .3))
+            .times(Transform.rotationDegrees(new Vec3(10, 20, 30)));
     for (int i = 0; i < 12; i++) {
       Vec3 middle = new Vec3(1e-9 * i, 0, 1e-9 * i * i);
       Vec3 next = new Vec3(1e-9 * (i + 1), 0, 1e-9 * (i + 1) * (i + 1));
       Vec3 one = new Vec3(Math.cos(i * Math.PI / 6), 0, Math.sin(i * Math.PI / 6));
       Vec3 other =
           new Vec3(Math.cos((i + 1) % 12 * Math.PI / 6), 0, Math.sin((i + 1) % 12 * Math.PI / 6));
-      corners.addAll(List.of(one, other, middle, middle, other, next));
+      for (Vec3 corner : List.of(one, other, middle, middle, other, next)) {
+        corners.add(turned.point(corner));
+      }
     }
     Scene scene = scene(Lens.pinhole(50), Mesh.of(triangles(corners.toArray(Vec3[]::new))));
     assertThat(strokes(scene, 300).count()).isEqualTo(12);
