@@ -59,13 +59,21 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets, ThinFilm film) implemen
   }
 
   /**
-   * Returns the mean reflectance of a facet under uniform radiance: F0 + (F90 - F0) / 21, or about
-   * the reflectance at the mean cosine, 2/3, if there is a film.
+   * Returns the mean reflectance of a facet under uniform radiance: F0 + (F90 - F0) / 21, and about
+   * what a film changes at the mean cosine, 2/3.
    */
   static Rgb meanFresnel(Rgb f0, double f90, ThinFilm film) {
-    return film.strength() > 0
-        ? fresnel(f0, f90, film, 2.0 / 3)
-        : f0.times(20.0 / 21).plus(Rgb.grey(f90 / 21));
+    Rgb plain = f0.times(20.0 / 21).plus(Rgb.grey(f90 / 21));
+    if (film.strength() == 0) {
+      return plain;
+    }
+    Rgb with = fresnel(f0, f90, film, 2.0 / 3);
+    Rgb without = fresnel(f0, f90, 2.0 / 3);
+    return new Rgb(
+            Math.max(0, plain.r() + with.r() - without.r()),
+            Math.max(0, plain.g() + with.g() - without.g()),
+            Math.max(0, plain.b() + with.b() - without.b()))
+        .clampedToOne();
   }
 
   @Override
