@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
 /** Writes a small .glb: a textured tetrahedron with cameras, an animation and a variant. */
-final class ModelSample {
+public final class ModelSample {
   private static final String JSON =
       """
       {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
@@ -53,7 +53,7 @@ final class ModelSample {
   private ModelSample() {}
 
   /** Writes the model and its texture, paint.png, into a folder, and returns the model's path. */
-  static Path write(Path folder) throws IOException {
+  public static Path write(Path folder) throws IOException {
     return write(folder, JSON);
   }
 

@@ -17,7 +17,7 @@ final class Answers {
   private static final Gson GSON = new GsonBuilder().disableHtmlEscaping().create();
 
   private final OutputStream out;
-  private boolean isBroken;
+  private volatile boolean isBroken;
 
   Answers(OutputStream out) {
     this.out = out;
@@ -78,7 +78,7 @@ final class Answers {
   }
 
   /** Returns whether the client cannot be reached any more. */
-  synchronized boolean isBroken() {
+  boolean isBroken() {
     return isBroken;
   }
 }

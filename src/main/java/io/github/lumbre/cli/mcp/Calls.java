@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.text.PrintableText;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -18,6 +19,8 @@ final class Calls implements AutoCloseable {
 
   /** The calls that may wait. */
   static final int WAITING = 64;
+
+  private static final long POLL_MILLIS = 100;
 
   private final Answers answers;
   private final Map<Object, Call> open = new ConcurrentHashMap<>();
@@ -66,24 +69,22 @@ final class Calls implements AutoCloseable {
     public void run() {
       if (begin()) {
         CallProgress progress = new CallProgress(answers, token);
-        Object answer = null;
-        try {
-          answer = Answers.result(id, work.result(progress));
-        } catch (InterruptedException e) {
-          answer = failed("interrupted");
-        } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-          answer = failed(e.toString());
-        } finally {
-          progress.end();
-          finish(answer);
-        }
+        Object answer = answer(progress);
+        progress.end();
+        finish(answer);
       }
     }
 
-    private Object failed(String reason) {
-      return Answers.error(
-          Optional.of(id),
-          new RpcException(RpcException.INTERNAL_ERROR, "internal error: " + reason));
+    private Object answer(CallProgress progress) {
+      try {
+        return Answers.result(id, work.result(progress));
+      } catch (InterruptedException | RuntimeException | Error e) {
+        return Answers.error(
+            Optional.of(id),
+            new RpcException(
+                RpcException.INTERNAL_ERROR,
+                "internal error: " + PrintableText.shortened(e.toString())));
+      }
     }
 
     private synchronized boolean begin() {
@@ -148,12 +149,16 @@ final class Calls implements AutoCloseable {
     Optional.ofNullable(open.get(id)).ifPresent(Call::cancel);
   }
 
-  /** Waits for the calls that run or wait. */
+  /** Waits for the calls that run or wait, as long as the client can be reached. */
   @Override
   public void close() {
     pool.shutdown();
     try {
-      pool.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+      while (!pool.awaitTermination(POLL_MILLIS, TimeUnit.MILLISECONDS)) {
+        if (answers.isBroken()) {
+          pool.shutdownNow();
+        }
+      }
     } catch (InterruptedException e) {
       pool.shutdownNow();
       Thread.currentThread().interrupt();

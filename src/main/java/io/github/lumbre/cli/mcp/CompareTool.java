@@ -8,11 +8,9 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,6 +22,9 @@ final class CompareTool implements Tool {
 
   private static final Input<String> REFERENCE =
       Input.requiredText("reference", "Path of a picture of the same size.");
+
+  /** So that the map is no larger than what language models take. */
+  private static final long MOST_PIXELS = 1L << 21;
 
   private final Roots roots;
   private final Limits limits;
@@ -72,14 +73,13 @@ final class CompareTool implements Tool {
   }
 
   private Image read(String name) throws ToolException {
-    Path file = roots.file(name);
     String shown = PrintableText.quoted(name);
-    try (InputStream in = Files.newInputStream(file)) {
-      byte[] content = limits.bytesOf(in);
+    try {
+      byte[] content = Roots.content(roots.file(name), limits);
       if (content.length > limits.bytes()) {
         throw new ToolException(shown + ": expected at most " + limits.bytes() + " bytes");
       }
-      Image light = ImageFormat.read(content, limits.pixels()).light();
+      Image light = ImageFormat.read(content, limits.withTexels(MOST_PIXELS)).light();
       for (float value : light.rgb()) {
         if (!Float.isFinite(value)) {
           throw new ToolException(shown + ": expected finite values, found NaN or infinite ones");
@@ -89,6 +89,7 @@ final class CompareTool implements Tool {
     } catch (ImageFormatException e) {
       throw new ToolException(shown + ": " + e.getMessage(), e);
     } catch (IOException e) {
+      Interrupts.check();
       throw new ToolException(shown + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }

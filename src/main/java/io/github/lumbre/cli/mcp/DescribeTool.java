@@ -34,8 +34,7 @@ final class DescribeTool implements Tool {
   }
 
   @Override
-  public Outcome call(Arguments arguments, CallProgress progress)
-      throws ToolException, InterruptedException {
+  public Outcome call(Arguments arguments, CallProgress progress) throws ToolException {
     Studio.Staged model = ModelInputs.model(studio, arguments);
     ParsedScene scene = ParsedScene.of(model.first());
     JsonSummary summary = model.summary(name());

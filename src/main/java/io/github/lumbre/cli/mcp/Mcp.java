@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 
 /** The tools for models as a server. Stateless. */
@@ -29,6 +30,7 @@ public final class Mcp {
             new DescribeTool(studio),
             new PixelTool(studio),
             new CompareTool(confined, limits));
-    new McpServer(in, new Answers(out), tools).serve();
+    Duration most = limits.time().multipliedBy(2); // Of reading, and of rendering.
+    new McpServer(in, new Answers(out), tools, most).serve();
   }
 }

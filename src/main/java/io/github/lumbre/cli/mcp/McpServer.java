@@ -3,6 +3,7 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.json.JsonValue;
 import java.io.IOException;
 import java.io.InputStream;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 
@@ -17,8 +18,13 @@ final class McpServer {
   private final Answers answers;
   private final Calls calls;
   private final Protocol protocol;
+  private final Duration most;
 
-  McpServer(InputStream in, Answers answers, List<Tool> tools) {
+  /**
+   * @param most time that a call may take
+   */
+  McpServer(InputStream in, Answers answers, List<Tool> tools, Duration most) {
+    this.most = most;
     this.lines = new Lines(in, Message.MAX_BYTES);
     this.answers = answers;
     this.calls = new Calls(answers);
@@ -93,7 +99,7 @@ final class McpServer {
       calls.start(
           id,
           message.meta("progressToken").flatMap(Message::idOf),
-          progress -> era.result(call.result(progress)),
+          progress -> era.result(call.result(progress, most)),
           to);
     } else {
       to.answered(Answers.result(id, protocol.result(message, era)));

@@ -32,8 +32,7 @@ final class ModelInputs {
   private ModelInputs() {}
 
   /** Returns the model that the arguments name. */
-  static Studio.Staged model(Studio studio, Arguments arguments)
-      throws ToolException, InterruptedException {
+  static Studio.Staged model(Studio studio, Arguments arguments) throws ToolException {
     return studio.model(arguments.get(MODEL), stage(arguments));
   }
 

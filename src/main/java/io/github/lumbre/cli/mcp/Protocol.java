@@ -2,13 +2,16 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.json.JsonValue;
 import io.github.lumbre.lab.Release;
+import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.text.PrintableText;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 
 /**
  * The requests of the Model Context Protocol and their results. Confined to the thread that reads
@@ -63,26 +66,50 @@ final class Protocol {
 
   /** A call of a tool whose name is known. */
   record Call(Tool tool, Map<String, JsonValue> arguments) {
-    /** Does the work; its failures are results, too, so that language models see them. */
-    Map<String, Object> result(CallProgress progress) throws InterruptedException {
-      Map<String, Object> result = new LinkedHashMap<>();
-      List<Object> content = new ArrayList<>();
-      result.put("content", content);
-      try {
-        Tool.Outcome outcome = tool.call(new Arguments(tool.inputs(), arguments), progress);
-        for (byte[] picture : outcome.pictures()) {
-          Map<String, Object> image = new LinkedHashMap<>();
-          image.put("type", "image");
-          image.put("data", Base64.getEncoder().encodeToString(picture));
-          image.put("mimeType", "image/png");
-          content.add(image);
+    /**
+     * Does the work; its failures are results, too, so that language models see them.
+     *
+     * @param most time that the work may take
+     */
+    Map<String, Object> result(CallProgress progress, Duration most) throws InterruptedException {
+      try (TimeLimit time = TimeLimit.start(most)) {
+        try {
+          return done(tool.call(new Arguments(tool.inputs(), arguments), progress));
+        } catch (ToolException e) {
+          return failed(e.getMessage());
+        } catch (InterruptedException | CancellationException e) {
+          if (time.hasPassed()) {
+            return failed(
+                "stopped after %d s; ask for fewer pixels or samples, or hide parts of the model"
+                    .formatted(most.toSeconds()));
+          }
+          throw e;
+        } catch (OutOfMemoryError e) {
+          return failed("the server's memory is exhausted; wait for other calls, and try again");
         }
-        content.add(text(Answers.json(outcome.values())));
-        result.put("structuredContent", outcome.values());
-      } catch (ToolException e) {
-        content.add(text(e.getMessage()));
-        result.put("isError", true);
       }
+    }
+
+    private static Map<String, Object> done(Tool.Outcome outcome) {
+      List<Object> content = new ArrayList<>();
+      for (byte[] picture : outcome.pictures()) {
+        Map<String, Object> image = new LinkedHashMap<>();
+        image.put("type", "image");
+        image.put("data", Base64.getEncoder().encodeToString(picture));
+        image.put("mimeType", "image/png");
+        content.add(image);
+      }
+      content.add(text(Answers.json(outcome.values())));
+      Map<String, Object> result = new LinkedHashMap<>();
+      result.put("content", content);
+      result.put("structuredContent", outcome.values());
+      return result;
+    }
+
+    private static Map<String, Object> failed(String message) {
+      Map<String, Object> result = new LinkedHashMap<>();
+      result.put("content", List.of(text(message)));
+      result.put("isError", true);
       return result;
     }
 

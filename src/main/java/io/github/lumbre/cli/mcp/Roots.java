@@ -1,10 +1,12 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -62,6 +64,13 @@ final class Roots {
           : Optional.empty();
     } catch (IOException e) {
       return Optional.empty();
+    }
+  }
+
+  /** Returns the bytes of a file, or one more than the limit, which readers refuse. */
+  static byte[] content(Path file, Limits limits) throws IOException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return limits.bytesOf(in);
     }
   }
 

@@ -4,6 +4,7 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.Models;
@@ -18,10 +19,6 @@ import io.github.lumbre.parser.internal.PartTable;
 import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InterruptedIOException;
-import java.nio.channels.ClosedByInterruptException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -109,15 +106,15 @@ final class Studio {
    *
    * @param name path of its file, as the client gives it
    * @param stage its camera and view do not count
-   * @throws InterruptedException if the call is cancelled
+   * @throws java.util.concurrent.CancellationException if the call is cancelled
    */
-  Staged model(String name, Stage stage) throws ToolException, InterruptedException {
+  Staged model(String name, Stage stage) throws ToolException {
     Path file = roots.file(name);
     if (!Models.isModelName(file.getFileName().toString())) {
       throw new ToolException(PrintableText.quoted(name) + ": expected a model: " + Models.NAMES);
     }
     try {
-      byte[] content = content(file);
+      byte[] content = Roots.content(file, limits);
       Stage seen = stage.seenFrom(View.DEFAULT);
       Key key = new Key(file, Sha256.of(content), seen);
       ModelFolder folder = Roots.folderOf(file, limits.bytes());
@@ -128,23 +125,10 @@ final class Studio {
       Staged staged = read(file, content, new SeenFiles(folder), seen);
       kept.put(key, staged, staged.views.memory());
       return staged;
-    } catch (ClosedByInterruptException | InterruptedIOException e) {
-      throw interrupted(e);
     } catch (IOException e) {
+      Interrupts.check();
       String reason = FileFailure.reason(e);
       throw new ToolException(PrintableText.quoted(name) + ": cannot be read: " + reason, e);
-    }
-  }
-
-  private static InterruptedException interrupted(Exception e) {
-    InterruptedException interrupted = new InterruptedException(e.getMessage());
-    interrupted.initCause(e);
-    return interrupted;
-  }
-
-  private byte[] content(Path file) throws IOException {
-    try (InputStream in = Files.newInputStream(file)) {
-      return limits.bytesOf(in);
     }
   }
 

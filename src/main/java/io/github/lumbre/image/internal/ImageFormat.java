@@ -96,6 +96,16 @@ public enum ImageFormat {
    *     interrupt status stays set
    */
   public static LinearPicture read(byte[] file, long maxPixels) throws ImageFormatException {
+    return read(file, Limits.NONE.withTexels(maxPixels));
+  }
+
+  /**
+   * Returns the picture in a file's bytes as {@link #read(byte[], long)} does.
+   *
+   * @param limits of its texels, and of its format
+   */
+  public static LinearPicture read(byte[] file, Limits limits) throws ImageFormatException {
+    long maxPixels = limits.texels();
     if (ExrReader.startsIn(file)) {
       return ExrReader.read(file, maxPixels);
     }
@@ -106,7 +116,7 @@ public enum ImageFormat {
       return PfmReader.read(file, maxPixels);
     }
     if (EncodedFormat.isIn(file)) {
-      return LinearReader.decoded(ImageReader.decode(file, Limits.NONE.withTexels(maxPixels)));
+      return LinearReader.decoded(ImageReader.decode(file, limits));
     }
     throw malformed(
         "expected an OpenEXR, Radiance HDR, PFM, %s picture, found %s"

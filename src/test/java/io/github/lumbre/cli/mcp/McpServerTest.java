@@ -10,14 +10,12 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,6 +30,8 @@ class McpServerTest {
   private static final String START =
       "{\"jsonrpc\":\"2.0\",\"id\":0,\"method\":\"initialize\",\"params\":"
           + "{\"protocolVersion\":\"2025-11-25\",\"capabilities\":{},\"clientInfo\":{}}}\n";
+
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   /** Says its text, fails, or waits until it is interrupted or released. */
   private static final class Echo implements Tool {
@@ -69,6 +69,8 @@ class McpServerTest {
       switch (text) {
         case "fail" -> throw new ToolException("cannot be said");
         case "crash" -> throw new IllegalStateException("broken");
+        case "fault" -> throw new AssertionError("impossible");
+        case "memory" -> throw new OutOfMemoryError();
         case "overflow" -> throw new StackOverflowError();
         case "wait" -> {
           started.countDown();
@@ -92,7 +94,8 @@ class McpServerTest {
 
   private static List<JsonElement> answers(byte[] messages, Echo echo) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    new McpServer(new ByteArrayInputStream(messages), new Answers(out), List.of(echo)).serve();
+    new McpServer(new ByteArrayInputStream(messages), new Answers(out), List.of(echo), PATIENCE)
+        .serve();
     return out.toString(StandardCharsets.UTF_8).lines().map(JsonParser::parseString).toList();
   }
 
@@ -182,6 +185,8 @@ class McpServerTest {
       delimiter = '|',
       value = {
         "'\"text\":\"fail\"' | cannot be said",
+        "'\"text\":\"memory\"' | 'the server''s memory is exhausted; wait for other calls, and try"
+            + " again'",
         "'' | 'text: expected a string of at most 4096 characters, found none'",
         "'\"text\":7' | 'text: expected a string of at most 4096 characters, found 7'",
         "'\"text\":\"a\",\"times\":4' | 'times: expected an integer from 1 to 3, found 4'",
@@ -197,7 +202,7 @@ class McpServerTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"crash", "overflow"})
+  @ValueSource(strings = {"crash", "fault", "overflow"})
   void aCrashEndsItsOwnCallOnly(String text) throws IOException {
     List<JsonElement> answers =
         answers(call(1, "\"text\":\"" + text + "\"") + call(2, "\"text\":\"b\""));
@@ -279,65 +284,19 @@ class McpServerTest {
     assertThat(answers.get(1).getAsJsonObject().get("id").getAsInt()).isEqualTo(1);
   }
 
-  /** A client whose messages are sent one after the other. */
-  private static final class Client implements AutoCloseable {
-    private final PipedOutputStream messages = new PipedOutputStream();
-    private final LinkedBlockingQueue<String> answers = new LinkedBlockingQueue<>();
-    private final Thread server;
+  private static McpClient client(Echo echo) throws IOException {
+    return client(echo, PATIENCE);
+  }
 
-    Client(Echo echo) throws IOException {
-      PipedInputStream in = new PipedInputStream(messages, 1 << 16);
-      OutputStream out =
-          new OutputStream() {
-            @Override
-            public void write(int value) {
-              throw new UnsupportedOperationException();
-            }
-
-            @Override
-            public void write(byte[] bytes) {
-              answers.add(new String(bytes, StandardCharsets.UTF_8));
-            }
-          };
-      server =
-          new Thread(
-              () -> {
-                try {
-                  new McpServer(in, new Answers(out), List.of(echo)).serve();
-                } catch (IOException e) {
-                  answers.add(e.toString());
-                }
-              });
-      server.start();
-    }
-
-    void send(String message) throws IOException {
-      messages.write(message.getBytes(StandardCharsets.UTF_8));
-      messages.flush();
-    }
-
-    JsonObject next() throws InterruptedException {
-      String answer = answers.poll(30, TimeUnit.SECONDS);
-      assertThat(answer).as("an answer within 30 s").isNotNull();
-      return JsonParser.parseString(answer).getAsJsonObject();
-    }
-
-    @Override
-    public void close() throws IOException {
-      messages.close();
-      try {
-        server.join(30_000);
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-      }
-      assertThat(server.isAlive()).isFalse();
-    }
+  private static McpClient client(Echo echo, Duration most) throws IOException {
+    return new McpClient(
+        (in, out) -> new McpServer(in, new Answers(out), List.of(echo), most).serve());
   }
 
   @Test
   void aCancelledCallStopsAndGetsNoAnswer() throws Exception {
     Echo echo = new Echo();
-    try (Client client = new Client(echo)) {
+    try (McpClient client = client(echo)) {
       client.send(call(7, "\"text\":\"wait\""));
       assertThat(echo.started.await(30, TimeUnit.SECONDS)).isTrue();
       client.send(
@@ -353,9 +312,79 @@ class McpServerTest {
   }
 
   @Test
+  void aCallEndsInTime() throws Exception {
+    Echo echo = new Echo();
+    try (McpClient client = client(echo, Duration.ofMillis(1))) {
+      client.send(call(1, "\"text\":\"wait\""));
+      JsonObject result = client.next().getAsJsonObject("result");
+      assertThat(echo.interrupted.getCount()).isZero();
+      assertThat(result.get("isError").getAsBoolean()).isTrue();
+      assertThat(result.getAsJsonArray("content").toString())
+          .contains("stopped after 0 s; ask for fewer pixels or samples");
+      client.send(request(2, "ping", ""));
+      assertThat(client.next().get("id").getAsInt()).isEqualTo(2);
+    }
+  }
+
+  /** Nobody is there for the answers, so that calls need not end, and no input comes. */
+  @Test
+  void aClientThatIsGoneEndsCalls() throws Exception {
+    Echo echo = new Echo();
+    OutputStream gone =
+        new OutputStream() {
+          @Override
+          public void write(int value) throws IOException {
+            throw new IOException("Broken pipe");
+          }
+        };
+    String messages = call(1, "\"text\":\"wait\"") + request(2, "ping", "");
+    new McpServer(
+            new ByteArrayInputStream(messages.getBytes(StandardCharsets.UTF_8)),
+            new Answers(gone),
+            List.of(echo),
+            PATIENCE)
+        .serve();
+    assertThat(echo.interrupted.getCount()).isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"{}", "null", "1.5", "[1]", "true", "\"\""})
+  void progressTokensOfAnyTypeAreHarmless(String token) throws IOException {
+    String request =
+        call(1, "\"text\":\"a\"")
+            .replace("\"_meta\":{", "\"_meta\":{\"progressToken\":" + token + ",");
+    assertThat(only(request).has("result")).isTrue();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{\"jsonrpc\":\"2.0\",\"id\":1e300,\"method\":\"ping\"}",
+        "{\"jsonrpc\":\"2.0\",\"id\":99999999999999999999,\"method\":\"ping\"}",
+        "{\"jsonrpc\":\"2.0\",\"id\":-1e-999999999,\"method\":\"ping\"}"
+      })
+  void hugeNumbersAreNoIdentities(String message) throws IOException {
+    assertThat(code(only(message + "\n"))).isEqualTo(-32600);
+  }
+
+  @Test
+  void longIdentitiesComeBack() throws IOException {
+    String id = "\"" + "\\u001b".repeat(100_000) + "\"";
+    assertThat(only(request(id, "ping", "")).get("id").getAsString()).hasSize(100_000);
+  }
+
+  @Test
+  void deepJsonIsRefused() throws IOException {
+    String deep = "[".repeat(500_000) + "]".repeat(500_000) + "\n";
+    assertThat(code(only(deep))).isEqualTo(-32700);
+    deep = "{\"a\":".repeat(100_000) + "1" + "}".repeat(100_000) + "\n";
+    assertThat(code(only(deep))).isEqualTo(-32700);
+  }
+
+  @Test
   void aSlowCallHoldsUpNoOther() throws Exception {
     Echo echo = new Echo();
-    try (Client client = new Client(echo)) {
+    try (McpClient client = client(echo)) {
       client.send(call(1, "\"text\":\"wait\""));
       assertThat(echo.started.await(30, TimeUnit.SECONDS)).isTrue();
       client.send(call(1, "\"text\":\"a\""));
@@ -372,7 +401,7 @@ class McpServerTest {
   @Test
   void callsThatWaitAreBounded() throws Exception {
     Echo echo = new Echo();
-    try (Client client = new Client(echo)) {
+    try (McpClient client = client(echo)) {
       int most = Calls.RUNNING + Calls.WAITING;
       for (int i = 0; i < most; i++) {
         client.send(call(i, "\"text\":\"wait\""));

@@ -1,0 +1,74 @@
+package io.github.lumbre.cli.mcp;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PipedInputStream;
+import java.io.PipedOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+
+/** A client of a server in a thread of this process: its messages are sent one after the other. */
+final class McpClient implements AutoCloseable {
+  private final PipedOutputStream messages = new PipedOutputStream();
+  private final LinkedBlockingQueue<String> answers = new LinkedBlockingQueue<>();
+  private final Thread server;
+
+  /** Serves one client. */
+  interface Server {
+    void serve(InputStream in, OutputStream out) throws IOException;
+  }
+
+  McpClient(Server serve) throws IOException {
+    PipedInputStream in = new PipedInputStream(messages, 1 << 16);
+    OutputStream out =
+        new OutputStream() {
+          @Override
+          public void write(int value) {
+            throw new UnsupportedOperationException();
+          }
+
+          @Override
+          public void write(byte[] bytes) {
+            answers.add(new String(bytes, StandardCharsets.UTF_8));
+          }
+        };
+    server =
+        new Thread(
+            () -> {
+              try {
+                serve.serve(in, out);
+              } catch (IOException e) {
+                answers.add(e.toString());
+              }
+            });
+    server.start();
+  }
+
+  void send(String message) throws IOException {
+    messages.write(message.getBytes(StandardCharsets.UTF_8));
+    messages.flush();
+  }
+
+  JsonObject next() throws InterruptedException {
+    String answer = answers.poll(30, TimeUnit.SECONDS);
+    assertThat(answer).as("an answer within 30 s").isNotNull();
+    return JsonParser.parseString(answer).getAsJsonObject();
+  }
+
+  @Override
+  public void close() throws IOException {
+    messages.close();
+    try {
+      server.join(30_000);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    assertThat(server.isAlive()).isFalse();
+  }
+}
