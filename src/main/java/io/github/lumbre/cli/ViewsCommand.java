@@ -253,7 +253,11 @@ final class ViewsCommand implements Callable<Integer> {
       throws SceneFormatException, TaskException {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
-    LineDrawing lines = LineDrawing.of(views.first().scene(), settings);
+    Scene scene = views.first().scene();
+    LineDrawing lines =
+        monitor
+            .unlessStopped(() -> LineDrawing.of(scene, settings))
+            .orElseThrow(ViewsCommand::stopped);
     List<DisplayLight> pictures = new ArrayList<>();
     for (Scene view : views.scenes()) {
       frames.render(
@@ -262,7 +266,10 @@ final class ViewsCommand implements Callable<Integer> {
             Film film = rendered(settings, view, monitor);
             DenoisedPicture denoised = denoised(film, frames, monitor, messages);
             Image clean = denoised.image(film.develop());
-            DisplayLight drawn = lines.onDisplay(view, clean, options);
+            DisplayLight drawn =
+                monitor
+                    .unlessStopped(() -> lines.onDisplay(view, clean, options))
+                    .orElseThrow(ViewsCommand::stopped);
             pictures.add(drawn);
             frames.picture().write(drawn.image(), denoised.noting(drawn.options()));
             denoised.requireDone();

@@ -35,6 +35,7 @@ import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
 import java.util.List;
@@ -305,16 +306,25 @@ public record RenderJob(
     denoised.requireDone();
   }
 
-  /** Writes the picture with the lines that the settings ask for. */
+  /**
+   * Writes the picture with the lines that the settings ask for, unless the render is or was
+   * stopped.
+   */
   private void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
       throws TaskException {
-    LineDrawing lines = LineDrawing.of(file.scene(), file.settings());
-    if (picture.isForScreen()) {
-      DisplayLight drawn = lines.onDisplay(file.scene(), image, options);
-      picture.write(drawn.image(), layers, drawn.options());
-    } else {
-      picture.write(lines.onLight(file.scene(), image), layers, options);
+    Optional<DisplayLight> lined = monitor.unlessStopped(() -> lined(image, options));
+    if (lined.isEmpty() && file.settings().get(Setting.LINE_WIDTH) > 0) {
+      said().line("no lines are drawn, because the render was stopped");
     }
+    DisplayLight written = lined.orElse(new DisplayLight(image, options));
+    picture.write(written.image(), layers, written.options());
+  }
+
+  private DisplayLight lined(Image image, ImageWriter.Options options) {
+    LineDrawing lines = LineDrawing.of(file.scene(), file.settings());
+    return picture.isForScreen()
+        ? lines.onDisplay(file.scene(), image, options)
+        : new DisplayLight(lines.onLight(file.scene(), image), options);
   }
 
   private DenoisedPicture denoised(Film film) {
