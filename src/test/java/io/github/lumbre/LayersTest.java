@@ -46,8 +46,8 @@ class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
   private static final String LIBRARY =
       "math image drawing sampling texture geometry file text limit json path material camera light"
-          + " scene outline model guiding integrator render parser checkpoint denoise stopping"
-          + " preview audit compare thumbnail difference";
+          + " scene outline label model guiding integrator render parser checkpoint denoise"
+          + " stopping preview audit compare thumbnail difference";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -62,13 +62,14 @@ class LayersTest {
           Map.entry("drawing", "image"),
           Map.entry("sampling", "math"),
           Map.entry("texture", "math image sampling"),
-          Map.entry("geometry", "math image sampling texture limit"),
+          Map.entry("geometry", "math image sampling texture"),
           Map.entry("difference", "math image geometry limit text material model"),
           Map.entry("material", "math image sampling texture geometry"),
           Map.entry("camera", "math sampling"),
           Map.entry("light", "math image sampling texture geometry"),
           Map.entry("scene", "math image geometry text material camera light"),
-          Map.entry("outline", "math image drawing geometry limit material camera scene"),
+          Map.entry("outline", "math image drawing geometry material camera scene"),
+          Map.entry("label", "math image drawing text camera"),
           Map.entry("guiding", ""),
           Map.entry(
               "integrator",
@@ -78,8 +79,8 @@ class LayersTest {
               "model", "math image texture geometry file text limit json material light scene"),
           Map.entry(
               "parser",
-              "math image sampling texture geometry file text limit json material camera light"
-                  + " scene outline model"),
+              "math image drawing sampling texture geometry file text limit json material camera"
+                  + " light scene outline label model"),
           Map.entry("checkpoint", "file image scene render"),
           Map.entry("denoise", "math image sampling scene render"),
           Map.entry("stopping", "math scene render"),
@@ -108,7 +109,7 @@ class LayersTest {
                   + " render parser checkpoint stopping lab"),
           Map.entry(
               "cli.run",
-              "image drawing outline file text limit scene render parser checkpoint denoise"
+              "image drawing file text limit scene render parser checkpoint denoise"
                   + " stopping lab cli.output"),
           Map.entry(
               "cli.option",
@@ -116,7 +117,7 @@ class LayersTest {
                   + " cli.output cli.run"),
           Map.entry(
               "cli.view",
-              "math image outline geometry path camera scene render parser checkpoint denoise"
+              "math image geometry path camera scene render parser checkpoint denoise"
                   + " stopping preview lab cli.output cli.run"),
           Map.entry("cli.diff", "image geometry camera sampling scene parser difference"),
           Map.entry(
@@ -125,7 +126,7 @@ class LayersTest {
                   + " cli.output cli.run"),
           Map.entry(
               "cli",
-              "math image drawing outline texture file text scene model render parser checkpoint"
+              "math image drawing texture file text scene model render parser checkpoint"
                   + " denoise audit compare lab lab.perf lab.report lab.checks lab.trade cli.output"
                   + " cli.run cli.option cli.view cli.mcp cli.diff difference"));
 

@@ -80,6 +80,9 @@ final class ImportCommand implements Callable<Integer> {
     if (ModelReader.isModelName(target.toString())) {
       throw failure("--output: expected a name that ends in .json, found " + target);
     }
+    if (spec.commandLine().getParseResult().hasMatchedOption("--labels")) {
+      throw failure("--labels: cannot be used; a scene file holds no labels");
+    }
     Stage stage = flags.stage(OptionalDouble.empty());
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : stage.files(model)) {

@@ -326,6 +326,10 @@ final class RenderCommand implements Callable<Integer> {
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
             + " the clamped energy");
+    require(
+        checkpoint.isEmpty() || !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
+        "--labels: cannot be combined with --checkpoint, because a checkpoint file does not record"
+            + " the labels");
     stored.validate();
   }
 

@@ -29,7 +29,6 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
-import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.ModelViews;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -39,6 +38,7 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.PartTable;
+import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
@@ -52,6 +52,7 @@ import io.github.lumbre.scene.Setting;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -253,23 +254,21 @@ final class ViewsCommand implements Callable<Integer> {
       throws SceneFormatException, TaskException {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
-    Scene scene = views.first().scene();
-    LineDrawing lines =
-        monitor
-            .unlessStopped(() -> LineDrawing.of(scene, settings))
-            .orElseThrow(ViewsCommand::stopped);
+    List<String> notes = new ArrayList<>();
+    PictureDrawing drawing = PictureDrawing.of(ParsedScene.of(views.first()), notes::add);
     List<DisplayLight> pictures = new ArrayList<>();
+    Iterator<String> names = View.standard().keySet().iterator();
     for (Scene view : views.scenes()) {
+      Optional<String> name = Optional.of(names.next());
       frames.render(
           new JsonSummary("views", model),
           () -> {
             Film film = rendered(settings, view, monitor);
             DenoisedPicture denoised = denoised(film, frames, monitor, messages);
             Image clean = denoised.image(film.develop());
-            DisplayLight drawn =
-                monitor
-                    .unlessStopped(() -> lines.onDisplay(view, clean, options))
-                    .orElseThrow(ViewsCommand::stopped);
+            DisplayLight drawn = drawing.onDisplay(view, name, clean, options);
+            notes.forEach(note -> messages.line(name.get() + ": " + note));
+            notes.clear();
             pictures.add(drawn);
             frames.picture().write(drawn.image(), denoised.noting(drawn.options()));
             denoised.requireDone();

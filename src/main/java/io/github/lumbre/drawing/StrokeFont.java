@@ -4,15 +4,15 @@ package io.github.lumbre.drawing;
  * Text as strokes of constant width: printable ASCII, umlauts, ß, and the signs °, ±, ×, ², ³, µ,
  * ø, Ø, ⌀ and −. Other characters are boxes. The same text has the same strokes on every machine.
  */
-final class StrokeFont {
+public final class StrokeFont {
   /** Height of capitals and digits in units of the table. */
-  static final double CAPITAL = 14;
+  public static final double CAPITAL = 14;
 
   /** Distance of the lowest point of any character below the baseline, in units of the table. */
-  static final double DESCENT = 4;
+  public static final double DESCENT = 4;
 
   /** Distance of the highest point of any character above the baseline, in units of the table. */
-  static final double ASCENT = 17;
+  public static final double ASCENT = 17;
 
   /** Distance between characters, in units of the table. */
   static final double GAP = 4;
@@ -24,7 +24,7 @@ final class StrokeFont {
    *
    * @param size height of capitals in pixels
    */
-  static double width(String text, double size) {
+  public static double width(String text, double size) {
     double units = text.codePoints().mapToDouble(c -> GlyphTable.of(c).width() + GAP).sum();
     return Math.max(0, units - GAP) * size / CAPITAL;
   }
@@ -36,7 +36,7 @@ final class StrokeFont {
    * @param y of its baseline, in pixels
    * @param size height of capitals in pixels; the pen should have an eighth of it
    */
-  static void add(Strokes strokes, String text, double x, double y, double size) {
+  public static void add(Strokes strokes, String text, double x, double y, double size) {
     double scale = size / CAPITAL;
     double left = 0;
     for (int character : text.codePoints().toArray()) {

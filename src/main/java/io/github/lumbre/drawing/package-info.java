@@ -1,7 +1,7 @@
 /**
  * Lines on finished pictures. {@link io.github.lumbre.drawing.Canvas} draws {@link
- * io.github.lumbre.drawing.Strokes} with a {@link io.github.lumbre.drawing.Pen}. {@code StrokeFont}
- * has the strokes of texts.
+ * io.github.lumbre.drawing.Strokes} with a {@link io.github.lumbre.drawing.Pen}. {@link
+ * io.github.lumbre.drawing.StrokeFont} has the strokes of texts.
  *
  * <p>Coordinates are in pixels from the top left corner of the picture: x to the right, y down. The
  * center of the first pixel is (0.5, 0.5).

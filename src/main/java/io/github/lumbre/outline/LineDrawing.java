@@ -1,22 +1,16 @@
 package io.github.lumbre.outline;
 
-import io.github.lumbre.drawing.Canvas;
-import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.drawing.Pen;
 import io.github.lumbre.drawing.Strokes;
-import io.github.lumbre.geometry.Plane;
-import io.github.lumbre.image.Image;
-import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
 import java.util.Optional;
 
 /**
- * Draws black lines on the pictures of a scene, and of the same scene from other places, as its
- * settings ask for. Immutable.
+ * The black lines on pictures of a scene, and of the same scene from other places, as its settings
+ * ask for. Immutable.
  */
 public final class LineDrawing {
   private final RenderSettings settings;
@@ -29,73 +23,23 @@ public final class LineDrawing {
     this.outlines = outlines;
   }
 
-  /**
-   * Returns why a scene lacks lines that its settings ask for; empty if it lacks none. Infinite
-   * planes need no lines.
-   */
-  public static Optional<String> lack(Scene scene, RenderSettings settings) {
-    if (settings.get(Setting.LINE_WIDTH) == 0) {
-      return Optional.empty();
-    }
-    if (Eye.of(scene.camera(), settings).isEmpty()) {
-      return Optional.of("draws no lines, because the camera bends straight lines");
-    }
-    long others =
-        scene.primitives().stream()
-            .map(Primitive::shape)
-            .filter(shape -> !(shape instanceof Plane) && OutlinedPart.meshOf(shape).isEmpty())
-            .count();
-    return others == 0
-        ? Optional.empty()
-        : Optional.of(
-            others
-                + " of "
-                + scene.primitives().size()
-                + " shapes have no lines, because only meshes have edges");
-  }
-
-  /**
-   * Returns the drawing of a scene; it finds the edges if there are lines to draw.
-   *
-   * @throws java.util.concurrent.CancellationException if the thread is interrupted
-   */
+  /** Returns the drawing of a scene; it finds the edges if there are lines to draw. */
   public static LineDrawing of(Scene scene, RenderSettings settings) {
     boolean isOn = settings.get(Setting.LINE_WIDTH) > 0;
     return new LineDrawing(settings, isOn ? Optional.of(Outlines.of(scene)) : Optional.empty());
   }
 
   /**
-   * Returns a finished picture for the screen, with lines as dark on bright surfaces as on others.
-   *
-   * @param scene the scene of this drawing, from any place
-   * @param picture in linear light
-   * @param options exposure and tone curve of the picture
-   */
-  public DisplayLight onDisplay(Scene scene, Image picture, ImageWriter.Options options) {
-    Optional<Strokes> strokes = strokes(scene);
-    if (strokes.isEmpty()) {
-      return new DisplayLight(picture, options);
-    }
-    DisplayLight light = DisplayLight.of(picture, options);
-    return new DisplayLight(drawn(light.image(), strokes.get()), light.options());
-  }
-
-  /**
-   * Returns a picture in linear light with lines.
+   * Returns the lines of a picture; empty if there are none to draw.
    *
    * @param scene the scene of this drawing, from any place
    */
-  public Image onLight(Scene scene, Image picture) {
-    return strokes(scene).map(strokes -> drawn(picture, strokes)).orElse(picture);
-  }
-
-  private Optional<Strokes> strokes(Scene scene) {
+  public Optional<Strokes> strokes(Scene scene) {
     return outlines.flatMap(edges -> edges.strokes(scene, settings));
   }
 
-  private Image drawn(Image picture, Strokes strokes) {
-    Canvas canvas = new Canvas(picture);
-    canvas.draw(strokes, new Pen(Rgb.BLACK, settings.get(Setting.LINE_WIDTH)));
-    return canvas.image();
+  /** Returns the pen for the lines. */
+  public Pen pen() {
+    return new Pen(Rgb.BLACK, settings.get(Setting.LINE_WIDTH));
   }
 }

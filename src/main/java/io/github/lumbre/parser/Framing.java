@@ -8,9 +8,11 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.parser.internal.ShownLabels;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Set;
 
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
 final class Framing {
@@ -101,6 +103,19 @@ final class Framing {
     return new Framing(List.copyOf(all), box.min(), box.max());
   }
 
+  /** Visits all vertices, and the corners of the box if it is drawn. */
+  private void visit(Visitor visitor, Set<String> labels) {
+    forVertices(parts, visitor);
+    if (ShownLabels.showBox(labels)) {
+      for (double x : List.of(min.x(), max.x())) {
+        for (double y : List.of(min.y(), max.y())) {
+          visitor.visit(new Vec3(x, y, min.z()), 0);
+          visitor.visit(new Vec3(x, y, max.z()), 0);
+        }
+      }
+    }
+  }
+
   private static void forVertices(List<Vertices> parts, Visitor visitor) {
     parts.forEach(part -> part.forEach(visitor));
   }
@@ -123,8 +138,9 @@ final class Framing {
    *
    * @param fov vertical angle of view in degrees
    * @param aspect width of the frame over its height
+   * @param labels on the picture, which need room
    */
-  Vec3 eye(View from, double fov, double aspect) {
+  Vec3 eye(View from, double fov, double aspect, Set<String> labels) {
     double sinA = Elementary.sinDegrees(from.azimuth());
     double cosA = Elementary.cosDegrees(from.azimuth());
     double sinE = Elementary.sinDegrees(from.elevation());
@@ -132,10 +148,10 @@ final class Framing {
     Vec3 back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
     Vec3 right = new Vec3(cosA, 0, sinA);
     Vec3 up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
-    double tan = FILL * Elementary.tanDegrees(fov / 2);
+    double tan = Elementary.tanDegrees(fov / 2);
     Vec3 center = min.plus(max).times(.5);
-    Bounds across = new Bounds(aspect * tan);
-    Bounds upwards = new Bounds(tan);
+    Bounds across = new Bounds(aspect * (ShownLabels.fillAcross(labels, FILL) * tan));
+    Bounds upwards = new Bounds(ShownLabels.fillUpwards(labels, FILL) * tan);
     double[] nearest = {0};
     Visitor measure =
         (vertex, size) -> {
@@ -152,7 +168,7 @@ final class Framing {
             nearest[0] = Math.max(nearest[0], depth + size);
           }
         };
-    forVertices(parts, measure);
+    visit(measure, labels);
     double margin = NEAR * max.minus(min).length();
     double distance =
         Math.max(nearest[0] + margin, Math.max(across.distance(), upwards.distance()));
@@ -160,7 +176,7 @@ final class Framing {
     boolean isEven = distance == 0;
     for (int pass = 0; !isEven && pass < MAX_PASSES; pass++) {
       isEven = across.fitTo(distance) & upwards.fitTo(distance);
-      forVertices(parts, measure);
+      visit(measure, labels);
     }
     return center
         .plus(distance > 0 ? distance : 1, back)

@@ -36,8 +36,9 @@ public interface SceneFile {
   Set<Path> assetPaths(Path path);
 
   /**
-   * Returns a picture of the scene with the lines that the settings ask for: the same picture if
-   * they ask for none, or the camera bends straight lines.
+   * Returns a picture of the scene with the lines that the settings ask for, and the labels of the
+   * {@link Stage}: the same picture if there are none. Cameras that bend straight lines show no
+   * lines. Labels that have no room are left out.
    *
    * @param picture in linear light, of the size of the settings' frame or crop
    */

@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.parser.internal.ShownLabels;
 import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
 import java.util.Collections;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What is around a model that is rendered by itself: its camera, its light and its background.
@@ -26,6 +28,7 @@ import java.util.Optional;
  * @param lineWidth width in pixels of lines on silhouettes, creases and borders, 0 to 100; 0 for no
  *     lines
  * @param creaseDegrees angle between two triangles from which on their edge is a crease, 0 to 180
+ * @param labels what is drawn on finished pictures: some of {@link #LABELS}
  * @param options what to read from the model
  */
 public record Stage(
@@ -38,7 +41,15 @@ public record Stage(
     boolean transparent,
     double lineWidth,
     double creaseDegrees,
+    Set<String> labels,
     ModelOptions options) {
+  /**
+   * The names of labels: {@code view} is the name of the view, {@code axes} the directions of the
+   * file's axes, {@code scale} a scale bar, {@code size} the dimensions of the box around the model
+   * in the unit of the file, {@code box} its edges, and {@code parts} the names of visible parts.
+   */
+  public static final List<String> LABELS = ShownLabels.KINDS;
+
   /** The default angle of view, in degrees. */
   public static final double DEFAULT_FOV = 35;
 
@@ -54,6 +65,7 @@ public record Stage(
           false,
           Setting.LINE_WIDTH.missing(),
           Setting.CREASE_ANGLE.missing(),
+          Set.of(),
           ModelOptions.DEFAULT);
 
   /** The default size of a picture of a model, in pixels. */
@@ -187,6 +199,11 @@ public record Stage(
     Objects.requireNonNull(sky, "sky");
     Objects.requireNonNull(background, "background");
     Objects.requireNonNull(options, "options");
+    labels = Set.copyOf(labels);
+    if (!LABELS.containsAll(labels)) {
+      throw new IllegalArgumentException(
+          "labels: expected some of " + String.join(", ", LABELS) + ", found " + labels);
+    }
     if (!Setting.LINE_WIDTH.type().accepts(lineWidth)) {
       throw new IllegalArgumentException(
           "lineWidth: expected " + Setting.LINE_WIDTH.type().expected() + ", found " + lineWidth);
@@ -216,6 +233,7 @@ public record Stage(
         transparent,
         lineWidth,
         creaseDegrees,
+        labels,
         options);
   }
 
@@ -231,19 +249,40 @@ public record Stage(
         transparent,
         lineWidth,
         creaseDegrees,
+        labels,
         options);
   }
 
   /** Returns this stage with a floor that the model stands on. */
   public Stage onGround() {
     return new Stage(
-        camera, view, fov, sky, true, background, transparent, lineWidth, creaseDegrees, options);
+        camera,
+        view,
+        fov,
+        sky,
+        true,
+        background,
+        transparent,
+        lineWidth,
+        creaseDegrees,
+        labels,
+        options);
   }
 
   /** Returns this stage with a transparent background. */
   public Stage onTransparentBackground() {
     return new Stage(
-        camera, view, fov, sky, ground, Optional.empty(), true, lineWidth, creaseDegrees, options);
+        camera,
+        view,
+        fov,
+        sky,
+        ground,
+        Optional.empty(),
+        true,
+        lineWidth,
+        creaseDegrees,
+        labels,
+        options);
   }
 
   /** Returns this stage with other options for reading the model. */
@@ -258,6 +297,7 @@ public record Stage(
         transparent,
         lineWidth,
         creaseDegrees,
+        labels,
         newOptions);
   }
 
@@ -268,7 +308,33 @@ public record Stage(
    */
   public Stage withLines(double width) {
     return new Stage(
-        camera, view, fov, sky, ground, background, transparent, width, creaseDegrees, options);
+        camera,
+        view,
+        fov,
+        sky,
+        ground,
+        background,
+        transparent,
+        width,
+        creaseDegrees,
+        labels,
+        options);
+  }
+
+  /** Returns this stage with labels: some of {@link #LABELS}. */
+  public Stage labeled(Set<String> newLabels) {
+    return new Stage(
+        camera,
+        view,
+        fov,
+        sky,
+        ground,
+        background,
+        transparent,
+        lineWidth,
+        creaseDegrees,
+        newLabels,
+        options);
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */

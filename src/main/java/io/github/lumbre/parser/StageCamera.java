@@ -1,6 +1,5 @@
 package io.github.lumbre.parser;
 
-
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.math.Transform;
@@ -42,7 +41,7 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
     View from = stage.view().orElse(View.DEFAULT);
     CameraPose pose =
         new CameraPose(
-            framing.eye(from, stage.fov(), frameAspect),
+            framing.eye(from, stage.fov(), frameAspect, stage.labels()),
             new Vec3(from.elevation(), -from.azimuth(), 0));
     return new StageCamera("", Lens.pinhole(stage.fov()), pose, OptionalDouble.empty());
   }

@@ -26,6 +26,7 @@ import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.SceneContents;
+import io.github.lumbre.parser.internal.ShownLabels;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
@@ -163,7 +164,6 @@ final class StagedModel {
             stage.background(),
             parser.kernel(),
             Optional.empty());
-    SceneParser.warnOfLines(scene, settings, new Spot(problems, () -> "lines"));
     return new ParsedScene(
         scene,
         settings,
@@ -174,7 +174,13 @@ final class StagedModel {
         parts.origins(List.of(), List.of()),
         // One line, which the header of a checkpoint file can hold.
         Optional.of(new SceneText(text, folder.resolve(file.getFileName()))),
-        Optional.of(ModelContents.of(model, models.surfaces(), framing.min(), framing.max())));
+        Optional.of(
+            ModelContents.of(
+                model,
+                models.surfaces(),
+                ShownLabels.of(stage, model),
+                framing.min(),
+                framing.max())));
   }
 
   /**

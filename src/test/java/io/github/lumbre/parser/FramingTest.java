@@ -17,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -103,7 +104,7 @@ class FramingTest {
     for (int seed = 0; seed < 20; seed++) {
       List<Vec3> vertices = vertices(seed);
       View view = new View(azimuth, elevation);
-      Vec3 eye = framing(vertices).eye(view, FOV, aspect);
+      Vec3 eye = framing(vertices).eye(view, FOV, aspect, Set.of());
       Frame frame = project(vertices, view, eye, aspect);
       boolean isWide = frame.right() > frame.top();
       double high = isWide ? frame.right() : frame.top();
@@ -128,8 +129,8 @@ class FramingTest {
       double fullest = 0;
       for (int degrees = 0; degrees < 360; degrees += 1) {
         View view = first.turned(degrees);
-        Vec3 eye = framing.eye(view, FOV, aspect);
-        Vec3 opposite = framing.eye(view.turned(180), FOV, aspect);
+        Vec3 eye = framing.eye(view, FOV, aspect, Set.of());
+        Vec3 opposite = framing.eye(view.turned(180), FOV, aspect, Set.of());
         Vec3 middle = eye.plus(opposite).times(.5);
         center = center == null ? middle : center;
         assertThat(middle.minus(center).length()).isLessThan(1e-9);
@@ -150,7 +151,7 @@ class FramingTest {
   void aModelOfOnePointIsSeenFromADistance() throws ModelFormatException, IOException {
     List<Vec3> line = List.of(new Vec3(0, 0, -1), new Vec3(0, 0, 1), new Vec3(1e-9, 0, 0));
     View front = new View(0, 0);
-    Frame frame = project(line, front, framing(line).eye(front, FOV, 1), 1);
+    Frame frame = project(line, front, framing(line).eye(front, FOV, 1, Set.of()), 1);
     assertThat(frame.extent()).isLessThan(FILL + 1e-9);
   }
 }

@@ -24,6 +24,8 @@ import picocli.CommandLine.Spec;
 /** The flags for a model file that is rendered by itself. */
 @Command(optionListHeading = Headings.MODEL)
 public final class ModelFlags {
+  private static final String LABELS = "--labels";
+
   private static final List<String> NAMES =
       List.of(
           "--camera",
@@ -37,6 +39,7 @@ public final class ModelFlags {
           "--look",
           "--line-width",
           "--crease",
+          LABELS,
           "--pose",
           "--variant",
           "--hide",
@@ -123,6 +126,14 @@ public final class ModelFlags {
       paramLabel = "DEGREES",
       description = "Angle between two faces from which on a line is drawn between them (30).")
   private Optional<Double> crease;
+
+  @Option(
+      names = LABELS,
+      paramLabel = "LIST",
+      description =
+          "Draw labels on the picture: view (its name), axes, scale, parts (names), size"
+              + " (dimensions of the box around the model), box, or all. Separated by commas.")
+  private Optional<String> labels;
 
   @Option(
       names = "--pose",
@@ -221,6 +232,7 @@ public final class ModelFlags {
             "--line-width", lineWidth, Setting.LINE_WIDTH, hasLines ? LINE_WIDTH : 0, hasLines),
         lineSetting(
             "--crease", crease, Setting.CREASE_ANGLE, Setting.CREASE_ANGLE.missing(), hasLines),
+        shownLabels(),
         options()
             .looking(looks.isEmpty() ? "" : isDrawing ? ModelOptions.WHITE : ModelOptions.CLAY));
   }
@@ -230,6 +242,21 @@ public final class ModelFlags {
     return background.isEmpty() && isOfShape
         ? Optional.of(Rgb.WHITE)
         : background.flatMap(this::color);
+  }
+
+  private Set<String> shownLabels() {
+    if (labels.equals(Optional.of("all"))) {
+      return Set.copyOf(Stage.LABELS);
+    }
+    Set<String> named = new HashSet<>();
+    labels.ifPresent(text -> named.addAll(List.of(text.split(",", -1))));
+    require(
+        Stage.LABELS.containsAll(named),
+        "--labels: expected all, or some of "
+            + String.join(", ", Stage.LABELS)
+            + ", found "
+            + labels.orElse(""));
+    return named;
   }
 
   private Set<String> looks() {

@@ -22,8 +22,9 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassListener;
@@ -35,7 +36,6 @@ import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Setting;
 import io.github.lumbre.stopping.Forecast;
 import java.nio.file.Path;
 import java.util.List;
@@ -306,25 +306,18 @@ public record RenderJob(
     denoised.requireDone();
   }
 
-  /**
-   * Writes the picture with the lines that the settings ask for, unless the render is or was
-   * stopped.
-   */
+  /** Writes the picture with its lines and labels. */
   private void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
       throws TaskException {
-    Optional<DisplayLight> lined = monitor.unlessStopped(() -> lined(image, options));
-    if (lined.isEmpty() && file.settings().get(Setting.LINE_WIDTH) > 0) {
-      said().line("no lines are drawn, because the render was stopped");
+    PictureDrawing drawing =
+        PictureDrawing.of(
+            ParsedScene.of(file), note -> said().line(picture.target() + ": " + note));
+    if (picture.isForScreen()) {
+      DisplayLight drawn = drawing.onDisplay(file.scene(), Optional.empty(), image, options);
+      picture.write(drawn.image(), layers, drawn.options());
+    } else {
+      picture.write(drawing.onLight(file.scene(), Optional.empty(), image), layers, options);
     }
-    DisplayLight written = lined.orElse(new DisplayLight(image, options));
-    picture.write(written.image(), layers, written.options());
-  }
-
-  private DisplayLight lined(Image image, ImageWriter.Options options) {
-    LineDrawing lines = LineDrawing.of(file.scene(), file.settings());
-    return picture.isForScreen()
-        ? lines.onDisplay(file.scene(), image, options)
-        : new DisplayLight(lines.onLight(file.scene(), image), options);
   }
 
   private DenoisedPicture denoised(Film film) {

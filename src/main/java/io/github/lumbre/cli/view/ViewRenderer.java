@@ -1,8 +1,9 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.checkpoint.RecordedLayers;
-import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.preview.Preview;
 import io.github.lumbre.preview.PreviewListener;
 import io.github.lumbre.preview.Previews;
@@ -16,7 +17,6 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.BudgetWatch;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CancellationException;
 
 /**
  * Renders what a session wants: a draft of each new view at once, then the picture in passes. Used
@@ -85,7 +85,7 @@ public final class ViewRenderer implements Runnable {
   /** Passes previews of a generation to the session. */
   private final class Sink implements PreviewListener {
     private final ViewSession.Job job;
-    private final LineDrawing lines;
+    private final PictureDrawing drawing;
     private boolean isLast;
     private final long start = System.nanoTime();
     private boolean hasShown;
@@ -93,7 +93,7 @@ public final class ViewRenderer implements Runnable {
 
     Sink(ViewSession.Job job) {
       this.job = job;
-      lines = LineDrawing.of(job.file().scene(), job.file().settings());
+      drawing = PictureDrawing.of(ParsedScene.of(job.file()), note -> {});
     }
 
     @Override
@@ -135,7 +135,7 @@ public final class ViewRenderer implements Runnable {
       hasShown = true;
       Preview lined =
           new Preview(
-              lines.onLight(job.file().scene(), preview.image()),
+              drawing.onLight(job.file().scene(), Optional.of(""), preview.image()),
               preview.layers(),
               preview.samples(),
               preview.totalSamples(),
@@ -160,7 +160,7 @@ public final class ViewRenderer implements Runnable {
           render(job.get());
         }
       }
-    } catch (InterruptedException | CancellationException e) {
+    } catch (InterruptedException e) {
       // The command ends.
       session.close();
     }

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser.internal;
 
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
@@ -19,6 +20,8 @@ import java.util.Map;
  * @param materials the names of the materials in use; the place in the file of one that has no name
  * @param unit of its file, from which coordinates are converted to meters; empty if there is none
  * @param surfaces its surfaces in the scene, by the numbers of their primitives
+ * @param labels what to draw on its pictures
+ * @param fromFile from the axes and the unit of its file to world space
  * @param min the least coordinates of its vertices: right-handed, +Y up
  * @param max the largest coordinates
  */
@@ -29,6 +32,8 @@ public record ModelContents(
     List<String> materials,
     String unit,
     Map<Integer, PartSurface> surfaces,
+    ShownLabels labels,
+    Transform fromFile,
     Vec3 min,
     Vec3 max) {
   public ModelContents {
@@ -43,11 +48,12 @@ public record ModelContents(
    * Returns the contents of a model.
    *
    * @param surfaces its surfaces in the scene, by the numbers of their primitives
+   * @param labels what to draw on its pictures
    * @param low the least coordinates of its vertices, left-handed
    * @param high the largest coordinates, left-handed
    */
   public static ModelContents of(
-      Model model, Map<Integer, PartSurface> surfaces, Vec3 low, Vec3 high) {
+      Model model, Map<Integer, PartSurface> surfaces, ShownLabels labels, Vec3 low, Vec3 high) {
     Map<String, String> materials = new LinkedHashMap<>();
     model.parts().stream()
         .map(part -> part.material())
@@ -60,6 +66,8 @@ public record ModelContents(
         List.copyOf(materials.values()),
         model.unit(),
         surfaces,
+        labels,
+        model.fromFile(),
         new Vec3(low.x(), low.y(), 0 - high.z()),
         new Vec3(high.x(), high.y(), 0 - low.z()));
   }

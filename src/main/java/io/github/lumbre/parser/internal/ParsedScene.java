@@ -2,7 +2,6 @@ package io.github.lumbre.parser.internal;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.Sha256;
-import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneText;
@@ -73,7 +72,7 @@ public record ParsedScene(
 
   @Override
   public Image withLines(Image picture) {
-    return LineDrawing.of(scene, settings).onLight(scene, picture);
+    return PictureDrawing.of(this, note -> {}).onLight(scene, Optional.empty(), picture);
   }
 
   @Override

@@ -46,20 +46,34 @@ public record ViewNumbers(
 
   /** Returns the numbers of a picture. */
   public static ViewNumbers of(Scene scene, RenderSettings settings, PartTable table) {
-    Crop window = settings.window();
-    List<Row> rows =
-        IntStream.range(window.y(), window.y() + window.height())
-            .parallel()
-            .mapToObj(y -> row(scene, settings, table, y))
-            .toList();
-    Optional<Projection> projection =
-        Projection.of(scene.camera(), settings.width(), settings.height())
-            .map(p -> p.from(ModelScene.TO_LEFT_HANDED).cropped(window.x(), window.y()));
+    List<Row> rows = rows(scene, settings, table);
     return new ViewNumbers(
-        projection,
+        projection(scene, settings),
         rows.stream().mapToDouble(Row::near).min().orElseThrow(),
         rows.stream().mapToDouble(Row::far).max().orElseThrow(),
         seen(rows, table.parts().size()));
+  }
+
+  /** Returns the part in each pixel of a picture, in rows from the top. */
+  static int[] parts(Scene scene, RenderSettings settings, PartTable table) {
+    return rows(scene, settings, table).stream()
+        .flatMapToInt(row -> Arrays.stream(row.parts))
+        .toArray();
+  }
+
+  /** Returns the map from the model's world space to the pixels of a picture. */
+  static Optional<Projection> projection(Scene scene, RenderSettings settings) {
+    Crop window = settings.window();
+    return Projection.of(scene.camera(), settings.width(), settings.height())
+        .map(p -> p.from(ModelScene.TO_LEFT_HANDED).cropped(window.x(), window.y()));
+  }
+
+  private static List<Row> rows(Scene scene, RenderSettings settings, PartTable table) {
+    Crop window = settings.window();
+    return IntStream.range(window.y(), window.y() + window.height())
+        .parallel()
+        .mapToObj(y -> row(scene, settings, table, y))
+        .toList();
   }
 
   private static Row row(Scene scene, RenderSettings settings, PartTable table, int y) {
