@@ -9,13 +9,17 @@ import io.github.lumbre.text.PrintableText;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.BiPredicate;
+import java.util.function.Function;
 
 /**
  * Pairs the parts of two models: by names that their files state, then by shape. The order of
@@ -26,18 +30,17 @@ public final class ModelDifference {
   /** The default tolerance, relative to the diagonal of the box around both models. */
   private static final double TOLERANCE = 5e-6;
 
-  /** The most pairs that are looked at in a step. */
-  private static final int MOST_CANDIDATES = 4_000_000;
-
   private final double tolerance;
   private final Set<PartShape> old;
   private final Set<PartShape> now;
+  private final Map<String, List<PartShape>> byName = new HashMap<>();
   private final List<PartChange> changes = new ArrayList<>();
   private int same;
 
   private ModelDifference(List<PartShape> old, List<PartShape> now, double tolerance) {
     this.old = new LinkedHashSet<>(old);
     this.now = new LinkedHashSet<>(now);
+    now.forEach(part -> byName.computeIfAbsent(part.stated(), n -> new ArrayList<>()).add(part));
     this.tolerance = tolerance;
   }
 
@@ -80,14 +83,14 @@ public final class ModelDifference {
 
   private Result result() {
     // Names that the files state come first, so that equal parts are not exchanged.
-    BiPredicate<PartShape, PartShape> isNamesake = ModelDifference::isNamesake;
     BiPredicate<PartShape, PartShape> isLike = (a, b) -> a.isLike(b, tolerance);
-    pair(isNamesake.and(this::isNear), this::same);
-    pair(isNamesake.and(isLike), this::moved);
-    pair(this::isNear, this::same);
-    pair(isNamesake, (a, b) -> Optional.of(reshaped(a, b)));
-    pair(isLike, this::moved);
-    pair(ModelDifference::isSamePlace, (a, b) -> Optional.of(reshaped(a, b)));
+    Rule reshaped = (a, b) -> Optional.of(reshaped(a, b));
+    pair(this::namesakes, this::isNear, this::same);
+    pair(this::namesakes, isLike, this::moved);
+    pair(part -> now, this::isNear, this::same);
+    pair(this::namesakes, ModelDifference::isNamesake, reshaped);
+    pair(part -> now, isLike, this::moved);
+    pair(part -> now, ModelDifference::isSamePlace, reshaped);
     old.forEach(part -> add(Kind.REMOVED, Optional.of(part), Optional.empty()));
     now.forEach(part -> add(Kind.ADDED, Optional.empty(), Optional.of(part)));
     changes.sort(Comparator.comparing(PartChange::kind).thenComparing(change -> change.name()));
@@ -103,39 +106,44 @@ public final class ModelDifference {
   /** What happened to the parts of a pair; empty if they are none, absent if nothing happened. */
   private interface Rule extends BiFunction<PartShape, PartShape, Optional<Optional<PartChange>>> {}
 
-  /** Two parts that may be a pair. */
-  private record Candidate(PartShape before, PartShape after) {
-    double distance() {
-      return after.centroid().minus(before.centroid()).length();
-    }
+  private Collection<PartShape> namesakes(PartShape part) {
+    return part.stated().isEmpty() ? List.of() : byName.getOrDefault(part.stated(), List.of());
   }
 
   /**
    * Takes pairs out of the parts that are left, the nearest ones first.
    *
+   * @param among returns the new parts of which one may belong to an old one
    * @param mayBe a quick test
    */
-  private void pair(BiPredicate<PartShape, PartShape> mayBe, Rule rule) {
-    List<Candidate> candidates = new ArrayList<>();
-    for (PartShape before : old) {
-      for (PartShape after : now) {
-        if (candidates.size() < MOST_CANDIDATES && mayBe.test(before, after)) {
-          candidates.add(new Candidate(before, after));
-        }
+  private void pair(
+      Function<PartShape, Collection<PartShape>> among,
+      BiPredicate<PartShape, PartShape> mayBe,
+      Rule rule) {
+    boolean isComplete;
+    int left;
+    do {
+      left = old.size();
+      Candidates candidates = new Candidates(left);
+      for (PartShape before : old) {
+        candidates.add(
+            before, among.apply(before), after -> now.contains(after) && mayBe.test(before, after));
       }
-    }
-    candidates.sort(Comparator.comparingDouble(Candidate::distance));
-    for (Candidate candidate : candidates) {
-      if (old.contains(candidate.before) && now.contains(candidate.after)) {
-        Interrupts.check();
-        rule.apply(candidate.before, candidate.after)
-            .ifPresent(
-                change -> {
-                  change.ifPresentOrElse(changes::add, () -> same++);
-                  old.remove(candidate.before);
-                  now.remove(candidate.after);
-                });
-      }
+      candidates.nearestFirst().forEach(candidate -> pair(candidate, rule));
+      isComplete = candidates.areComplete();
+    } while (!isComplete && old.size() < left);
+  }
+
+  private void pair(Candidates.Candidate pair, Rule rule) {
+    if (old.contains(pair.before()) && now.contains(pair.after())) {
+      Interrupts.check();
+      rule.apply(pair.before(), pair.after())
+          .ifPresent(
+              change -> {
+                change.ifPresentOrElse(changes::add, () -> same++);
+                old.remove(pair.before());
+                now.remove(pair.after());
+              });
     }
   }
 

@@ -98,6 +98,17 @@ record PartShape(
     }
   }
 
+  /** A part equals itself only. */
+  @Override
+  public boolean equals(Object other) {
+    return this == other;
+  }
+
+  @Override
+  public int hashCode() {
+    return System.identityHashCode(this);
+  }
+
   private Vec3 vertex(int number) {
     return new Vec3(vertices[3 * number], vertices[3 * number + 1], vertices[3 * number + 2]);
   }

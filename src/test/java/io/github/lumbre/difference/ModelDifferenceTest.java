@@ -241,6 +241,24 @@ class ModelDifferenceTest {
     assertThat(told).containsExactly("ADDED new", "REMOVED gone", "CHANGED bolt", "RENAMED cover");
   }
 
+  /** More pairs than are kept at once: each part is still paired with the nearest one. */
+  @ParameterizedTest
+  @ValueSource(strings = {"bolt", "piece"})
+  void manyEqualPartsAreAllPaired(String name) {
+    List<Vec3[]> bolt = bolt().subList(0, 2);
+    List<PartShape> old = new ArrayList<>();
+    List<PartShape> now = new ArrayList<>();
+    for (int i = 0; i < 1500; i++) {
+      old.add(part(name, bolt, at(9 * (i % 40), 9 * (i / 40), 0)));
+      now.add(0, part(name, bolt, at(9 * (i % 40), 9 * (i / 40), i == 5 ? 0 : 1)));
+    }
+    ModelDifference.Result result = between(old, now);
+    assertThat(result.same()).isEqualTo(1);
+    assertThat(result.changes())
+        .hasSize(1499)
+        .allMatch(change -> change.kind() == Kind.MOVED && Math.abs(change.distance() - 1) < 1e-9);
+  }
+
   @Test
   void piecesWithoutNamesArePairedByShapeAndPlace() {
     List<Vec3[]> box = new ArrayList<>();
