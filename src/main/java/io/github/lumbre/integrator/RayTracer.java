@@ -10,8 +10,6 @@ import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.internal.Dielectric;
-import io.github.lumbre.material.internal.RoughDielectric;
-import io.github.lumbre.material.internal.ThreeColors;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -189,9 +187,7 @@ public final class RayTracer implements Integrator {
    * and refracts only a part of the light.
    */
   private static boolean isFollowedAtRandom(Bsdf bsdf) {
-    return bsdf instanceof RoughDielectric
-        || bsdf instanceof ThreeColors
-        || bsdf.isSpecular() && bsdf.choosesLobe();
+    return bsdf.isBareGlass() || bsdf.isSpecular() && bsdf.choosesLobe();
   }
 
   private static Rgb emittedBySpecular(Rgb emitted, RenderContext context) {

@@ -83,6 +83,11 @@ public interface Bsdf {
     return false;
   }
 
+  /** Returns whether the surface is nothing but glass between two media. */
+  default boolean isBareGlass() {
+    return false;
+  }
+
   /** Returns whether rays can pass the surface, by any lobe, also a delta lobe. */
   default boolean transmits() {
     return isTransmissive();

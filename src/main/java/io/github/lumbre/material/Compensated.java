@@ -39,6 +39,11 @@ record Compensated(Bsdf single, MultipleScattering rest) implements Lobe {
   }
 
   @Override
+  public boolean isBareGlass() {
+    return single.isBareGlass();
+  }
+
+  @Override
   public boolean isTransmissive() {
     return single.isTransmissive();
   }

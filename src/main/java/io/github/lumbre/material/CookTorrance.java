@@ -15,13 +15,16 @@ import java.util.Objects;
  *     mirror
  * @param ior index of refraction of the facets, &gt; 0
  * @param distribution distribution of the microfacet normals
+ * @param multipleScattering whether light that hits more than one facet is scattered, not lost; the
+ *     distribution must be GGX
  */
 public record CookTorrance(
     Texture<Rgb> diffuse,
     Texture<Rgb> specular,
     ScalarTexture roughness,
     ScalarTexture ior,
-    MicrofacetDistribution distribution)
+    MicrofacetDistribution distribution,
+    boolean multipleScattering)
     implements Material {
   /** Below this roughness α, a surface is treated as perfectly smooth. */
   public static final double SMOOTH = 1e-3;
@@ -46,12 +49,37 @@ public record CookTorrance(
         MicrofacetDistribution.GGX);
   }
 
+  /** Creates a material that loses the light that hits more than one facet. */
+  public CookTorrance(
+      Texture<Rgb> diffuse,
+      Texture<Rgb> specular,
+      ScalarTexture roughness,
+      ScalarTexture ior,
+      MicrofacetDistribution distribution) {
+    this(diffuse, specular, roughness, ior, distribution, false);
+  }
+
+  /**
+   * Creates a material.
+   *
+   * @throws IllegalArgumentException if light that hits more than one facet is scattered, and the
+   *     distribution is not GGX
+   */
   public CookTorrance {
     Objects.requireNonNull(diffuse, "diffuse");
     Objects.requireNonNull(specular, "specular");
     Objects.requireNonNull(roughness, "roughness");
     Objects.requireNonNull(ior, "ior");
     Objects.requireNonNull(distribution, "distribution");
+    if (multipleScattering && distribution != MicrofacetDistribution.GGX) {
+      throw new IllegalArgumentException(
+          "multipleScattering: expected the distribution GGX, found " + distribution);
+    }
+  }
+
+  /** Returns this material with the light that hits more than one facet, which must be GGX's. */
+  public CookTorrance withMultipleScattering() {
+    return new CookTorrance(diffuse, specular, roughness, ior, distribution, true);
   }
 
   @Override
@@ -70,7 +98,15 @@ public record CookTorrance(
     return colors.with(
         alpha < SMOOTH
             ? new FresnelMirror(colors.specular(), index)
-            : new MicrofacetReflection(
-                colors.specular(), index, Microfacets.of(distribution, alpha)));
+            : rough(colors.specular(), index, alpha));
+  }
+
+  private Lobe rough(Rgb color, double index, double alpha) {
+    Lobe single = new MicrofacetReflection(color, index, Microfacets.of(distribution, alpha));
+    if (!multipleScattering) {
+      return single;
+    }
+    Rgb mean = color.times(MultipleScattering.meanReflectance(index));
+    return new Compensated(single, MultipleScattering.reflected(mean, 1, alpha));
   }
 }

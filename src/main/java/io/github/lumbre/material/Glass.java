@@ -17,12 +17,14 @@ import java.util.Objects;
  * @param roughness α of the Trowbridge–Reitz distribution, in [0,1]; below {@link
  *     CookTorrance#SMOOTH}, or where the index differs from 1 by less than 1e-8, the surface is
  *     smooth
+ * @param multipleScattering whether light that hits more than one facet is scattered, not lost
  */
 public record Glass(
     Texture<Rgb> reflectance,
     Texture<Rgb> transmittance,
     ScalarTexture ior,
-    ScalarTexture roughness)
+    ScalarTexture roughness,
+    boolean multipleScattering)
     implements Material {
   /** Rough glass whose index is closer to 1 than this bends light too little to be visible. */
   private static final double LEAST_CONTRAST = 1e-8;
@@ -58,7 +60,22 @@ public record Glass(
    * @throws IllegalArgumentException if the roughness is out of range
    */
   public Glass withRoughness(double alpha) {
-    return new Glass(reflectance, transmittance, ior, Values.number("roughness", alpha, 0, 1));
+    ScalarTexture rough = Values.number("roughness", alpha, 0, 1);
+    return new Glass(reflectance, transmittance, ior, rough, multipleScattering);
+  }
+
+  /** Returns this glass with the light that hits more than one facet. */
+  public Glass withMultipleScattering() {
+    return new Glass(reflectance, transmittance, ior, roughness, true);
+  }
+
+  /** Creates glass that loses the light that hits more than one facet. */
+  public Glass(
+      Texture<Rgb> reflectance,
+      Texture<Rgb> transmittance,
+      ScalarTexture ior,
+      ScalarTexture roughness) {
+    this(reflectance, transmittance, ior, roughness, false);
   }
 
   public Glass {
@@ -82,8 +99,11 @@ public record Glass(
     Rgb passed = transmittance.at(u, v).clampedToOne();
     double index = ior.at(u, v);
     double alpha = roughness.at(u, v);
-    return alpha < CookTorrance.SMOOTH || Math.abs(index - 1) < LEAST_CONTRAST
-        ? new Dielectric(reflected, passed, index)
+    if (alpha < CookTorrance.SMOOTH || Math.abs(index - 1) < LEAST_CONTRAST) {
+      return new Dielectric(reflected, passed, index);
+    }
+    return multipleScattering
+        ? Compensated.glass(reflected, passed, index, alpha)
         : new RoughDielectric(reflected, passed, index, new Ggx(alpha));
   }
 }

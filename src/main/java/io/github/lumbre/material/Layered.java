@@ -37,6 +37,9 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
     if (base instanceof Tilted tilted) {
       return isGlass(tilted.bsdf());
     }
+    if (base instanceof Blend blend) {
+      return isGlass(blend.first()) || isGlass(blend.second());
+    }
     // A mixture transmits only by diffuse transmission.
     return base.isTransmissive() && !(base instanceof Mixture);
   }

@@ -36,6 +36,8 @@ final class MaterialReader {
   /** The end of a key that names the texture of a channel. */
   private static final String TEXTURE = "TextureId";
 
+  private static final String REPEATED = "multipleScattering";
+
   private static final Range IOR = Range.above(0, MAX_IOR);
   private static final Range ROUGHNESS = Range.closed(0, 1);
   private static final Map<String, MicrofacetDistribution> DISTRIBUTIONS = new LinkedHashMap<>();
@@ -60,10 +62,7 @@ final class MaterialReader {
           .with("Color", this::color, keys("color"))
           .with("AreaLight", this::areaLight, areaLightKeys())
           .with("Reflective", this::reflective, keys("reflectivityColor", "normal"))
-          .with(
-              "Refractive",
-              this::refractive,
-              keys("refractionColor", "reflectivityColor", "ior", "normal", "roughness"))
+          .with("Refractive", this::refractive, refractiveKeys())
           .with("None", material -> Surface.DEFAULT)
           .with("Phong", this::phong, keys("color", "specularColor", "exponent", "normal"))
           .with("CookTorrance", this::cookTorrance, cookTorranceKeys())
@@ -80,10 +79,18 @@ final class MaterialReader {
     return family;
   }
 
+  private static String[] refractiveKeys() {
+    List<String> all =
+        new ArrayList<>(
+            List.of(keys("refractionColor", "reflectivityColor", "ior", "normal", "roughness")));
+    all.add(REPEATED);
+    return all.toArray(String[]::new);
+  }
+
   private static String[] cookTorranceKeys() {
     List<String> all =
         new ArrayList<>(List.of(keys("color", "specularColor", "roughness", "normal", "ior")));
-    all.add("distribution");
+    all.addAll(List.of("distribution", REPEATED));
     return all.toArray(String[]::new);
   }
 
@@ -186,7 +193,8 @@ final class MaterialReader {
             both.get(0),
             both.get(1),
             textures.scalar(material, "ior", 1, IOR, 1, MAX_IOR),
-            textures.scalar(material, "roughness", 0, ROUGHNESS, 0, 1)));
+            textures.scalar(material, "roughness", 0, ROUGHNESS, 0, 1),
+            material.flag(REPEATED, false)));
   }
 
   private Surface phong(JsonNode material) {
@@ -201,6 +209,8 @@ final class MaterialReader {
 
   private Surface cookTorrance(JsonNode material) {
     warnOfSum(material);
+    MicrofacetDistribution distribution =
+        material.choice("distribution", DISTRIBUTIONS, MicrofacetDistribution.BECKMANN);
     return surface(
         material,
         new CookTorrance(
@@ -208,7 +218,19 @@ final class MaterialReader {
             textures.color(material, "specularColor", material.rgb("specularColor")),
             textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
             textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
-            material.choice("distribution", DISTRIBUTIONS, MicrofacetDistribution.BECKMANN)));
+            distribution,
+            scattersRepeatedly(material, distribution)));
+  }
+
+  private static boolean scattersRepeatedly(JsonNode material, MicrofacetDistribution facets) {
+    boolean isStated = material.flag(REPEATED, false);
+    if (isStated && facets != MicrofacetDistribution.GGX) {
+      material.error(
+          REPEATED,
+          "expected false with the distribution beckmann, found true; add \"distribution\":"
+              + " \"ggx\"");
+    }
+    return isStated && facets == MicrofacetDistribution.GGX;
   }
 
   private static String[] metallicRoughnessKeys() {

@@ -122,6 +122,7 @@ final class WrittenMaterials {
     textures.color(to, "refractionColor", glass.transmittance());
     textures.scalar(to, "ior", glass.ior(), 1, MAX_IOR);
     textures.scalar(to, "roughness", glass.roughness(), 0, 1);
+    multipleScattering(to, glass.multipleScattering());
   }
 
   private void cookTorrance(JsonObject to, CookTorrance glossy) {
@@ -132,6 +133,13 @@ final class WrittenMaterials {
     textures.scalar(to, "ior", glossy.ior(), 1, MAX_IOR);
     boolean isGgx = glossy.distribution() == MicrofacetDistribution.GGX;
     to.addProperty("distribution", isGgx ? "ggx" : "beckmann");
+    multipleScattering(to, glossy.multipleScattering());
+  }
+
+  private static void multipleScattering(JsonObject to, boolean isStated) {
+    if (isStated) {
+      to.addProperty("multipleScattering", true);
+    }
   }
 
   private void metallicRoughness(JsonObject to, MetallicRoughness material) {

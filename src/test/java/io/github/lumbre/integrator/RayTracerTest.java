@@ -20,7 +20,10 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Material;
+import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
@@ -35,6 +38,7 @@ import io.github.lumbre.texture.Texture;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests Whitted's ray tracing against exact values. */
@@ -337,15 +341,23 @@ class RayTracerTest {
     }
   }
 
+  /** Returns rough glass of the scene format, and of models. */
+  private static List<Material> roughGlass() {
+    Glass rough = Glass.of(1.5).withRoughness(.3);
+    MetallicRoughness volume =
+        MetallicRoughness.builder()
+            .set(MaterialParameter.METALLIC, 0)
+            .set(MaterialParameter.ROUGHNESS, .6)
+            .set(MaterialParameter.TRANSMISSION, 1)
+            .set(MaterialParameter.ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY)
+            .build();
+    return List.of(rough, rough.withMultipleScattering(), volume);
+  }
+
   /** Rough glass continues in one direction, up to the limit. */
-  @Test
-  void roughGlassContinuesOnce() {
-    Glass rough =
-        new Glass(
-            Texture.constant(Rgb.WHITE),
-            Texture.constant(Rgb.WHITE),
-            ScalarTexture.constant(1.5),
-            ScalarTexture.constant(.3));
+  @ParameterizedTest
+  @MethodSource("roughGlass")
+  void roughGlassContinuesOnce(Material rough) {
     Scene scene =
         empty()
             .add(sphere(0, 0, 0, 1), rough)

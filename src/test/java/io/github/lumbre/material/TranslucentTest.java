@@ -9,6 +9,7 @@ import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
 import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION;
 import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION_COLOR;
+import static io.github.lumbre.material.MaterialParameter.IRIDESCENCE;
 import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
@@ -155,6 +156,19 @@ class TranslucentTest {
           }
         }
       }
+    }
+  }
+
+  /** Metal and leaf below one film are two surfaces side by side; a coat covers both. */
+  @Test
+  void coatsAboveFilmsAreReciprocal() {
+    Bsdf bsdf = bsdf(colored(.5).set(METALLIC, .4).set(IRIDESCENCE, 1).set(CLEARCOAT, 1));
+    for (int i = 0; i < 300; i++) {
+      Vec3 a = direction(random);
+      Vec3 b = direction(random);
+      double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
+      double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
+      assertThat(relative(there, back)).isLessThanOrEqualTo(256 * EPS);
     }
   }
 

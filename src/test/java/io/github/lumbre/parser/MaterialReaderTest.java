@@ -182,6 +182,29 @@ class MaterialReaderTest {
     assertThat(exponent.at(LEFT)).isEqualTo(100 * (128 / 255.0));
   }
 
+  @Test
+  void roughMaterialsMayScatterRepeatedly() {
+    String rough = "'materialType': 'Refractive', 'roughness': 0.5, 'multipleScattering': ";
+    assertThat(((Glass) only(parse(rough + true)).material()).multipleScattering()).isTrue();
+    assertThat(((Glass) only(parse(rough + false)).material()).multipleScattering()).isFalse();
+    assertThat(parse(rough + true).warnings()).isEmpty();
+    SceneFile metal =
+        parse(
+            "'materialType': 'CookTorrance', 'color': {'r': 0, 'g': 0, 'b': 0},"
+                + " 'distribution': 'ggx', 'multipleScattering': true");
+    assertThat(((CookTorrance) only(metal).material()).multipleScattering()).isTrue();
+    assertThat(metal.warnings()).isEmpty();
+  }
+
+  @Test
+  void beckmannFacetsDoNotScatterRepeatedly() {
+    String material = "'materialType': 'CookTorrance', 'multipleScattering': true";
+    assertThat(fixture.refusal(withMaterial(material)))
+        .hasMessageContaining(
+            "$.assets[0].multipleScattering: expected false with the distribution beckmann, found"
+                + " true; add \"distribution\": \"ggx\"");
+  }
+
   private Scene shapes(String objects, String assets) {
     return fixture.parse(scene(json(objects), assets)).scene();
   }

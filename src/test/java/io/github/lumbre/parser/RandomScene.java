@@ -243,7 +243,7 @@ final class RandomScene {
       case 0 -> Matte.of(rgb(1));
       case 1 -> Matte.of(color(kind / 9));
       case 2 -> Mirror.of(rgb(1));
-      case 3 -> Glass.of(1 + random.nextDouble(), rgb(1)).withRoughness(random.nextDouble());
+      case 3 -> rough(Glass.of(1 + random.nextDouble(), rgb(1)));
       case 4 ->
           new Glass(
               color(kind / 9), Texture.constant(Rgb.WHITE), scalar(1, 1e6, 2.5), scalar(0, 1, .5));
@@ -255,10 +255,19 @@ final class RandomScene {
               scalar(0, 1, .7),
               ScalarTexture.constant(1.5),
               MicrofacetDistribution.BECKMANN);
-      case 7 ->
-          random.nextBoolean() ? ShadowCatcher.of(rgb(1)) : CookTorrance.of(rgb(.5), rgb(.5), .3);
+      case 7 -> random.nextBoolean() ? ShadowCatcher.of(rgb(1)) : glossy();
       default -> layered(kind / 9);
     };
+  }
+
+  private Glass rough(Glass glass) {
+    Glass rough = glass.withRoughness(random.nextDouble());
+    return random.nextBoolean() ? rough.withMultipleScattering() : rough;
+  }
+
+  private CookTorrance glossy() {
+    CookTorrance ggx = CookTorrance.of(rgb(.5), rgb(.5), .3);
+    return random.nextBoolean() ? ggx.withMultipleScattering() : ggx;
   }
 
   private ScalarTexture phongExponent() {

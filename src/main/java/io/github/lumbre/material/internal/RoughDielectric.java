@@ -29,6 +29,11 @@ public record RoughDielectric(
   }
 
   @Override
+  public boolean isBareGlass() {
+    return true;
+  }
+
+  @Override
   public boolean isTransmissive() {
     return true;
   }

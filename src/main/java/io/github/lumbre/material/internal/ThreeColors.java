@@ -23,6 +23,11 @@ public record ThreeColors(Bsdf red, Bsdf green, Bsdf blue, Rgb carried) implemen
   }
 
   @Override
+  public boolean isBareGlass() {
+    return true;
+  }
+
+  @Override
   public boolean isTransmissive() {
     return green.isTransmissive();
   }
