@@ -254,8 +254,12 @@ final class ViewsCommand implements Callable<Integer> {
       throws SceneFormatException, TaskException {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
+    ParsedScene first = ParsedScene.of(views.first());
     List<String> notes = new ArrayList<>();
-    PictureDrawing drawing = PictureDrawing.of(ParsedScene.of(views.first()), notes::add);
+    PictureDrawing drawing =
+        monitor
+            .unlessStopped(() -> PictureDrawing.of(first, notes::add))
+            .orElseThrow(ViewsCommand::stopped);
     List<DisplayLight> pictures = new ArrayList<>();
     Iterator<String> names = View.standard().keySet().iterator();
     for (Scene view : views.scenes()) {
@@ -266,7 +270,10 @@ final class ViewsCommand implements Callable<Integer> {
             Film film = rendered(settings, view, monitor);
             DenoisedPicture denoised = denoised(film, frames, monitor, messages);
             Image clean = denoised.image(film.develop());
-            DisplayLight drawn = drawing.onDisplay(view, name, clean, options);
+            DisplayLight drawn =
+                monitor
+                    .unlessStopped(() -> drawing.onDisplay(view, name, clean, options))
+                    .orElseThrow(ViewsCommand::stopped);
             notes.forEach(note -> messages.line(name.get() + ": " + note));
             notes.clear();
             pictures.add(drawn);

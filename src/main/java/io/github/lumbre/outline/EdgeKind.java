@@ -36,6 +36,11 @@ final class EdgeKind {
     return place(edges.to(edge));
   }
 
+  /** Returns the unit direction of an edge. */
+  Vec3 along(int edge) {
+    return to(edge).minus(from(edge)).normalized();
+  }
+
   private Vec3 place(int place) {
     return new Vec3(positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]);
   }
@@ -45,12 +50,17 @@ final class EdgeKind {
     return edges.from(edge) != edges.to(edge) && (isFeature(edge) || isSilhouette(edge, eye));
   }
 
+  /** Returns whether only one triangle has an edge. */
+  boolean isBorder(int edge) {
+    return edges.triangles(edge) == 1;
+  }
+
   /**
    * Returns whether an edge is a border or a crease: its triangles do not continue each other in
    * two opposite directions.
    */
   boolean isFeature(int edge) {
-    Vec3 along = to(edge).minus(from(edge)).normalized();
+    Vec3 along = along(edge);
     Vec3 first = Vec3.ZERO;
     double flat = edges.isSmooth(edge) ? cosSmooth : cosCrease;
     boolean continues = false;
@@ -72,7 +82,7 @@ final class EdgeKind {
    * Returns the unit direction in a triangle that is away from an edge and perpendicular to it;
    * zero for a triangle without an area.
    */
-  private Vec3 across(int edge, int triangle, Vec3 along) {
+  Vec3 across(int edge, int triangle, Vec3 along) {
     if (isOnEdge(edge, edges.opposite(edge, triangle))) {
       return Vec3.ZERO;
     }

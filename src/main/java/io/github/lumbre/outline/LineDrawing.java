@@ -2,7 +2,9 @@ package io.github.lumbre.outline;
 
 import io.github.lumbre.drawing.Pen;
 import io.github.lumbre.drawing.Strokes;
+import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
@@ -23,7 +25,36 @@ public final class LineDrawing {
     this.outlines = outlines;
   }
 
-  /** Returns the drawing of a scene; it finds the edges if there are lines to draw. */
+  /**
+   * Returns why a scene lacks lines that its settings ask for; empty if it lacks none. Infinite
+   * planes need no lines.
+   */
+  public static Optional<String> lack(Scene scene, RenderSettings settings) {
+    if (settings.get(Setting.LINE_WIDTH) == 0) {
+      return Optional.empty();
+    }
+    if (Eye.of(scene.camera(), settings).isEmpty()) {
+      return Optional.of("draws no lines, because the camera bends straight lines");
+    }
+    long others =
+        scene.primitives().stream()
+            .map(Primitive::shape)
+            .filter(shape -> !(shape instanceof Plane) && OutlinedPart.meshOf(shape).isEmpty())
+            .count();
+    return others == 0
+        ? Optional.empty()
+        : Optional.of(
+            others
+                + " of "
+                + scene.primitives().size()
+                + " shapes have no lines, because only meshes have edges");
+  }
+
+  /**
+   * Returns the drawing of a scene; it finds the edges if there are lines to draw.
+   *
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
+   */
   public static LineDrawing of(Scene scene, RenderSettings settings) {
     boolean isOn = settings.get(Setting.LINE_WIDTH) > 0;
     return new LineDrawing(settings, isOn ? Optional.of(Outlines.of(scene)) : Optional.empty());

@@ -55,6 +55,16 @@ record OutlinedPart(MeshEdges edges, Transform toWorld, int[] primitives, int[] 
     return positions;
   }
 
+  /** Returns whether a hit is on one of the meshes. */
+  boolean has(NearestHit hit) {
+    for (int primitive : primitives) {
+      if (primitive == hit.shape()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Returns whether a hit is on one of the triangles that have an edge. */
   boolean isOnEdge(NearestHit hit, int edge) {
     for (int mesh = 0; mesh < primitives.length; mesh++) {

@@ -3,6 +3,7 @@ package io.github.lumbre.outline;
 import io.github.lumbre.drawing.Strokes;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.geometry.internal.MeshEdges;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
@@ -15,9 +16,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 /** The edges of the meshes of a scene. Immutable. */
 public final class Outlines {
+  private static final int EDGES_PER_CHECK = 256;
+
   private final List<OutlinedPart> parts;
 
   private Outlines(List<OutlinedPart> parts) {
@@ -27,7 +31,11 @@ public final class Outlines {
   /** Primitives whose meshes belong together: those of one object at one place. */
   private record Key(String object, Transform toWorld) {}
 
-  /** Returns the edges of the meshes of a scene. Other shapes have none. */
+  /**
+   * Returns the edges of the meshes of a scene. Other shapes have none.
+   *
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
+   */
   public static Outlines of(Scene scene) {
     Map<Key, List<Integer>> groups = new LinkedHashMap<>();
     List<Primitive> primitives = scene.primitives();
@@ -56,6 +64,7 @@ public final class Outlines {
    * frame; empty if the camera bends straight lines.
    *
    * @param scene the scene of these edges, from any place
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public Optional<Strokes> strokes(Scene scene, RenderSettings settings) {
     double creaseDegrees = settings.get(Setting.CREASE_ANGLE);
@@ -64,24 +73,37 @@ public final class Outlines {
             eye -> {
               Strokes strokes = new Strokes();
               Occlusion occlusion = new Occlusion(scene, eye);
+              Seams seams = new Seams(scene, eye, creaseDegrees);
               for (OutlinedPart part : parts) {
-                add(part, eye, creaseDegrees, occlusion, strokes);
+                EdgeKind kind = new EdgeKind(part.edges(), part.worldPositions(), creaseDegrees);
+                add(part, kind, eye, occlusion, seams, strokes);
               }
               return strokes;
             });
   }
 
   private static void add(
-      OutlinedPart part, Eye eye, double creaseDegrees, Occlusion occlusion, Strokes strokes) {
-    MeshEdges edges = part.edges();
-    EdgeKind kind = new EdgeKind(edges, part.worldPositions(), creaseDegrees);
-    for (int edge = 0; edge < edges.count(); edge++) {
+      OutlinedPart part,
+      EdgeKind kind,
+      Eye eye,
+      Occlusion occlusion,
+      Seams seams,
+      Strokes strokes) {
+    for (int edge = 0; edge < part.edges().count(); edge++) {
+      if (edge % EDGES_PER_CHECK == 0) {
+        Interrupts.check();
+      }
       if (kind.isLine(edge, eye)) {
         int number = edge;
-        Vec3 from = kind.from(edge);
-        Vec3 to = kind.to(edge);
-        SeenEdge.of(from, to, eye)
-            .ifPresent(seen -> seen.add(point -> !occlusion.hides(point, part, number), strokes));
+        Vec3 along = kind.along(edge);
+        Vec3 across = kind.across(edge, 0, along);
+        boolean mayContinue = kind.isBorder(edge);
+        Predicate<Vec3> isVisible =
+            point ->
+                !(mayContinue && seams.continues(point, part, along, across))
+                    && !occlusion.hides(point, part, number);
+        SeenEdge.of(kind.from(edge), kind.to(edge), eye)
+            .ifPresent(seen -> seen.add(isVisible, strokes));
       }
     }
   }

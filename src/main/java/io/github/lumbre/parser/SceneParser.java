@@ -7,6 +7,7 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.parser.internal.FileHashes;
@@ -398,6 +399,7 @@ public final class SceneParser {
     world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);
+    warnOfLines(scene, used, new Spot(problems, () -> "$.renderOptions.lineWidth"));
     return new ParsedScene(
         scene,
         used,
@@ -408,6 +410,11 @@ public final class SceneParser {
         world.origins(),
         source,
         Optional.empty());
+  }
+
+  /** Warns of lines that settings ask for and a scene lacks. */
+  static void warnOfLines(Scene scene, RenderSettings settings, Spot spot) {
+    LineDrawing.lack(scene, settings).ifPresent(spot::warn);
   }
 
   /**

@@ -164,6 +164,7 @@ final class StagedModel {
             stage.background(),
             parser.kernel(),
             Optional.empty());
+    SceneParser.warnOfLines(scene, settings, new Spot(problems, () -> "lines"));
     return new ParsedScene(
         scene,
         settings,

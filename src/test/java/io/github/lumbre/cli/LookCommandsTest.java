@@ -170,4 +170,28 @@ class LookCommandsTest {
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
     assertThat(outcome.err()).contains(message);
   }
+
+  @Test
+  void missingLinesAreReported() throws IOException {
+    Files.writeString(directory.resolve("points.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1 2 3\n");
+    assertThat(runs("render T/points.obj --look lines --size 8x6 -o T/a.png").err())
+        .contains("points.obj: lines: 1 of 1 shapes have no lines, because only meshes have edges");
+    for (String type : new String[] {"FishEye", "Pinhole"}) {
+      Files.writeString(
+          directory.resolve("a.json"),
+          """
+          {"mainCameraId": 1, "renderOptions": {"lineWidth": 1},
+           "objects": [
+             {"id": 1, "type": "Camera", "cameraType": "%s"},
+             {"type": "Shape", "shapeType": "Plane"},
+             {"type": "Shape", "shapeType": "Sphere"}]}
+          """
+              .formatted(type));
+      String expected =
+          type.equals("Pinhole")
+              ? "1 of 2 shapes have no lines, because only meshes have edges"
+              : "draws no lines, because the camera bends straight lines";
+      assertThat(runs("check T/a.json").err()).contains("$.renderOptions.lineWidth: " + expected);
+    }
+  }
 }

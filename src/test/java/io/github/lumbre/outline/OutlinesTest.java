@@ -1,6 +1,7 @@
 package io.github.lumbre.outline;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Lens;
@@ -22,6 +23,7 @@ import io.github.lumbre.scene.SceneBuilder;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -241,6 +243,85 @@ class OutlinesTest {
         }
       }
       assertThat(reached).isGreaterThanOrEqualTo(2);
+    }
+  }
+
+  private static final Vec3 TO_EYE = EYE.normalized();
+  private static final Vec3 RIGHT = TO_EYE.cross(Vec3.Y).normalized();
+  private static final Vec3 UP = RIGHT.cross(TO_EYE);
+
+  /** Returns a direction perpendicular to {@link #RIGHT}; 90° is towards the eye. */
+  private static Vec3 tilted(double degrees) {
+    double angle = Math.toRadians(degrees);
+    return UP.times(Math.cos(angle)).plus(Math.sin(angle), TO_EYE);
+  }
+
+  /** Returns how many pixels of lines are on the row in the middle of the picture. */
+  private static double lengthInTheMiddle(Strokes strokes, int size) {
+    double sum = 0;
+    for (int i = 0; i < strokes.count(); i++) {
+      double middle = .5 * size;
+      boolean isThere =
+          Math.abs(strokes.coordinate(i, 1) - middle) < .01
+              && Math.abs(strokes.coordinate(i, 3) - middle) < .01;
+      sum += isThere ? Math.abs(strokes.coordinate(i, 2) - strokes.coordinate(i, 0)) : 0;
+    }
+    return sum;
+  }
+
+  /** A triangle on one side of a line, and two on the other, with a corner within the line. */
+  @ParameterizedTest
+  @CsvSource({
+    "0,180,false", // flat
+    "0,160,false", // bent by less than a crease
+    "0,120,true", // bent by more
+    "-85,75,true" // bent by little, as a silhouette
+  })
+  void cornersWithinAnEdgeMakeNoBorderInAFlatFace(double one, double other, boolean isLine) {
+    Vec3 left = RIGHT.times(-1);
+    Vec3 tip = tilted(one).times(.9);
+    Vec3 otherTip = tilted(other).times(.9);
+    Mesh mesh =
+        Mesh.of(triangles(left, RIGHT, tip, left, Vec3.ZERO, otherTip, Vec3.ZERO, RIGHT, otherTip));
+    Scene scene = scene(Lens.pinhole(50), mesh);
+    double all = Math.abs(pixel(scene, RIGHT, 400).x() - pixel(scene, left, 400).x());
+    double drawn = lengthInTheMiddle(strokes(scene, 400), 400);
+    // The surface is sought 1e-4 of the scene's radius beside the line, less than 0.1 pixels; both
+    // pieces of the line may be drawn.
+    assertThat(drawn).isBetween(isLine ? all - .5 : 0, isLine ? 2 * all + .5 : .5);
+  }
+
+  /** Corners of one place differ, so that a triangle of the edge is in front of the edge. */
+  @Test
+  void trianglesOfAnEdgeDoNotHideIt() {
+    Vec3 left = RIGHT.times(-1);
+    Vec3 shift = UP.times(-2e-7);
+    Mesh mesh =
+        Mesh.of(
+            triangles(
+                left,
+                RIGHT,
+                UP.times(-.9),
+                left.plus(shift),
+                RIGHT.plus(shift),
+                tilted(89.9).times(.5)));
+    Scene scene = scene(Lens.orthographic(4.4), mesh);
+    double all = Math.abs(pixel(scene, RIGHT, 400).x() - pixel(scene, left, 400).x());
+    assertThat(lengthInTheMiddle(strokes(scene, 400), 400)).isGreaterThan(all - .5);
+  }
+
+  @Test
+  void interruptsEndTheSearchForLines() {
+    Scene scene = scene(Lens.pinhole(50), Mesh.of(cube()));
+    Outlines outlines = Outlines.of(scene);
+    RenderSettings settings = RenderSettings.builder().size(40, 30).build();
+    Thread.currentThread().interrupt();
+    try {
+      assertThatThrownBy(() -> Outlines.of(scene)).isInstanceOf(CancellationException.class);
+      assertThatThrownBy(() -> outlines.strokes(scene, settings))
+          .isInstanceOf(CancellationException.class);
+    } finally {
+      assertThat(Thread.interrupted()).isTrue();
     }
   }
 

@@ -61,7 +61,7 @@ public final class Interruption implements AutoCloseable {
 
   /** An action that throws an exception when its thread is interrupted. */
   @FunctionalInterface
-  interface Waiting<T> {
+  public interface Waiting<T> {
     T get() throws InterruptedException;
   }
 
@@ -162,7 +162,7 @@ public final class Interruption implements AutoCloseable {
     TimeLimit alarm = beginWaiting(deadline);
     try (alarm) {
       return Optional.of(action.get());
-    } catch (InterruptedException e) {
+    } catch (InterruptedException | CancellationException e) {
       return Optional.empty();
     } finally {
       endWaiting();

@@ -306,18 +306,24 @@ public record RenderJob(
     denoised.requireDone();
   }
 
-  /** Writes the picture with its lines and labels. */
+  /** Writes the picture with its lines and labels, unless the render is or was stopped. */
   private void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
       throws TaskException {
+    Optional<DisplayLight> drawn = monitor.unlessStopped(() -> drawn(image, options));
+    if (drawn.isEmpty() && PictureDrawing.isNeeded(ParsedScene.of(file))) {
+      said().line("no lines and labels are drawn, because the render was stopped");
+    }
+    DisplayLight written = drawn.orElse(new DisplayLight(image, options));
+    picture.write(written.image(), layers, written.options());
+  }
+
+  private DisplayLight drawn(Image image, ImageWriter.Options options) {
     PictureDrawing drawing =
         PictureDrawing.of(
             ParsedScene.of(file), note -> said().line(picture.target() + ": " + note));
-    if (picture.isForScreen()) {
-      DisplayLight drawn = drawing.onDisplay(file.scene(), Optional.empty(), image, options);
-      picture.write(drawn.image(), layers, drawn.options());
-    } else {
-      picture.write(drawing.onLight(file.scene(), Optional.empty(), image), layers, options);
-    }
+    return picture.isForScreen()
+        ? drawing.onDisplay(file.scene(), Optional.empty(), image, options)
+        : new DisplayLight(drawing.onLight(file.scene(), Optional.empty(), image), options);
   }
 
   private DenoisedPicture denoised(Film film) {

@@ -62,7 +62,7 @@ public final class RenderMonitor implements LabHost.Display {
    *
    * @return its result; empty if a signal or the deadline stops it
    */
-  <T> Optional<T> unlessStopped(Interruption.Waiting<T> action) {
+  public <T> Optional<T> unlessStopped(Interruption.Waiting<T> action) {
     return interruption.unlessStopped(deadline, action);
   }
 

@@ -17,6 +17,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.BudgetWatch;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 
 /**
  * Renders what a session wants: a draft of each new view at once, then the picture in passes. Used
@@ -160,7 +161,7 @@ public final class ViewRenderer implements Runnable {
           render(job.get());
         }
       }
-    } catch (InterruptedException e) {
+    } catch (InterruptedException | CancellationException e) {
       // The command ends.
       session.close();
     }

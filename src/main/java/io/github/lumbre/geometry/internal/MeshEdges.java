@@ -1,6 +1,7 @@
 package io.github.lumbre.geometry.internal;
 
 import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
@@ -17,6 +18,8 @@ import java.util.List;
 public final class MeshEdges {
   /** Normals whose directions differ by less than 1° count as the same. */
   private static final double SAME = .99985;
+
+  private static final int CORNERS_PER_CHECK = 1 << 16;
 
   private final double[] positions;
 
@@ -50,6 +53,9 @@ public final class MeshEdges {
       int[] placeOfVertex = new int[mesh.vertexCount()];
       Arrays.fill(placeOfVertex, -1);
       for (int corner = 0; corner < 3 * mesh.triangleCount(); corner++) {
+        if (corner % CORNERS_PER_CHECK == 0) {
+          Interrupts.check();
+        }
         int vertex = mesh.vertex(corner / 3, corner % 3);
         if (placeOfVertex[vertex] < 0) {
           Vec3 p = mesh.position(vertex);
@@ -80,6 +86,8 @@ public final class MeshEdges {
    * Returns the edges of meshes, which share places where they touch. Distances of less than a
    * millionth of the longest side of all meshes are ignored, because many programs write the same
    * point with rounding errors.
+   *
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static MeshEdges of(List<TriangleMesh> meshes) {
     Bounds3 bounds =
@@ -156,6 +164,9 @@ public final class MeshEdges {
       at += meshes.get(i).triangleCount();
     }
     for (int edge = 0; edge < count(); edge++) {
+      if (edge % CORNERS_PER_CHECK == 0) {
+        Interrupts.check();
+      }
       if (triangles(edge) == 2) {
         Vec3[] one = normals(sides[first[edge]], meshes, meshOf, begin);
         Vec3[] other = normals(sides[first[edge] + 1], meshes, meshOf, begin);

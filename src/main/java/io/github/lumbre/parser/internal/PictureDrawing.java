@@ -19,6 +19,7 @@ import io.github.lumbre.parser.internal.PartTable.Part;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -56,6 +57,12 @@ public final class PictureDrawing {
    */
   public static PictureDrawing of(ParsedScene file, Consumer<String> notes) {
     return new PictureDrawing(file, notes);
+  }
+
+  /** Returns whether a scene has lines or labels. */
+  public static boolean isNeeded(ParsedScene file) {
+    return file.settings().get(Setting.LINE_WIDTH) > 0
+        || file.model().filter(model -> !model.labels().kinds().isEmpty()).isPresent();
   }
 
   /**
