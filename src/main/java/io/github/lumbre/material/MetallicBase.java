@@ -110,10 +110,8 @@ final class MetallicBase {
     Rgb mixedF0 = f0.times(1 - metallic).plus(color.times(metallic));
     double mixedF90 = f90 * (1 - metallic) + metallic;
     SchlickReflection isotropic = new SchlickReflection(mixedF0, mixedF90, facets, film);
-    Lobe reflection =
-        strength > 0
-            ? anisotropic(hit, isotropic, strength)
-            : compensated(isotropic, color, metallic);
+    Lobe single = strength > 0 ? anisotropic(hit, isotropic, strength) : isotropic;
+    Lobe reflection = compensated(single, isotropic, color, metallic, strength);
     double through = isTranslucent ? diffuseTransmission.fractionAt(hit) : 0;
     if (metallic == 1 || through == 0 && color.isBlack()) {
       return reflection;
@@ -132,16 +130,20 @@ final class MetallicBase {
   }
 
   /**
-   * Returns an isotropic reflection with what its metallic part reflects repeatedly. What the
-   * plastic part does not reflect reaches its diffuse base.
+   * Returns a reflection with what its metallic part reflects repeatedly. What the plastic part
+   * does not reflect reaches its diffuse base. With anisotropy, it is what isotropic facets reflect
+   * repeatedly, times the ratio of the two roughnesses, which with the single reflection stays
+   * below 1. AnisotropicReflectionTest scans the sum.
    */
-  private static Lobe compensated(SchlickReflection single, Rgb color, double metallic) {
-    double alpha = single.facets().alpha();
+  private static Lobe compensated(
+      Lobe single, SchlickReflection isotropic, Rgb color, double metallic, double strength) {
+    double alpha = isotropic.facets().alpha();
     if (metallic == 0 || alpha == MIN_ALPHA) {
       return single;
     }
-    Rgb mean = SchlickReflection.meanFresnel(color, 1, single.film());
-    return new Compensated(single, MultipleScattering.reflected(mean, metallic, alpha));
+    Rgb mean = SchlickReflection.meanFresnel(color, 1, isotropic.film());
+    double share = metallic * (alpha / AnisotropicReflection.alphaAlong(alpha, strength));
+    return new Compensated(single, MultipleScattering.reflected(mean, share, alpha));
   }
 
   private Lobe anisotropic(SurfaceHit hit, SchlickReflection isotropic, double strength) {
