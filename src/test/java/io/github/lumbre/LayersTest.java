@@ -142,7 +142,6 @@ class LayersTest {
           Map.entry("lab.trade", List.of("com.google.gson..")),
           Map.entry("cli.output", List.of("com.google.gson..", "picocli..")),
           Map.entry("cli.option", List.of("picocli..")),
-          Map.entry("cli.mcp", List.of("com.google.gson..")),
           Map.entry("cli.view", List.of("com.google.gson..", "com.sun.net.httpserver..")),
           Map.entry("cli", List.of("com.google.gson..", "picocli..")));
 

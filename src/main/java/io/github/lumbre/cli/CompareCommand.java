@@ -1,10 +1,9 @@
 package io.github.lumbre.cli;
 
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -69,7 +68,6 @@ import picocli.CommandLine.Spec;
       "7:Internal error"
     })
 final class CompareCommand implements Callable<Integer> {
-  private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
   private static final String LIKENESS = "ssim";
 
   /** The names of all metrics. */
@@ -138,7 +136,7 @@ final class CompareCommand implements Callable<Integer> {
     Messages out = new Messages(spec.commandLine().getOut());
     List<String> beyond = beyond(error);
     if (json) {
-      spec.commandLine().getOut().println(GSON.toJson(values(error, beyond)));
+      spec.commandLine().getOut().println(JsonText.pretty(values(error, beyond)));
       spec.commandLine().getOut().flush();
     } else {
       out.line(

@@ -1,12 +1,11 @@
 package io.github.lumbre.cli;
 
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
 import io.github.lumbre.cli.diff.ChangePage;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -82,7 +81,6 @@ import picocli.CommandLine.Spec;
     })
 final class DiffCommand implements Callable<Integer> {
   private static final String FORMAT = "lumbre-diff-1";
-  private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
   private static final int WIDTH = 640;
   private static final int HEIGHT = 480;
   private static final int DIGITS = 4;
@@ -232,7 +230,7 @@ final class DiffCommand implements Callable<Integer> {
   private void print(ModelDifference.Result found, List<String> lines, double near) {
     Messages out = new Messages(spec.commandLine().getOut());
     if (json) {
-      GSON.toJson(values(found, near)).lines().forEach(out::line);
+      JsonText.pretty(values(found, near)).lines().forEach(out::line);
       return;
     }
     out.line("%s against %s: %s".formatted(now, old, summary(found)));

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
+import io.github.lumbre.cli.output.JsonText;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -14,8 +13,6 @@ import java.util.Optional;
  * nothing piles up. Thread-safe.
  */
 final class Answers {
-  private static final Gson GSON = new GsonBuilder().disableHtmlEscaping().create();
-
   private final OutputStream out;
   private volatile boolean isBroken;
 
@@ -57,14 +54,9 @@ final class Answers {
     return message;
   }
 
-  /** Returns a value as JSON in one line. */
-  static String json(Object value) {
-    return GSON.toJson(value);
-  }
-
   /** Writes a message, or the messages of a batch. */
   void write(Object message) {
-    byte[] line = (json(message) + "\n").getBytes(StandardCharsets.UTF_8);
+    byte[] line = (JsonText.line(message) + "\n").getBytes(StandardCharsets.UTF_8);
     synchronized (this) {
       if (!isBroken) {
         try {

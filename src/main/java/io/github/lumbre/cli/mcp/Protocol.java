@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.json.JsonValue;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.limit.internal.TimeLimit;
@@ -99,7 +100,7 @@ final class Protocol {
         image.put("mimeType", "image/png");
         content.add(image);
       }
-      content.add(text(Answers.json(outcome.values())));
+      content.add(text(JsonText.line(outcome.values())));
       Map<String, Object> result = new LinkedHashMap<>();
       result.put("content", content);
       result.put("structuredContent", outcome.values());

@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.output;
 
-import com.google.gson.GsonBuilder;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.TaskException;
@@ -92,7 +91,7 @@ public final class JsonSummary {
 
   public void print(Messages out) {
     values.replaceAll((key, value) -> value instanceof Supplier<?> late ? late.get() : value);
-    out.line(new GsonBuilder().disableHtmlEscaping().create().toJson(values));
+    out.line(JsonText.line(values));
   }
 
   /** Returns the values by their keys. */

@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.camera.internal.Projection;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.internal.PartTable;
@@ -8,8 +7,6 @@ import io.github.lumbre.parser.internal.PartTable.Part;
 import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.parser.internal.ViewNumbers.Seen;
 import io.github.lumbre.scene.RenderSettings;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,9 +15,6 @@ import java.util.Map;
 final class PartJson {
   /** The most parts in a list. */
   private static final int MOST = 1000;
-
-  /** Decimals with this number of digits may be those of a number that was stated. */
-  private static final int STATED_DIGITS = 15;
 
   private PartJson() {}
 
@@ -43,12 +37,12 @@ final class PartJson {
   }
 
   /** Returns the least and the largest coordinates of a box. */
-  static List<List<BigDecimal>> bounds(Bounds3 box) {
+  static List<List<Double>> bounds(Bounds3 box) {
     return List.of(vector(box.min()), vector(box.max()));
   }
 
-  private static List<BigDecimal> vector(Vec3 v) {
-    return List.of(decimal(v.x()), decimal(v.y()), decimal(v.z()));
+  private static List<Double> vector(Vec3 v) {
+    return List.of(v.x(), v.y(), v.z());
   }
 
   /** Returns the numbers of a picture. */
@@ -62,21 +56,15 @@ final class PartJson {
         .ifPresent(
             projection -> {
               view.put("projection", projection.isParallel() ? "parallel" : "perspective");
-              view.put("matrix", matrix(projection));
+              view.put("matrix", projection.matrix());
             });
     if (!numbers.seen().isEmpty()) {
-      view.put("depth", List.of(decimal(numbers.near()), decimal(numbers.far())));
+      view.put("depth", List.of(numbers.near(), numbers.far()));
     }
     view.put("visible_part_count", numbers.seen().size());
     view.put(
         "visible_parts", numbers.seen().stream().limit(MOST).map(s -> seen(s, table)).toList());
     return view;
-  }
-
-  private static List<List<BigDecimal>> matrix(Projection projection) {
-    return projection.matrix().stream()
-        .map(row -> row.stream().map(PartJson::decimal).toList())
-        .toList();
   }
 
   private static Map<String, Object> seen(Seen seen, PartTable table) {
@@ -85,24 +73,5 @@ final class PartJson {
     entry.put("pixels", seen.pixels());
     entry.put("box", List.of(seen.left(), seen.top(), seen.right(), seen.bottom()));
     return entry;
-  }
-
-  /**
-   * Returns a decimal that is read as the same number: the shortest one, up to rounding. All
-   * versions of Java return the same one, unlike {@link Double#toString(double)}.
-   *
-   * @param x finite
-   */
-  private static BigDecimal decimal(double x) {
-    BigDecimal exact = new BigDecimal(x);
-    int digits = STATED_DIGITS;
-    BigDecimal rounded = exact.round(new MathContext(digits));
-    while (rounded.doubleValue() != x) {
-      rounded = exact.round(new MathContext(++digits));
-    }
-    BigDecimal shown = rounded.stripTrailingZeros();
-    return shown.scale() < 1 && shown.precision() - shown.scale() <= STATED_DIGITS
-        ? shown.setScale(1)
-        : shown;
   }
 }

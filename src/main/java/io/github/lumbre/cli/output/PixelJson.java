@@ -1,7 +1,5 @@
 package io.github.lumbre.cli.output;
 
-import com.google.gson.Gson;
-import com.google.gson.GsonBuilder;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.internal.Origin;
@@ -25,8 +23,6 @@ public final class PixelJson {
   /** Identifies the format; it changes with every incompatible change. */
   public static final String FORMAT = "lumbre-pixel-2";
 
-  private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
-
   private final PixelReport report;
 
   private PixelJson(PixelReport report) {
@@ -37,14 +33,14 @@ public final class PixelJson {
   public static String text(PixelReport report, PixelReplay.Sample sample) {
     Map<String, Object> values = head(report);
     values.putAll(new PixelJson(report).sample(sample));
-    return GSON.toJson(values);
+    return JsonText.pretty(values);
   }
 
   /**
    * Returns the statistics of all samples, and the rejected and brightest samples with their paths.
    */
   public static String text(PixelReport report, PixelReplay.Pixel pixel) {
-    return GSON.toJson(values(report, pixel));
+    return JsonText.pretty(values(report, pixel));
   }
 
   /** Returns the values of {@link #text(PixelReport, PixelReplay.Pixel)} by their keys. */

@@ -1,0 +1,141 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import io.github.lumbre.cli.output.ExitCodes;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DiffCommandTest {
+  private static final String PLATE =
+      "v 0 0 0\nv 4 0 0\nv 0 3 0\no plate\nusemtl steel\nf -3 -2 -1\n";
+  private static final String BOLT =
+      "v 9 0 %s\nv 10 0 %s\nv 9 2 %s\no bolt\nusemtl %s\nf -3 -2 -1\n";
+
+  @TempDir private Path directory;
+
+  @BeforeEach
+  void write() throws IOException {
+    Files.writeString(
+        directory.resolve("a.mtl"), "newmtl steel\nKd .5 .5 .5\nnewmtl brass\nKd 1 .8 .1\n");
+    write("old.obj", PLATE + bolt("0", "steel"));
+    write("same.obj", bolt("1e-7", "steel") + PLATE);
+    write("moved.obj", PLATE + bolt(".001", "steel"));
+    write("brass.obj", PLATE + bolt("0", "brass"));
+    write("plate.obj", PLATE);
+  }
+
+  private void write(String name, String model) throws IOException {
+    Files.writeString(directory.resolve(name), "mtllib a.mtl\n" + model);
+  }
+
+  private static String bolt(String z, String material) {
+    return BOLT.formatted(z, z, z, material);
+  }
+
+  /** Runs a command line in which T stands for the directory of the test. */
+  private Outcome run(String line) {
+    return Outcome.of(
+        Stream.of(line.split(" "))
+            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
+            .toArray(String[]::new));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "old.obj   | 0 | 2 the same",
+        "same.obj  | 0 | 2 the same",
+        "moved.obj | 1 | 'moved    bolt  by 0.001'",
+        "brass.obj | 1 | 'changed  bolt  another material'",
+        "plate.obj | 1 | 'removed  bolt'"
+      })
+  void whatChangedIsSaid(String now, int code, String part) {
+    Outcome outcome = run("diff T/old.obj T/" + now);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(code);
+    assertThat(outcome.out()).contains(part);
+    assertThat(outcome.err()).isEmpty();
+  }
+
+  @Test
+  void aCoarserToleranceAllowsMore() {
+    assertThat(run("diff T/old.obj T/moved.obj --tolerance .01").exitCode()).isZero();
+  }
+
+  @Test
+  void jsonHasTheNumbers() {
+    Outcome outcome = run("diff T/old.obj T/moved.obj --json --tolerance 1e-5");
+    JsonObject json = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    assertThat(json.get("format").getAsString()).isEqualTo("lumbre-diff-1");
+    assertThat(json.get("same").getAsInt()).isEqualTo(1);
+    assertThat(outcome.out()).contains("\"tolerance\": 0.00001,", "\"distance\": 0.001,");
+  }
+
+  @Test
+  void namesAreSafeInTheTerminalAndOnThePage() throws IOException {
+    String evil = "<b>\"'&\u001b[31m";
+    write("evil.obj", PLATE + bolt("0", "steel"));
+    write("evil2.obj", PLATE + bolt("1", "steel"));
+    for (String name : new String[] {"evil.obj", "evil2.obj"}) {
+      Path file = directory.resolve(name);
+      Files.writeString(file, Files.readString(file).replace("o bolt", "o " + evil));
+    }
+    Outcome outcome = run("diff T/evil.obj T/evil2.obj -o T/page.html");
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.DIFFERENT);
+    assertThat(outcome.out()).contains("<b>\"'&\\u001b[31m").doesNotContain("\u001b");
+    String page = Files.readString(directory.resolve("page.html"));
+    assertThat(page)
+        .contains("&lt;b&gt;&quot;'&amp;")
+        .doesNotContain("<b>", "\u001b", "<script")
+        .doesNotContainPattern("(src|href)=\"(?!data:)");
+    assertThat(page.split("data:image/png;base64,")).hasSize(4);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "T/none.obj T/old.obj             | 3 | none.obj",
+        "T/a.mtl T/old.obj                | 2 | expected a model file",
+        "T/old.obj T/old.obj --tolerance 0   | 2 | --tolerance",
+        "T/old.obj T/old.obj --tolerance NaN | 2 | --tolerance",
+        "T/old.obj T/moved.obj -o T/moved.obj   | 6 | is a model",
+        "T/old.obj T/broken.glb | 3 | broken.glb"
+      })
+  void faultsAreExplained(String arguments, int code, String part) throws IOException {
+    Files.write(directory.resolve("broken.glb"), new byte[40]);
+    Outcome outcome = run("diff " + arguments);
+    assertThat(outcome.err()).contains(part).doesNotContain("Exception");
+    assertThat(outcome.exitCode()).isEqualTo(code);
+    assertThat(Files.readString(directory.resolve("moved.obj"))).contains("o bolt");
+  }
+
+  /** Far and tiny parts, and points. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "v 1e30 0 0\nv 0 1e30 0\nv 0 0 1e30\no far\nf 1 2 3\n",
+        "v 1e-30 0 0\nv 0 1e-30 0\nv 0 0 1e-30\no tiny\nf 1 2 3\n",
+        "v 0 0 0\nv 0 1 0\nv 5 0 1\np 1 2 3\n"
+      })
+  void unusualModelsHaveADifference(String model) throws IOException {
+    write("odd.obj", model);
+    write("odd2.obj", model + PLATE);
+    assertThat(run("diff T/odd.obj T/odd.obj").out()).contains(": 1 the same");
+    Outcome outcome = run("diff T/odd.obj T/odd2.obj --json");
+    assertThat(outcome.err()).isEmpty();
+    assertThat(JsonParser.parseString(outcome.out()).getAsJsonObject().get("changes").toString())
+        .contains("added");
+  }
+}
