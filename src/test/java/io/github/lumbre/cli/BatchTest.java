@@ -35,9 +35,7 @@ class BatchTest {
 
   /** Returns the words of a command line in which T stands for the directory of the test. */
   private String[] words(String line) {
-    return Stream.of(line.split(" "))
-        .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-        .toArray(String[]::new);
+    return Outcome.words(directory, line);
   }
 
   private Outcome run(String line) {

@@ -12,7 +12,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,10 +36,7 @@ class DenoisedModelsTest {
 
   /** Runs a command line in which T stands for the directory of the test. */
   private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-            .toArray(String[]::new));
+    return Outcome.in(directory, line);
   }
 
   /** Runs a command that succeeds, and returns what it prints. */

@@ -9,7 +9,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -44,10 +43,7 @@ class LookCommandsTest {
 
   /** Runs a command line in which T stands for the directory of the test. */
   private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-            .toArray(String[]::new));
+    return Outcome.in(directory, line);
   }
 
   private Outcome runs(String line) {

@@ -11,7 +11,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeEach;
@@ -34,10 +33,7 @@ class ModelCommandsTest {
 
   /** Runs a command line in which T stands for the directory of the test. */
   private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-            .toArray(String[]::new));
+    return Outcome.in(directory, line);
   }
 
   private void runs(String line) {

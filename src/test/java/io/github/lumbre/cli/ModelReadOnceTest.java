@@ -23,7 +23,7 @@ class ModelReadOnceTest {
     try (Recording recording = new Recording()) {
       recording.enable("jdk.FileRead").withoutThreshold();
       recording.start();
-      Outcome outcome = Outcome.of(line.replace("T/", directory + "/").split(" "));
+      Outcome outcome = Outcome.in(directory, line);
       recording.stop();
       recording.dump(events);
       assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isZero();

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.stream.Stream;
 
 /** The exit code and the output of a run of the command line. */
 public record Outcome(int exitCode, String out, String err) {
@@ -13,6 +15,18 @@ public record Outcome(int exitCode, String out, String err) {
     StringWriter err = new StringWriter();
     int exitCode = Lumbre.run(args, new PrintWriter(out, true), new PrintWriter(err, true));
     return new Outcome(exitCode, out.toString(), err.toString());
+  }
+
+  /** Runs a command line in which T stands for a folder. */
+  static Outcome in(Path folder, String line) {
+    return of(words(folder, line));
+  }
+
+  /** Returns the words of a command line in which T stands for a folder. */
+  static String[] words(Path folder, String line) {
+    return Stream.of(line.split(" "))
+        .map(word -> word.matches("T(/.*)?") ? folder + word.substring(1) : word)
+        .toArray(String[]::new);
   }
 
   /** Checks that the run failed with this code and a single line that contains these texts. */

@@ -97,10 +97,7 @@ class OutputGuardTest {
 
   /** Runs a command line in which T stands for the directory of the test. */
   private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-            .toArray(String[]::new));
+    return Outcome.in(directory, line);
   }
 
   private Map<String, String> files() throws IOException {

@@ -16,7 +16,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -35,10 +34,7 @@ class PartNumbersTest {
 
   /** Runs a command line in which T stands for the directory of the test. */
   private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-            .toArray(String[]::new));
+    return Outcome.in(directory, line);
   }
 
   private List<JsonObject> json(String line) {

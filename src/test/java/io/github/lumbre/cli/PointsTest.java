@@ -28,7 +28,7 @@ class PointsTest {
   }
 
   private Outcome run(String command) {
-    return Outcome.of(command.replace("T/", folder + "/").split(" "));
+    return Outcome.in(folder, command);
   }
 
   private void runs(String command) {

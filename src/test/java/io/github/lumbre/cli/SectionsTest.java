@@ -41,7 +41,7 @@ class SectionsTest {
   }
 
   private Outcome run(String command) {
-    return Outcome.of(command.replace("T/", folder + "/").split(" "));
+    return Outcome.in(folder, command);
   }
 
   private void runs(String command) {

@@ -154,6 +154,18 @@ class ModelDifferenceTest {
     assertThat(change.degrees()).isCloseTo(degrees, within(1e-2));
   }
 
+  /** A prism of six sides is the same after 10° as after 70°, 130° and so on. */
+  @Test
+  void theSmallestAngleOfARegularPartIsNamed() {
+    List<Vec3[]> prism = new ArrayList<>();
+    addPrism(prism, 6, 1, 0, 2);
+    Transform turn = Transform.rotationDegrees(new Vec3(0, 0, 10));
+    PartChange change =
+        only(List.of(part("nut", prism, at(0, 0, 0))), List.of(part("nut", prism, turn::point)));
+    assertThat(change.kind()).isEqualTo(Kind.MOVED);
+    assertThat(change.degrees()).isCloseTo(10, within(1e-2));
+  }
+
   @Test
   void aMirroredBoltIsAnotherShape() {
     PartChange change =
