@@ -10,6 +10,9 @@ import java.util.List;
 
 /** The tools for models as a server. Stateless. */
 public final class Mcp {
+  /** The time of a call, for slow machines; clients cancel calls that are too long for them. */
+  private static final Duration MOST_TIME = Duration.ofMinutes(2);
+
   private Mcp() {}
 
   /**
@@ -30,7 +33,6 @@ public final class Mcp {
             new DescribeTool(studio),
             new PixelTool(studio),
             new CompareTool(confined, limits));
-    Duration most = limits.time().multipliedBy(2); // Of reading, and of rendering.
-    new McpServer(in, new Answers(out), tools, most).serve();
+    new McpServer(in, new Answers(out), tools, MOST_TIME).serve();
   }
 }

@@ -7,6 +7,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import io.github.lumbre.cli.ModelSample;
 import io.github.lumbre.cli.Outcome;
+import io.github.lumbre.testing.Effort;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -14,7 +15,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
@@ -288,6 +293,50 @@ class McpToolsTest {
             .isEqualTo(expected.get(answer.get("id").getAsInt()));
       }
     }
+  }
+
+  /** Each call is answered, whatever its arguments are. */
+  @Test
+  void changedArgumentsEndNothing() throws Exception {
+    Random random = new Random(Effort.seed(12));
+    Map<String, String> usual = new LinkedHashMap<>();
+    usual.put("model", "'sample.glb'");
+    usual.put("width", "16");
+    usual.put("height", "16");
+    usual.put("view", "'30,20'");
+    usual.put("planes", "['x=50%']");
+    usual.put("highlight", "['b?dy']");
+    usual.put("x", "3");
+    usual.put("y", "4");
+    usual.put("picture", "'paint.png'");
+    usual.put("reference", "'paint.png'");
+    Map<String, List<String>> tools =
+        Map.of(
+            "views", List.of("model", "width", "height", "highlight"),
+            "render", List.of("model", "width", "height", "view", "highlight"),
+            "section", List.of("model", "width", "height", "view", "planes"),
+            "describe", List.of("model"),
+            "pixel", List.of("model", "x", "y", "width", "height", "view", "planes"),
+            "compare", List.of("picture", "reference"));
+    String[] unusual =
+        ("null true [] {} -1 0 17 1e9 1.5 99999999999999999999 '' '*' ['*'] ['?','',''] ['x=oops']"
+             + " ['0,0,1/1,1,0'] ['0,0,0/0,0,0'] ['x=1e300','-x=-1e300'] 'top' '-1e308,90' '0,NaN'"
+             + " '../x.stl' '.' 'sample.glb' 'paint.png' [['a']] '%'")
+            .split(" ");
+    int pictures = 0;
+    int count = Effort.count(100, 10_000);
+    for (int i = 0; i < count; i++) {
+      String tool = List.copyOf(new TreeSet<>(tools.keySet())).get(random.nextInt(tools.size()));
+      List<String> arguments = new ArrayList<>();
+      for (String name : tools.get(tool)) {
+        boolean isUsual = random.nextInt(4) > 0;
+        String value = isUsual ? usual.get(name) : unusual[random.nextInt(unusual.length)];
+        arguments.add("'" + name + "':" + value);
+      }
+      JsonObject result = result(tool, String.join(",", arguments));
+      pictures += result.toString().contains("image/png") ? 1 : 0;
+    }
+    assertThat(pictures).isGreaterThan(count / 20);
   }
 
   private static String content(JsonObject result) {
