@@ -86,7 +86,7 @@ final class LightReader {
           .with("Ambient", this::ambient)
           .with("Rectangle", this::rectangle, "width", "height", "unit")
           .with("Sphere", this::sphere, "radius", "unit")
-          .with("Dome", this::dome, "textureId", "sky");
+          .with("Dome", this::dome, "textureId", "sky", "sunAzimuth", "sunElevation");
 
   /**
    * @param hasGlass whether any object in the scene is made of glass

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.parser.internal.ShownLabels;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.texture.internal.ClearSky;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -77,11 +78,17 @@ public record Stage(
   /**
    * The environment light.
    *
-   * @param name {@code studio}, {@code white} or the path of a latitude-longitude picture
+   * @param name {@code studio}, {@code white}, {@code sun} for a clear day's sky with the sun, or
+   *     the path of a latitude-longitude picture
    * @param intensity factor of its radiance, at least 0 and finite
    * @param rotation about the vertical axis, in degrees, finite
+   * @param sun the view from the sun: where it stands if the sky is not turned. Its elevation is at
+   *     least 0; other skies ignore it
    */
-  public record Sky(String name, double intensity, double rotation) {
+  public record Sky(String name, double intensity, double rotation, View sun) {
+    /** Where the sun stands if nothing else is said. */
+    static final View SUN = new View(-40, 35);
+
     /** The lights of a photographer's studio. */
     public static final Sky STUDIO = new Sky("studio");
 
@@ -94,6 +101,16 @@ public record Stage(
       if (!Double.isFinite(rotation)) {
         throw new IllegalArgumentException("rotation: expected a finite number, found " + rotation);
       }
+      Objects.requireNonNull(sun, "sun");
+      if (!(sun.elevation() >= ClearSky.LOWEST && sun.elevation() <= 90)) {
+        throw new IllegalArgumentException(
+            "sun: expected an elevation from 0 to 90, found " + sun.elevation());
+      }
+    }
+
+    /** Creates a sky whose sun stands to the left in front of the model, 35 degrees high. */
+    public Sky(String name, double intensity, double rotation) {
+      this(name, intensity, rotation, SUN);
     }
 
     /** Creates a sky of intensity 1 that is not turned. */
@@ -101,9 +118,14 @@ public record Stage(
       this(name, 1, 0);
     }
 
+    /** Returns whether it is a clear day's, with the sun. */
+    boolean hasSun() {
+      return name.equals("sun");
+    }
+
     /** Returns the absolute path of its picture; empty if it has none. */
     Optional<Path> picture() {
-      return name.equals("studio") || name.equals("white")
+      return hasSun() || name.equals("studio") || name.equals("white")
           ? Optional.empty()
           : Optional.of(Path.of(name).toAbsolutePath().normalize());
     }

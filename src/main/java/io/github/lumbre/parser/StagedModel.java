@@ -32,6 +32,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -48,6 +49,9 @@ import java.util.Optional;
 final class StagedModel {
   /** The name of the sky, and the place of its problems. */
   static final String SKY = "sky";
+
+  /** The name of the sun in a clear sky. */
+  static final String SUN = "sun";
 
   /** The name of the ground and of its material. */
   static final String GROUND = "ground";
@@ -262,6 +266,13 @@ final class StagedModel {
     }
     Rgb radiance = Rgb.grey(stage.sky().intensity());
     Frame axes = new CameraPose(Vec3.ZERO, new Vec3(0, stage.sky().rotation(), 0)).axes();
+    if (stage.sky().hasSun()) {
+      View place = stage.sky().sun();
+      ClearSky clear = new ClearSky(place.azimuth(), place.elevation());
+      add(SKY, parser.textures().clear(axes, radiance, clear), parts);
+      add(SUN, parser.textures().sun(axes, radiance, clear), parts);
+      return;
+    }
     Optional<EnvironmentLight> sky =
         stage.sky().picture().isPresent()
             ? picture(spot, parser).map(picture -> parser.textures().dome(axes, radiance, picture))
@@ -269,8 +280,11 @@ final class StagedModel {
                 stage.sky().name().equals("studio")
                     ? parser.textures().studio(axes, radiance)
                     : EnvironmentLight.uniform(radiance));
-    sky.ifPresent(
-        light -> parts.add(new Origin(SKY, SKY), Origin.NONE, "", scene -> scene.add(light)));
+    sky.ifPresent(light -> add(SKY, light, parts));
+  }
+
+  private static void add(String name, EnvironmentLight light, SceneParts parts) {
+    parts.add(new Origin(name, name), Origin.NONE, "", scene -> scene.add(light));
   }
 
   private Optional<Picture> picture(Spot spot, SceneParser parser) {
@@ -288,7 +302,7 @@ final class StagedModel {
         models.meshes(),
         models.triangles(),
         models.points(),
-        1 + models.lights(),
+        (stage.sky().hasSun() ? 2 : 1) + models.lights(),
         ground + models.materials(),
         models.pictures() + (stage.sky().picture().isPresent() ? 1 : 0));
   }

@@ -4,8 +4,10 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.texture.Texture;
+import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import io.github.lumbre.texture.internal.StudioSky;
+import io.github.lumbre.texture.internal.SunDisk;
 import io.github.lumbre.texture.internal.TintedTexture;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
@@ -40,6 +42,21 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
         TintedTexture.of(radiance, watched(StudioSky.INSTANCE)),
         StudioSky.COLUMNS,
         StudioSky.ROWS);
+  }
+
+  /** Returns the light of a clear sky without the sun, multiplied by a color. */
+  EnvironmentLight clear(Frame axes, Rgb radiance, ClearSky sky) {
+    return EnvironmentLight.image(
+        axes, TintedTexture.of(radiance, watched(sky)), ClearSky.COLUMNS, ClearSky.ROWS);
+  }
+
+  /** Returns the light of the sun in a clear sky, multiplied by a color. */
+  EnvironmentLight sun(Frame axes, Rgb radiance, ClearSky sky) {
+    Frame around = Frame.around(sky.toSun(axes));
+    // The image has the sun at its top.
+    Frame below = new Frame(around.tangent(), around.normal(), around.bitangent());
+    Texture<Rgb> disk = watched(SunDisk.of(sky.sun()));
+    return EnvironmentLight.image(below, TintedTexture.of(radiance, disk), 1, SunDisk.ROWS);
   }
 
   /** Returns the light of a latitude-longitude picture, multiplied by a color. */

@@ -12,10 +12,10 @@ import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.UvMapping;
+import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import io.github.lumbre.texture.internal.ImageTexture.Role;
 import io.github.lumbre.texture.internal.RedChannel;
-import io.github.lumbre.texture.internal.StudioSky;
 import io.github.lumbre.texture.internal.TexelTexture;
 import io.github.lumbre.texture.internal.TintedTexture;
 import java.util.ArrayList;
@@ -34,7 +34,22 @@ final class TextureReader {
   private static final Point2 NO_OFFSET = new Point2(0, 0);
   private static final Point2 NO_SCALE = new Point2(1, 1);
 
+  /** The keys of the sun's place: its azimuth and its elevation. */
+  static final List<String> SUN_KEYS = List.of("sunAzimuth", "sunElevation");
+
+  private static final Map<String, Sky> SKIES = new LinkedHashMap<>();
+
+  /** A computed sky. */
+  private enum Sky {
+    STUDIO,
+    CLEAR,
+    SUN
+  }
+
   static {
+    SKIES.put("studio", Sky.STUDIO);
+    SKIES.put("clear", Sky.CLEAR);
+    SKIES.put("sun", Sky.SUN);
     FILTERS.put("nearest", Filter.NEAREST);
     FILTERS.put("bilinear", Filter.BILINEAR);
   }
@@ -49,6 +64,7 @@ final class TextureReader {
   private final TextureChange change;
   private final ProceduralReader procedurals;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
+  private final Map<Point2, ClearSky> clearSkies = new HashMap<>();
   private final List<TextureUse> uses = new ArrayList<>();
   private final Family<Reader> family =
       new Family<Reader>("textureType", AssetTable.COMMON_KEYS)
@@ -216,12 +232,24 @@ final class TextureReader {
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
     if (light.has("sky")) {
-      light.choice("sky", Map.of("studio", StudioSky.INSTANCE), StudioSky.INSTANCE);
-      return change.studio(axes, radiance);
+      return switch (light.choice("sky", SKIES, Sky.STUDIO)) {
+        case STUDIO -> change.studio(axes, radiance);
+        case CLEAR -> change.clear(axes, radiance, clearSky(light));
+        case SUN -> change.sun(axes, radiance, clearSky(light));
+      };
     }
     return find(light, "textureId")
         .map(picture -> change.dome(axes, radiance, picture))
         .orElse(EnvironmentLight.uniform(radiance));
+  }
+
+  /** Returns the sky of a place of the sun; lights with the same place share it. */
+  private ClearSky clearSky(JsonNode light) {
+    double azimuth = light.number(SUN_KEYS.get(0), Stage.Sky.SUN.azimuth(), Range.ANY);
+    double elevation =
+        light.number(SUN_KEYS.get(1), Stage.Sky.SUN.elevation(), Range.closed(ClearSky.LOWEST, 90));
+    return clearSkies.computeIfAbsent(
+        new Point2(azimuth, elevation), sun -> new ClearSky(sun.x(), sun.y()));
   }
 
   /** Returns the aperture that a mask describes: white is open. Empty if there is no mask. */

@@ -32,7 +32,12 @@ record WrittenStage(Stage stage, StageCamera camera, double floor) {
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
     objects.add(cameraObject());
-    objects.add(dome(assets, folder));
+    if (stage.sky().hasSun()) {
+      objects.add(ofSun(StagedModel.SKY, "clear"));
+      objects.add(ofSun(StagedModel.SUN, "sun"));
+    } else {
+      objects.add(dome(assets, folder));
+    }
     objects.add(modelObject(slashed(folder.relativize(model))));
     if (stage.ground()) {
       assets.add(groundMaterial());
@@ -78,11 +83,24 @@ record WrittenStage(Stage stage, StageCamera camera, double floor) {
     return object;
   }
 
-  private JsonObject dome(JsonArray assets, Path folder) {
-    JsonObject dome = WrittenObjects.object("Light", StagedModel.SKY);
+  private JsonObject dome(String name) {
+    JsonObject dome = WrittenObjects.object("Light", name);
     dome.addProperty("lightType", "Dome");
     dome.addProperty("intensity", stage.sky().intensity());
     dome.add("localRotation", Written.vector(new Vec3(0, stage.sky().rotation(), 0)));
+    return dome;
+  }
+
+  private JsonObject ofSun(String name, String sky) {
+    JsonObject dome = dome(name);
+    dome.addProperty("sky", sky);
+    dome.addProperty("sunAzimuth", stage.sky().sun().azimuth());
+    dome.addProperty("sunElevation", stage.sky().sun().elevation());
+    return dome;
+  }
+
+  private JsonObject dome(JsonArray assets, Path folder) {
+    JsonObject dome = dome(StagedModel.SKY);
     if (stage.sky().name().equals("studio")) {
       dome.addProperty("sky", "studio");
     }

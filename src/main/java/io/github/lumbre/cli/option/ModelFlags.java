@@ -32,6 +32,7 @@ public final class ModelFlags {
           "--view",
           "--fov",
           "--sky",
+          "--sun",
           "--sky-intensity",
           "--sky-rotation",
           "--ground",
@@ -81,9 +82,17 @@ public final class ModelFlags {
       names = "--sky",
       paramLabel = "NAME|FILE",
       description =
-          "Light from studio, white, or a latitude-longitude picture: HDR, OpenEXR, PFM,"
-              + " or PNG, JPEG and the other formats of textures (studio).")
+          "Light from studio, white, sun (a clear day), or a latitude-longitude picture: HDR,"
+              + " OpenEXR, PFM, or PNG, JPEG and the other formats of textures (studio).")
   private Optional<String> sky;
+
+  @Option(
+      names = "--sun",
+      paramLabel = "AZ,EL",
+      description =
+          "Place of the sun with --sky sun: azimuth as of --view, 0 in front, and elevation from 0"
+              + " to 90, in degrees (-40,35).")
+  private Optional<String> sun;
 
   @Option(
       names = "--sky-intensity",
@@ -224,7 +233,7 @@ public final class ModelFlags {
         camera,
         from,
         angle,
-        new Sky(sky.orElse(isDrawing ? "white" : "studio"), intensity, rotation),
+        placed(new Sky(sky.orElse(isDrawing ? "white" : "studio"), intensity, rotation)),
         ground,
         isTransparent ? Optional.empty() : shownBackground(!looks.isEmpty()),
         isTransparent,
@@ -309,11 +318,28 @@ public final class ModelFlags {
   }
 
   private View view(String text) {
+    return view("--view", text);
+  }
+
+  private View view(String flag, String text) {
     try {
       return View.of(text);
     } catch (IllegalArgumentException e) {
-      throw failure("--view: " + e.getMessage());
+      throw failure(flag + ": " + e.getMessage());
     }
+  }
+
+  /** Returns a sky with its sun where the flag says. */
+  private Sky placed(Sky of) {
+    if (sun.isEmpty()) {
+      return of;
+    }
+    require(of.name().equals("sun"), "--sun: requires --sky sun");
+    View place = view("--sun", sun.get());
+    require(
+        place.elevation() >= 0,
+        "--sun: expected an elevation from 0 to 90, found " + place.elevation());
+    return new Sky(of.name(), of.intensity(), of.rotation(), place);
   }
 
   private Pose pose(String text) {
