@@ -1,43 +1,20 @@
 package io.github.lumbre.lab.checks;
 
-import static io.github.lumbre.material.MaterialParameter.ANISOTROPY;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
-import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
-import static io.github.lumbre.material.MaterialParameter.CLEARCOAT_ROUGHNESS;
-import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION;
-import static io.github.lumbre.material.MaterialParameter.DISPERSION;
 import static io.github.lumbre.material.MaterialParameter.IOR;
-import static io.github.lumbre.material.MaterialParameter.IRIDESCENCE;
-import static io.github.lumbre.material.MaterialParameter.IRIDESCENCE_IOR;
-import static io.github.lumbre.material.MaterialParameter.METALLIC;
-import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
-import static io.github.lumbre.material.MaterialParameter.SHEEN_COLOR;
-import static io.github.lumbre.material.MaterialParameter.SHEEN_ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
-import io.github.lumbre.material.CookTorrance;
-import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
-import io.github.lumbre.material.MicrofacetDistribution;
-import io.github.lumbre.material.Mirror;
-import io.github.lumbre.material.Phong;
-import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.Fresnel;
-import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.sampling.internal.SobolSampler;
-import io.github.lumbre.texture.ScalarTexture;
-import io.github.lumbre.texture.Texture;
-import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -52,8 +29,6 @@ final class MaterialInvariants {
   private static final int ROWS = 512;
   private static final int COLUMNS = 256;
   private static final double[] COSINES = {.01, .1, .3, .6, .95};
-  private static final double[] ROUGHNESSES = {1e-3, .01, .05, .1, .3, .5, 1};
-  private static final double[] EXPONENTS = {0, 1, 10, 52, 1e3, 1e6, 1e9};
 
   /**
    * The smallest roughness that the quadrature resolves; narrower lobes fall between its points.
@@ -122,133 +97,13 @@ final class MaterialInvariants {
             tries -> fresnel()));
   }
 
-  private static List<Bsdf> all(List<Material> materials) {
-    return materials.stream().map(material -> material.at(new TexturePoint(.5, .5))).toList();
-  }
-
-  private static List<Material> opaque(double leastRoughness, double mostExponent) {
-    Texture<Rgb> white = Texture.constant(Rgb.WHITE);
-    Texture<Rgb> black = Texture.constant(Rgb.BLACK);
-    Texture<Rgb> half = Texture.constant(Rgb.grey(.5));
-    List<Material> materials = new ArrayList<>();
-    materials.add(new Matte(white));
-    for (double exponent : EXPONENTS) {
-      if (exponent <= mostExponent) {
-        materials.add(new Phong(black, white, ScalarTexture.constant(exponent)));
-        materials.add(new Phong(half, half, ScalarTexture.constant(exponent)));
-      }
-    }
-    for (MicrofacetDistribution kind : MicrofacetDistribution.values()) {
-      for (double roughness : ROUGHNESSES) {
-        if (roughness >= leastRoughness) {
-          ScalarTexture alpha = ScalarTexture.constant(roughness);
-          ScalarTexture ior = ScalarTexture.constant(CookTorrance.DEFAULT_IOR);
-          materials.add(new CookTorrance(black, white, alpha, ior, kind));
-          materials.add(new CookTorrance(half, half, alpha, ior, kind));
-        }
-      }
-    }
-    return materials;
-  }
-
-  private static List<Material> glasses(double leastRoughness) {
-    Texture<Rgb> white = Texture.constant(Rgb.WHITE);
-    List<Material> materials = new ArrayList<>();
-    for (double ior : new double[] {1.33, 1.5, 2.4}) {
-      for (double roughness : ROUGHNESSES) {
-        if (roughness >= leastRoughness) {
-          materials.add(
-              new Glass(
-                  white, white, ScalarTexture.constant(ior), ScalarTexture.constant(roughness)));
-        }
-      }
-    }
-    return materials;
-  }
-
-  /** Metals, plastics, thin films, clear coats, sheen and thin glass, smooth and rough. */
-  private static List<Material> layered(double leastRoughness) {
-    List<Material> materials = new ArrayList<>();
-    for (double alpha : ROUGHNESSES) {
-      if (alpha >= leastRoughness) {
-        double roughness = Math.sqrt(alpha);
-        ScalarChannel varied = ScalarChannel.of(roughness);
-        ScalarChannel medium = ScalarChannel.of(.6);
-        ColorChannel white = ColorChannel.of(Rgb.WHITE);
-        materials.add(metallic(1, roughness).build());
-        materials.add(metallic(0, roughness).build());
-        materials.add(metallic(1, roughness).set(ANISOTROPY, .9).build());
-        materials.add(filmed(1, roughness).build());
-        materials.add(filmed(0, roughness).build());
-        materials.add(metallic(.5, .6).set(CLEARCOAT, 1).set(CLEARCOAT_ROUGHNESS, varied).build());
-        materials.add(
-            metallic(0, roughness).set(CLEARCOAT, .5).set(CLEARCOAT_ROUGHNESS, medium).build());
-        materials.add(metallic(0, .6).set(SHEEN_COLOR, white).set(SHEEN_ROUGHNESS, varied).build());
-        materials.add(
-            metallic(1, roughness)
-                .set(SHEEN_COLOR, white)
-                .set(SHEEN_ROUGHNESS, medium)
-                .set(CLEARCOAT, 1)
-                .set(CLEARCOAT_ROUGHNESS, varied)
-                .build());
-        materials.add(metallic(0, roughness).set(DIFFUSE_TRANSMISSION, .6).build());
-        materials.add(metallic(0, roughness).set(TRANSMISSION, 1).build());
-      }
-    }
-    return materials;
-  }
-
-  private static MetallicRoughness.Builder filmed(double metallic, double roughness) {
-    return metallic(metallic, roughness).set(IRIDESCENCE, 1).set(IRIDESCENCE_IOR, 1.8);
-  }
-
-  private static Material dispersive(double roughness) {
-    return filmed(0, roughness)
-        .set(TRANSMISSION, 1)
-        .set(ATTENUATION_DISTANCE, 1)
-        .set(DISPERSION, 2)
-        .build();
-  }
-
-  /** Clear coats above rough glass, which are not reciprocal. */
-  private static List<Material> coatedGlass(double leastRoughness) {
-    return Arrays.stream(ROUGHNESSES)
-        .filter(alpha -> alpha >= leastRoughness)
-        .mapToObj(alpha -> metallic(.3, Math.sqrt(alpha)).set(TRANSMISSION, .5))
-        .<Material>map(glass -> glass.set(CLEARCOAT, .5).build())
-        .toList();
-  }
-
-  private static MetallicRoughness.Builder metallic(double metallic, double roughness) {
-    return MetallicRoughness.builder().set(METALLIC, metallic).set(ROUGHNESS, roughness);
-  }
-
-  /** Returns BSDFs with every lobe that materials have. */
-  static List<Bsdf> everything() {
-    List<Material> materials = new ArrayList<>(opaque(0, Double.MAX_VALUE));
-    materials.addAll(layered(0));
-    materials.addAll(coatedGlass(0));
-    materials.addAll(glasses(0));
-    materials.add(dispersive(0));
-    materials.add(dispersive(.5));
-    materials.add(new Mirror(Texture.constant(Rgb.WHITE)));
-    Texture<Rgb> white = Texture.constant(Rgb.WHITE);
-    ScalarTexture smooth = ScalarTexture.constant(0);
-    ScalarTexture ior = ScalarTexture.constant(1.5);
-    materials.add(new Glass(white, white, ior, smooth));
-    materials.add(
-        new CookTorrance(
-            Texture.constant(Rgb.BLACK), white, smooth, ior, MicrofacetDistribution.GGX));
-    return all(materials);
-  }
-
   private static Vec3 viewer(double cosine) {
     return new Vec3(Elementary.safeSqrt(1 - cosine * cosine), 0, cosine);
   }
 
   private static double excess() {
     double worst = 0;
-    for (Bsdf bsdf : everything()) {
+    for (Bsdf bsdf : MeasuredMaterials.everything()) {
       for (double cosine : COSINES) {
         double excess = excess(bsdf, viewer(cosine));
         // NaN must not pass as a small number.
@@ -268,11 +123,13 @@ final class MaterialInvariants {
     double worst = 0;
     for (double ior : new double[] {1.33, 1.5, 2.4}) {
       for (double roughness : new double[] {.1, .3, .6, 1}) {
-        MetallicRoughness.Builder glass = metallic(0, roughness).set(IOR, ior).set(TRANSMISSION, 1);
-        List<Material> white = new ArrayList<>(List.of(metallic(1, roughness).build()));
+        MetallicRoughness.Builder glass =
+            MeasuredMaterials.metallic(0, roughness).set(IOR, ior).set(TRANSMISSION, 1);
+        List<Material> white =
+            new ArrayList<>(List.of(MeasuredMaterials.metallic(1, roughness).build()));
         white.add(glass.build());
         white.add(glass.set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY).build());
-        for (Bsdf bsdf : all(white)) {
+        for (Bsdf bsdf : MeasuredMaterials.all(white)) {
           for (double cosine : new double[] {.1, .3, .6, .95}) {
             worst = Math.max(worst, 1 - mean(bsdf, viewer(cosine), SAMPLES));
           }
@@ -296,7 +153,7 @@ final class MaterialInvariants {
   private static double weights(Tries tries) {
     Draws draws = tries.draws(22);
     double worst = 0;
-    for (Bsdf bsdf : everything()) {
+    for (Bsdf bsdf : MeasuredMaterials.everything()) {
       for (double cosine : COSINES) {
         Vec3 wo = viewer(cosine);
         for (int i = 0; i < tries.times() * (SAMPLES / 8); i++) {
@@ -314,9 +171,9 @@ final class MaterialInvariants {
   private static double reciprocity(Tries tries) {
     Draws draws = tries.draws(23);
     double worst = 0;
-    List<Material> materials = new ArrayList<>(opaque(.05, 1e3));
-    materials.addAll(layered(.05));
-    for (Bsdf bsdf : all(materials)) {
+    List<Material> materials = new ArrayList<>(MeasuredMaterials.opaque(.05, 1e3));
+    materials.addAll(MeasuredMaterials.layered(.05));
+    for (Bsdf bsdf : MeasuredMaterials.all(materials)) {
       for (int i = 0; i < tries.times() * PAIRS; i++) {
         Vec3 wo = upward(draws.direction());
         Vec3 wi = draws.direction();
@@ -334,12 +191,13 @@ final class MaterialInvariants {
   }
 
   private static double integrals() {
-    List<Material> materials = new ArrayList<>(opaque(LEAST_WIDE, MOST_WIDE_EXPONENT));
-    materials.addAll(layered(LEAST_WIDE));
-    materials.addAll(coatedGlass(LEAST_WIDE));
-    materials.addAll(glasses(LEAST_WIDE));
+    List<Material> materials =
+        new ArrayList<>(MeasuredMaterials.opaque(LEAST_WIDE, MOST_WIDE_EXPONENT));
+    materials.addAll(MeasuredMaterials.layered(LEAST_WIDE));
+    materials.addAll(MeasuredMaterials.coatedGlass(LEAST_WIDE));
+    materials.addAll(MeasuredMaterials.glasses(LEAST_WIDE));
     double worst = 0;
-    for (Bsdf bsdf : all(materials)) {
+    for (Bsdf bsdf : MeasuredMaterials.all(materials)) {
       for (double cosine : new double[] {.1, .6}) {
         worst = Math.max(worst, integral(bsdf, viewer(cosine)) - 1);
       }
