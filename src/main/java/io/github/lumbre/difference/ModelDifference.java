@@ -167,7 +167,7 @@ public final class ModelDifference {
 
   /** Returns what is different in two parts of the same shape at the same place. */
   private static Optional<PartChange> changed(PartShape a, PartShape b) {
-    boolean isRecolored = !a.materials().equals(b.materials());
+    boolean isRecolored = a.isRecolored(b);
     boolean isRenamed = !isNameless(a, b) && !isNamesake(a, b);
     if (!isRecolored && !isRenamed) {
       return Optional.empty();
@@ -194,9 +194,7 @@ public final class ModelDifference {
                         Optional.of(b.name()),
                         motion.shift().length(),
                         motion.degrees(),
-                        a.materials().equals(b.materials())
-                            ? List.of()
-                            : List.of("another material"))));
+                        a.isRecolored(b) ? List.of("another material") : List.of())));
   }
 
   private static Optional<PartChange> reshaped(PartShape a, PartShape b) {

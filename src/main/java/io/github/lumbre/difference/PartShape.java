@@ -17,7 +17,7 @@ import java.util.Set;
  * @param centroid of the surface; of the vertices, if it has no area
  * @param spread root mean square distance of the surface from its centroid
  * @param bounds of the vertices
- * @param materials that the surface has
+ * @param materials that the file states for the surface; empty if it states none
  */
 record PartShape(
     String name,
@@ -134,5 +134,10 @@ record PartShape(
     return Math.abs(area - other.area) <= areas
         && Math.abs(spread - other.spread) <= spreads
         && (triangles == 0) == (other.triangles == 0);
+  }
+
+  /** Returns whether both files state materials, and other ones. */
+  boolean isRecolored(PartShape other) {
+    return !materials.isEmpty() && !other.materials.isEmpty() && !materials.equals(other.materials);
   }
 }

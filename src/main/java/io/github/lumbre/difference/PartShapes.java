@@ -61,7 +61,9 @@ final class PartShapes {
             surfaces.get(0).toWorld().point(vertex(surfaces.get(0).geometry(), 0)));
     Set<String> materials = new TreeSet<>();
     for (ModelPart surface : surfaces) {
-      materials.add(text(surface.material()));
+      if (!surface.material().location().isEmpty()) {
+        materials.add(text(surface.material()));
+      }
       add(surface.geometry(), surface.toWorld(), builder);
     }
     return builder.build(node.label(), node.name(), materials);

@@ -283,4 +283,14 @@ class ModelDifferenceTest {
     assertThat(change.kind()).isEqualTo(Kind.MOVED);
     assertThat(change.distance()).isCloseTo(1, within(1e-9));
   }
+
+  @Test
+  void filesWithoutMaterialsChangeNone() {
+    PartShape.Builder builder = new PartShape.Builder(Vec3.ZERO);
+    bolt().forEach(t -> builder.triangle(t[0], t[1], t[2]));
+    List<PartShape> plain = List.of(builder.build("bolt", "bolt", Set.of()));
+    List<PartShape> steel = List.of(part("bolt", bolt(), at(0, 0, 0)));
+    assertThat(between(plain, steel).changes()).isEmpty();
+    assertThat(between(steel, plain).changes()).isEmpty();
+  }
 }

@@ -33,6 +33,7 @@ public final class Mcp {
             new DescribeTool(studio),
             new PixelTool(studio),
             new CompareTool(confined, limits));
-    new McpServer(in, new Answers(out), tools, MOST_TIME).serve();
+    WarmUp warmUp = WarmUp.start();
+    new McpServer(in, new Answers(out), tools, MOST_TIME).beforeCalls(warmUp::end).serve();
   }
 }

@@ -18,6 +18,7 @@ final class McpServer {
   private final Answers answers;
   private final Calls calls;
   private final Protocol protocol;
+  private Runnable beforeCalls = () -> {};
   private final Duration most;
 
   /**
@@ -29,6 +30,12 @@ final class McpServer {
     this.answers = answers;
     this.calls = new Calls(answers);
     this.protocol = new Protocol(tools);
+  }
+
+  /** Returns this server, which runs an action whenever a call comes. */
+  McpServer beforeCalls(Runnable action) {
+    beforeCalls = action;
+    return this;
   }
 
   /**
@@ -96,6 +103,7 @@ final class McpServer {
     Protocol.Era era = protocol.era(message);
     if (message.method().equals("tools/call")) {
       Protocol.Call call = protocol.call(message);
+      beforeCalls.run();
       calls.start(
           id,
           message.meta("progressToken").flatMap(Message::idOf),
