@@ -119,10 +119,10 @@ class LayersTest {
               "cli.view",
               "math image geometry path camera scene render parser checkpoint denoise"
                   + " stopping preview lab cli.output cli.run"),
-          Map.entry("cli.diff", "image geometry camera sampling scene parser difference"),
+          Map.entry("cli.diff", "image drawing geometry camera sampling scene parser difference"),
           Map.entry(
               "cli.mcp",
-              "math image text limit json scene model render parser compare file lab"
+              "math image drawing text limit json scene model render parser compare file lab"
                   + " cli.output cli.run"),
           Map.entry(
               "cli",

@@ -14,6 +14,7 @@ import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.difference.ModelDifference;
 import io.github.lumbre.difference.PartChange;
+import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -185,9 +186,13 @@ final class DiffCommand implements Callable<Integer> {
     }
   }
 
-  private static ChangePage.Side side(Path path, SceneFile file) throws TaskException {
+  private ChangePage.Side side(Path path, SceneFile file) throws TaskException {
+    String name = String.valueOf(path.getFileName());
+    Messages messages = new Messages(spec.commandLine().getErr());
     try {
-      return new ChangePage.Side(path, file, CleanPicture.of(file, Progress.NONE));
+      DisplayLight picture =
+          CleanPicture.of(file, name, note -> messages.line(path + ": " + note), Progress.NONE);
+      return new ChangePage.Side(path, file, picture);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new TaskException(Kind.STOPPED, "stopped before the pictures were complete", e);

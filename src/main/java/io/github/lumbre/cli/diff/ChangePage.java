@@ -2,6 +2,7 @@ package io.github.lumbre.cli.diff;
 
 import io.github.lumbre.difference.PartChange;
 import io.github.lumbre.difference.PartChange.Kind;
+import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
@@ -36,8 +37,12 @@ public final class ChangePage {
 
   private ChangePage() {}
 
-  /** A model with its picture. */
-  public record Side(Path path, SceneFile file, Image picture) {}
+  /**
+   * A model with its picture.
+   *
+   * @param picture for the screen
+   */
+  public record Side(Path path, SceneFile file, DisplayLight picture) {}
 
   /**
    * Returns the page.
@@ -55,29 +60,25 @@ public final class ChangePage {
         .append("<style>\n" + STYLE + "</style></head>\n<body>\n")
         .append("<h1>" + TITLE + "</h1>\n<p>" + escaped(summary) + "</p>\n")
         .append("<div class=\"pictures\">\n");
-    figure("old: " + old.path(), old.picture(), options(old), html);
-    figure("new: " + now.path(), now.picture(), options(now), html);
+    figure("old: " + old.path(), old.picture(), html);
+    figure("new: " + now.path(), now.picture(), html);
     Image difference =
         ChangePicture.of(
             ParsedScene.of(old.file()),
-            old.picture(),
+            old.picture().image(),
             ParsedScene.of(now.file()),
-            now.picture(),
+            now.picture().image(),
             changes);
-    figure("difference", difference, ImageWriter.Options.DEFAULT, html);
+    figure("difference", new DisplayLight(difference, ImageWriter.Options.DEFAULT), html);
     html.append("</div>\n");
     legend(changes, html);
     table(changes, lines, html);
     return html.append("</body></html>\n").toString();
   }
 
-  private static ImageWriter.Options options(Side side) {
-    return side.file().settings().development();
-  }
-
-  private static void figure(
-      String caption, Image picture, ImageWriter.Options options, StringBuilder html) {
-    String data = Base64.getEncoder().encodeToString(ImageFormat.PNG.bytes(picture, options));
+  private static void figure(String caption, DisplayLight picture, StringBuilder html) {
+    byte[] png = ImageFormat.PNG.bytes(picture.image(), picture.options());
+    String data = Base64.getEncoder().encodeToString(png);
     html.append("<figure><img alt=\"" + escaped(caption) + "\" src=\"data:image/png;base64,")
         .append(data)
         .append("\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n");

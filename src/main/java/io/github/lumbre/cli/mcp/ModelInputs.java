@@ -6,6 +6,7 @@ import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** The arguments that several tools take. Stateless. */
 final class ModelInputs {
@@ -29,6 +30,13 @@ final class ModelInputs {
               + " larger x or y, -z=2 smaller z, and 0,0,1/1,1,0 is a plane by a point"
               + " and a normal to the removed side. Two planes remove a quarter.");
 
+  static final Input<List<String>> LABELS =
+      Input.texts(
+          "labels",
+          "Labels to draw, some of: "
+              + String.join(", ", Stage.LABELS)
+              + ". Axes and dimensions are in the file's axes and unit; parts are names.");
+
   private ModelInputs() {}
 
   /** Returns the model that the arguments name. */
@@ -42,8 +50,13 @@ final class ModelInputs {
         new ModelOptions(Optional.empty(), Optional.empty(), up, 1)
             .hiding(arguments.get(HIDE))
             .highlighting(arguments.get(HIGHLIGHT));
+    List<String> labels = arguments.get(LABELS);
+    if (!Stage.LABELS.containsAll(labels)) {
+      throw new ToolException("labels: expected some of " + Stage.LABELS + ", found " + labels);
+    }
     try {
-      return Stage.DEFAULT.reading(options.cutBy(arguments.get(PLANES)));
+      Stage stage = Stage.DEFAULT.labeled(Set.copyOf(labels));
+      return stage.reading(options.cutBy(arguments.get(PLANES)));
     } catch (IllegalArgumentException e) {
       throw new ToolException("planes: " + e.getMessage(), e);
     }

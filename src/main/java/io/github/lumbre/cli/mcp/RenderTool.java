@@ -3,7 +3,7 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
-import io.github.lumbre.image.Image;
+import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.SceneFile;
 import java.util.ArrayList;
@@ -78,6 +78,7 @@ final class RenderTool implements Tool {
                 SAMPLES,
                 ModelInputs.HIDE,
                 ModelInputs.HIGHLIGHT,
+                ModelInputs.LABELS,
                 ModelInputs.Z_UP));
     if (isCut) {
       inputs.add(1, ModelInputs.PLANES);
@@ -91,11 +92,14 @@ final class RenderTool implements Tool {
     Studio.Staged model = ModelInputs.model(studio, arguments);
     SceneFile file = scene(model, arguments);
     progress.expect(file.settings().window().pixels() * file.settings().samples());
-    Image picture = CleanPicture.of(file, progress);
+    String view = arguments.get(VIEW).orElse(DEFAULT_VIEW);
+    List<String> notes = new ArrayList<>();
+    DisplayLight picture = CleanPicture.of(file, view, notes::add, progress);
     JsonSummary summary = model.summary(name());
-    model.describe(arguments.get(VIEW).orElse(DEFAULT_VIEW), file, summary);
+    model.describe(view, file, summary);
+    summary.put("notes", notes);
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(picture, file.settings().development())), summary.values());
+        List.of(ImageFormat.PNG.bytes(picture.image(), picture.options())), summary.values());
   }
 
   /** Returns the scene that the arguments {@link #inputs} ask for. */

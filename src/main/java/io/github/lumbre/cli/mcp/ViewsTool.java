@@ -3,6 +3,7 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
 import io.github.lumbre.image.internal.ImageFormat;
@@ -53,6 +54,7 @@ final class ViewsTool implements Tool {
         HEIGHT,
         ModelInputs.HIDE,
         ModelInputs.HIGHLIGHT,
+        ModelInputs.LABELS,
         ModelInputs.Z_UP);
   }
 
@@ -65,15 +67,18 @@ final class ViewsTool implements Tool {
     Map<String, View> views = View.standard();
     progress.expect((long) width * height * Denoising.VIEW_SAMPLES * views.size());
     JsonSummary summary = model.summary(name());
-    List<Image> pictures = new ArrayList<>();
+    List<String> notes = new ArrayList<>();
+    List<DisplayLight> pictures = new ArrayList<>();
     for (Map.Entry<String, View> view : views.entrySet()) {
       SceneFile file = model.seenFrom(view.getValue(), width, height, Denoising.VIEW_SAMPLES);
-      pictures.add(CleanPicture.of(file, progress));
-      model.describe(view.getKey(), file, summary);
+      String name = view.getKey();
+      pictures.add(CleanPicture.of(file, name, n -> notes.add(name + ": " + n), progress));
+      model.describe(name, file, summary);
     }
-    Image sheet = ContactSheet.of(pictures, COLUMNS, Math.max(1, width / 64));
+    summary.put("notes", notes);
+    List<Image> images = pictures.stream().map(DisplayLight::image).toList();
+    Image sheet = ContactSheet.of(images, COLUMNS, Math.max(1, width / 64));
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(sheet, model.first().settings().development())),
-        summary.values());
+        List.of(ImageFormat.PNG.bytes(sheet, pictures.get(0).options())), summary.values());
   }
 }

@@ -59,12 +59,12 @@ final class WarmUp {
               .parse("model.obj", MODEL, ModelFolder.NONE, Stage.DEFAULT, List.of(View.DEFAULT));
       for (int i = 0; i < PICTURES; i++) {
         View view = new View(360. * i / PICTURES, 20);
-        CleanPicture.of(model.seenFrom(view, WIDTH, HEIGHT), untilCall);
+        CleanPicture.light(model.seenFrom(view, WIDTH, HEIGHT), untilCall);
       }
-    } catch (SceneFormatException | IOException e) {
+    } catch (SceneFormatException e) {
       throw new IllegalStateException(e);
-    } catch (InterruptedException | CancellationException e) {
-      // A call has come.
+    } catch (IOException | InterruptedException | CancellationException e) {
+      // A call has come. Nothing is read from a file.
     }
   }
 }

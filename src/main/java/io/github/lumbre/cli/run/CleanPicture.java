@@ -2,8 +2,11 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.denoise.NoisyPicture;
+import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassLoop;
@@ -11,17 +14,34 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import java.util.Optional;
+import java.util.function.Consumer;
 
 /** Renders and denoises whole pictures that are not files. Stateless. */
 public final class CleanPicture {
   private CleanPicture() {}
 
   /**
-   * Returns the picture of a scene.
+   * Returns the picture of a scene for the screen, with lines and labels.
+   *
+   * @param title the name of the view, if labels show it
+   * @param notes receives a text for labels that have no room
+   * @throws InterruptedException if the progress is cancelled or the thread interrupted
+   */
+  public static DisplayLight of(
+      SceneFile file, String title, Consumer<String> notes, Progress progress)
+      throws InterruptedException {
+    Image light = light(file, progress);
+    return PictureDrawing.of(ParsedScene.of(file), notes)
+        .onDisplay(file.scene(), Optional.of(title), light, file.settings().development());
+  }
+
+  /**
+   * Returns the picture of a scene in linear light, without lines and labels.
    *
    * @throws InterruptedException if the progress is cancelled or the thread interrupted
    */
-  public static Image of(SceneFile file, Progress progress) throws InterruptedException {
+  public static Image light(SceneFile file, Progress progress) throws InterruptedException {
     RenderSettings settings =
         file.settings().toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build();
     FilmRenderer renderer = new FilmRenderer(settings, file.scene());
