@@ -9,6 +9,7 @@ import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.material.internal.ThinFilm;
+import io.github.lumbre.material.internal.ThreeColors;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
 
@@ -168,13 +169,22 @@ final class MetallicBase {
     boolean isSmooth = alpha < CookTorrance.SMOOTH || index - 1 < 1e-8;
     if (isDispersive() || film.strength() > 0) {
       Rgb indices = isDispersive() ? indices() : Rgb.grey(index);
-      return isSmooth
-          ? new ChromaticGlass(tint, indices, film)
-          : ChromaticGlass.rough(tint, indices, film, new Ggx(alpha));
+      return isSmooth ? new ChromaticGlass(tint, indices, film) : rough(tint, indices, film, alpha);
     }
     return isSmooth
         ? new Dielectric(Rgb.WHITE, tint, index)
         : Compensated.glass(Rgb.WHITE, tint, index, alpha);
+  }
+
+  /** Returns rough glass; with a film, without the light that hits more than one facet. */
+  private static Bsdf rough(Rgb tint, Rgb indices, ThinFilm film, double alpha) {
+    return film.strength() > 0
+        ? ChromaticGlass.rough(tint, indices, film, new Ggx(alpha))
+        : new ThreeColors(
+            Compensated.glass(Rgb.WHITE, Rgb.grey(tint.r()), indices.r(), alpha),
+            Compensated.glass(Rgb.WHITE, Rgb.grey(tint.g()), indices.g(), alpha),
+            Compensated.glass(Rgb.WHITE, Rgb.grey(tint.b()), indices.b(), alpha),
+            Rgb.WHITE);
   }
 
   /**
