@@ -293,4 +293,23 @@ class ModelDifferenceTest {
     assertThat(between(plain, steel).changes()).isEmpty();
     assertThat(between(steel, plain).changes()).isEmpty();
   }
+
+  /** A rib within a part adds vertices, and takes a face of the same area and centroid away. */
+  @Test
+  void verticesThatAreNewAreAChange() {
+    Vec3 a = new Vec3(-1, 0, 0);
+    Vec3 b = new Vec3(1, 0, 0);
+    Vec3 up = new Vec3(0, 1, 0);
+    Vec3 down = new Vec3(0, -1, 0);
+    Vec3 front = new Vec3(0, 0, 1);
+    Vec3 back = new Vec3(0, 0, -1);
+    Vec3[] upper = {a, b, up};
+    Vec3[] lower = {a, b, down};
+    Vec3[] far = {front, back, a};
+    Vec3[] near = {front, back, b};
+    List<PartShape> old = List.of(part("cross", List.of(upper, lower, upper, lower), at(0, 0, 0)));
+    List<PartShape> now = List.of(part("cross", List.of(upper, lower, far, near), at(0, 0, 0)));
+    assertThat(only(old, now).kind()).isEqualTo(Kind.CHANGED);
+    assertThat(only(now, old).kind()).isEqualTo(Kind.CHANGED);
+  }
 }
