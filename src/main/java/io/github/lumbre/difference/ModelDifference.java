@@ -113,7 +113,7 @@ public final class ModelDifference {
   /**
    * Takes pairs out of the parts that are left, the nearest ones first.
    *
-   * @param among returns the new parts of which one may belong to an old one
+   * @param among returns the new parts that may be the same part as an old one
    * @param mayBe a quick test
    */
   private void pair(

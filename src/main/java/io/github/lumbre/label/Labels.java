@@ -60,7 +60,7 @@ public final class Labels {
 
   /** Adds the dimensions of the box around the model. Add the names of parts before. */
   public void addSizes(LabeledModel model) {
-    add("all dimensions", () -> BoxLabel.drawSizes(sheet, model));
+    add("the dimensions", () -> BoxLabel.drawSizes(sheet, model));
   }
 
   /** Adds the names of visible parts. Add labels in the corners before. */

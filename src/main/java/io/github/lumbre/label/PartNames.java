@@ -132,7 +132,7 @@ final class PartNames {
     }
   }
 
-  /** Returns whether the lines of two names cross, the first of which has the upper row. */
+  /** Returns whether the lines of two names cross; the first name has the upper row. */
   private static boolean cross(Entry a, Entry b, double x) {
     // Where the shorter line ends, the order of both is another one.
     double end = Math.abs(a.x - x) < Math.abs(b.x - x) ? a.x : b.x;

@@ -193,7 +193,7 @@ final class MetallicBase {
    */
   private Rgb indices() {
     double half = (ior - 1) * dispersion / 40;
-    // The least is an index of which a refracted direction has half of its digits.
+    // With the least index, half of the digits of a refracted direction are right.
     return new Rgb(Math.max(1 + 1e-8, ior - half), ior, ior + half);
   }
 

@@ -382,7 +382,7 @@ class LabelsTest {
     labels.addSizes(model);
     assertThat(String.join("; ", labels.leftOut()))
         .startsWith("no room for the axes")
-        .contains("all dimensions");
+        .contains("the dimensions");
     assertThat(labels.sheet().texts()).extracting(Text::text).contains("iso");
   }
 

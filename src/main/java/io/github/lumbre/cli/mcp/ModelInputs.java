@@ -18,7 +18,8 @@ final class ModelInputs {
       Input.flag("z_up", "Whether the z axis of an STL, PLY, OBJ or OFF file points up.");
 
   static final Input<List<String>> HIDE =
-      Input.texts("hide", "Names of parts to leave out, as 'describe' lists them; * and ? match.");
+      Input.texts(
+          "hide", "Names of parts to leave out, as 'describe' lists them; * stands for any text.");
 
   static final Input<List<String>> HIGHLIGHT =
       Input.texts("highlight", "Names of parts to show in color, and all others pale.");
@@ -26,9 +27,10 @@ final class ModelInputs {
   static final Input<List<String>> PLANES =
       Input.texts(
           "planes",
-          "Planes that cut the model, in the file's unit: x=0.5 or y=50% (of the bounds) removes"
-              + " larger x or y, -z=2 smaller z, and 0,0,1/1,1,0 is a plane by a point"
-              + " and a normal to the removed side. Two planes remove a quarter.");
+          "Planes that cut the model, in the file's axes and unit, or in percent of its bounds:"
+              + " x=0.5 or y=50% removes what is in front of the plane, seen from the right, the"
+              + " top or the front; +z=2 removes larger z, -z=2 smaller z; 0,0,1/1,1,0 is a plane"
+              + " by a point and a normal to the removed side. Two planes remove a quarter.");
 
   static final Input<List<String>> LABELS =
       Input.texts(

@@ -10,9 +10,9 @@ import java.util.Map;
  * The triangles that a straight way between two vertices crosses, and their replacement by
  * triangles that have the way as an edge. Mutable.
  *
- * <p>The way divides the crossed triangles into two polygons, each of which is visible from it, so
- * that cutting corners one after another triangulates them (Toussaint and Avis 1982, "On a convex
- * hull algorithm for polygons and its application to triangulation problems").
+ * <p>The way divides the crossed triangles into two polygons. Every point of both can be seen from
+ * the way, so that cutting corners one after another triangulates them (Toussaint and Avis 1982,
+ * "On a convex hull algorithm for polygons and its application to triangulation problems").
  */
 final class Passage {
   private static final int NONE = -1;
