@@ -178,4 +178,10 @@ class ClearSkyTest {
         .isThrownBy(() -> new ClearSky(0, elevation))
         .withMessageContaining("expected an elevation from 0 to 90");
   }
+
+  /** Between aphelion and perihelion, the sun has a diameter of 31.5 to 32.5 minutes of arc. */
+  @Test
+  void theSunHasItsSize() {
+    assertThat(SunDisk.DIAMETER_DEGREES).isBetween(31.5 / 60, 32.5 / 60);
+  }
 }
