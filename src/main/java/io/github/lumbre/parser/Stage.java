@@ -243,78 +243,18 @@ public record Stage(
     }
   }
 
-  /** Returns this stage, seen from a direction instead of by a camera of the model. */
-  public Stage seenFrom(View newView) {
+  private Stage with(
+      Optional<String> newCamera,
+      Optional<View> newView,
+      Sky newSky,
+      boolean hasGround,
+      ModelOptions newOptions) {
     return new Stage(
-        Optional.empty(),
-        Optional.of(newView),
-        fov,
-        sky,
-        ground,
-        background,
-        transparent,
-        lineWidth,
-        creaseDegrees,
-        labels,
-        options);
-  }
-
-  /** Returns this stage under another sky. */
-  public Stage under(Sky newSky) {
-    return new Stage(
-        camera,
-        view,
+        newCamera,
+        newView,
         fov,
         newSky,
-        ground,
-        background,
-        transparent,
-        lineWidth,
-        creaseDegrees,
-        labels,
-        options);
-  }
-
-  /** Returns this stage with a floor that the model stands on. */
-  public Stage onGround() {
-    return new Stage(
-        camera,
-        view,
-        fov,
-        sky,
-        true,
-        background,
-        transparent,
-        lineWidth,
-        creaseDegrees,
-        labels,
-        options);
-  }
-
-  /** Returns this stage with a transparent background. */
-  public Stage onTransparentBackground() {
-    return new Stage(
-        camera,
-        view,
-        fov,
-        sky,
-        ground,
-        Optional.empty(),
-        true,
-        lineWidth,
-        creaseDegrees,
-        labels,
-        options);
-  }
-
-  /** Returns this stage with other options for reading the model. */
-  public Stage reading(ModelOptions newOptions) {
-    return new Stage(
-        camera,
-        view,
-        fov,
-        sky,
-        ground,
+        hasGround,
         background,
         transparent,
         lineWidth,
@@ -323,40 +263,59 @@ public record Stage(
         newOptions);
   }
 
+  private Stage drawn(
+      Optional<Rgb> color, boolean isTransparent, double width, Set<String> newLabels) {
+    return new Stage(
+        camera,
+        view,
+        fov,
+        sky,
+        ground,
+        color,
+        isTransparent,
+        width,
+        creaseDegrees,
+        newLabels,
+        options);
+  }
+
+  /** Returns this stage, seen from a direction instead of by a camera of the model. */
+  public Stage seenFrom(View newView) {
+    return with(Optional.empty(), Optional.of(newView), sky, ground, options);
+  }
+
+  /** Returns this stage under another sky. */
+  public Stage under(Sky newSky) {
+    return with(camera, view, newSky, ground, options);
+  }
+
+  /** Returns this stage with a floor that the model stands on. */
+  public Stage onGround() {
+    return with(camera, view, sky, true, options);
+  }
+
+  /** Returns this stage with a transparent background. */
+  public Stage onTransparentBackground() {
+    return drawn(Optional.empty(), true, lineWidth, labels);
+  }
+
+  /** Returns this stage with other options for reading the model. */
+  public Stage reading(ModelOptions newOptions) {
+    return with(camera, view, sky, ground, newOptions);
+  }
+
   /**
    * Returns this stage with lines on silhouettes, creases and borders.
    *
    * @param width in pixels, 0 to 100; 0 for no lines
    */
   public Stage withLines(double width) {
-    return new Stage(
-        camera,
-        view,
-        fov,
-        sky,
-        ground,
-        background,
-        transparent,
-        width,
-        creaseDegrees,
-        labels,
-        options);
+    return drawn(background, transparent, width, labels);
   }
 
   /** Returns this stage with labels: some of {@link #LABELS}. */
   public Stage labeled(Set<String> newLabels) {
-    return new Stage(
-        camera,
-        view,
-        fov,
-        sky,
-        ground,
-        background,
-        transparent,
-        lineWidth,
-        creaseDegrees,
-        newLabels,
-        options);
+    return drawn(background, transparent, lineWidth, newLabels);
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */
