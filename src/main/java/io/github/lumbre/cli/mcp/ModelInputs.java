@@ -3,7 +3,10 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.parser.Stage;
+import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.parser.internal.Look;
+import io.github.lumbre.scene.Setting;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -39,6 +42,12 @@ final class ModelInputs {
               + String.join(", ", Stage.LABELS)
               + ". Axes and dimensions are in the file's axes and unit; parts are names.");
 
+  static final Input<Optional<String>> LOOK =
+      Input.text(
+          "look",
+          "Shows the shape alone: clay (matte, light gray), lines (black on white: silhouettes,"
+              + " creases and borders), or clay,lines. Without it, as the file says.");
+
   private ModelInputs() {}
 
   /** Returns the model that the arguments name. */
@@ -47,20 +56,40 @@ final class ModelInputs {
   }
 
   private static Stage stage(Arguments arguments) throws ToolException {
+    Look look = look(arguments.get(LOOK));
     Up up = arguments.get(Z_UP) ? Up.Z : Up.Y;
     ModelOptions options =
         new ModelOptions(Optional.empty(), Optional.empty(), up, 1)
             .hiding(arguments.get(HIDE))
-            .highlighting(arguments.get(HIGHLIGHT));
+            .highlighting(arguments.get(HIGHLIGHT))
+            .looking(look.materials());
     List<String> labels = arguments.get(LABELS);
     if (!Stage.LABELS.containsAll(labels)) {
       throw new ToolException("labels: expected some of " + Stage.LABELS + ", found " + labels);
     }
     try {
-      Stage stage = Stage.DEFAULT.labeled(Set.copyOf(labels));
-      return stage.reading(options.cutBy(arguments.get(PLANES)));
+      return new Stage(
+          Optional.empty(),
+          Optional.empty(),
+          Stage.DEFAULT_FOV,
+          new Sky(look.sky()),
+          false,
+          look.background(),
+          false,
+          look.lineWidth(),
+          Setting.CREASE_ANGLE.missing(),
+          Set.copyOf(labels),
+          options.cutBy(arguments.get(PLANES)));
     } catch (IllegalArgumentException e) {
       throw new ToolException("planes: " + e.getMessage(), e);
+    }
+  }
+
+  private static Look look(Optional<String> text) throws ToolException {
+    try {
+      return text.map(Look::of).orElse(Look.OF_FILE);
+    } catch (IllegalArgumentException e) {
+      throw new ToolException("look: " + e.getMessage(), e);
     }
   }
 

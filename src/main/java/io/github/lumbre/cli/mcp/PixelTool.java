@@ -54,6 +54,7 @@ final class PixelTool implements Tool {
         ModelInputs.HIDE,
         ModelInputs.HIGHLIGHT,
         ModelInputs.PLANES,
+        ModelInputs.LOOK,
         ModelInputs.Z_UP);
   }
 

@@ -79,6 +79,7 @@ final class RenderTool implements Tool {
                 ModelInputs.HIDE,
                 ModelInputs.HIGHLIGHT,
                 ModelInputs.LABELS,
+                ModelInputs.LOOK,
                 ModelInputs.Z_UP));
     if (isCut) {
       inputs.add(1, ModelInputs.PLANES);

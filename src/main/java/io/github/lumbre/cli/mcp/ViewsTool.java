@@ -55,6 +55,7 @@ final class ViewsTool implements Tool {
         ModelInputs.HIDE,
         ModelInputs.HIGHLIGHT,
         ModelInputs.LABELS,
+        ModelInputs.LOOK,
         ModelInputs.Z_UP);
   }
 

@@ -8,6 +8,7 @@ import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.scene.Setting;
 import java.util.HashSet;
 import java.util.List;
@@ -25,6 +26,7 @@ import picocli.CommandLine.Spec;
 @Command(optionListHeading = Headings.MODEL)
 public final class ModelFlags {
   private static final String LABELS = "--labels";
+  private static final String TRANSPARENT = "transparent";
 
   private static final List<String> NAMES =
       List.of(
@@ -49,11 +51,6 @@ public final class ModelFlags {
           "--up",
           "--unit",
           "--points");
-
-  private static final String LINES = "lines";
-
-  /** The default width of lines, in pixels. */
-  private static final double LINE_WIDTH = 1.5;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec spec;
@@ -222,35 +219,23 @@ public final class ModelFlags {
     require(
         Double.isFinite(rotation), "--sky-rotation: expected a finite number, found " + rotation);
     require(camera.isEmpty() || from.isEmpty(), "--camera and --view: expected only one of them");
-    Set<String> looks = looks();
-    boolean hasLines = looks.contains(LINES);
-    boolean isDrawing = hasLines && looks.size() == 1;
+    Look shown = look.map(this::look).orElse(Look.OF_FILE);
     require(
-        !isDrawing || !ground,
+        !shown.isDrawing() || !ground,
         "--ground: cannot be combined with --look lines, which has no shadows");
-    boolean isTransparent = background.equals(Optional.of("transparent"));
     return new Stage(
         camera,
         from,
         angle,
-        placed(new Sky(sky.orElse(isDrawing ? "white" : "studio"), intensity, rotation)),
+        placed(new Sky(sky.orElse(shown.sky()), intensity, rotation)),
         ground,
-        isTransparent ? Optional.empty() : shownBackground(!looks.isEmpty()),
-        isTransparent,
+        background.isPresent() ? background.flatMap(this::color) : shown.background(),
+        background.equals(Optional.of(TRANSPARENT)),
+        lineSetting("--line-width", lineWidth, Setting.LINE_WIDTH, shown, shown.lineWidth()),
         lineSetting(
-            "--line-width", lineWidth, Setting.LINE_WIDTH, hasLines ? LINE_WIDTH : 0, hasLines),
-        lineSetting(
-            "--crease", crease, Setting.CREASE_ANGLE, Setting.CREASE_ANGLE.missing(), hasLines),
+            "--crease", crease, Setting.CREASE_ANGLE, shown, Setting.CREASE_ANGLE.missing()),
         shownLabels(),
-        options()
-            .looking(looks.isEmpty() ? "" : isDrawing ? ModelOptions.WHITE : ModelOptions.CLAY));
-  }
-
-  /** Returns the color behind the model; white for pictures of the shape alone. */
-  private Optional<Rgb> shownBackground(boolean isOfShape) {
-    return background.isEmpty() && isOfShape
-        ? Optional.of(Rgb.WHITE)
-        : background.flatMap(this::color);
+        options().looking(shown.materials()));
   }
 
   private Set<String> shownLabels() {
@@ -268,19 +253,17 @@ public final class ModelFlags {
     return named;
   }
 
-  private Set<String> looks() {
-    List<String> named = look.map(text -> List.of(text.split(",", -1))).orElse(List.of());
-    for (String name : named) {
-      require(
-          name.equals(ModelOptions.CLAY) || name.equals(LINES),
-          "--look: expected clay, lines or clay,lines, found " + look.orElse(""));
+  private Look look(String text) {
+    try {
+      return Look.of(text);
+    } catch (IllegalArgumentException e) {
+      throw failure("--look: " + e.getMessage());
     }
-    return new HashSet<>(named);
   }
 
   private double lineSetting(
-      String flag, Optional<Double> value, Setting<Double> setting, double missing, boolean isOn) {
-    require(value.isEmpty() || isOn, flag + ": requires --look lines or clay,lines");
+      String flag, Optional<Double> value, Setting<Double> setting, Look shown, double missing) {
+    require(value.isEmpty() || shown.hasLines(), flag + ": requires --look lines or clay,lines");
     double number = value.orElse(missing);
     require(
         setting.type().accepts(number),
@@ -351,7 +334,7 @@ public final class ModelFlags {
   }
 
   private Optional<Rgb> color(String text) {
-    if (text.equals("sky")) {
+    if (text.equals("sky") || text.equals(TRANSPARENT)) {
       return Optional.empty();
     }
     if (text.equals("white") || text.equals("black")) {

@@ -102,11 +102,13 @@ class McpToolsTest {
     return pixels(ImageIO.read(temporary.resolve(name).toFile()));
   }
 
-  @Test
-  void viewsAreThePictureOfTheCommandLine() throws Exception {
-    JsonObject result = result("views", SMALL);
+  @ParameterizedTest
+  @ValueSource(strings = {"", "lines"})
+  void viewsAreThePictureOfTheCommandLine(String look) throws Exception {
+    JsonObject result = result("views", SMALL + (look.isEmpty() ? "" : ",'look':'" + look + "'"));
+    String line = "views T/parts/sample.glb --size 32x24 -o T/v";
     assertThat(picture(result))
-        .isEqualTo(commanded("views T/parts/sample.glb --size 32x24 -o T/v", "v/views.png"));
+        .isEqualTo(commanded(line + (look.isEmpty() ? "" : " --look " + look), "v/views.png"));
     JsonArray views = result.getAsJsonObject("structuredContent").getAsJsonArray("views");
     assertThat(views)
         .extracting(view -> view.getAsJsonObject().get("view").getAsString())
@@ -121,7 +123,11 @@ class McpToolsTest {
         "render | ,'view':'front','samples':2 | --view front -s 2",
         "render | ,'highlight':['body'] | --view 30,20 --highlight body",
         "section | ,'planes':['x=50%'] | --view 30,20 --section x=50%",
-        "section | ,'planes':['-y=40%'],'view':'top' | --view top --section -y=40%"
+        "section | ,'planes':['-y=40%'],'view':'top' | --view top --section -y=40%",
+        "render | ,'look':'clay' | --view 30,20 --look clay",
+        "render | ,'look':'clay,lines','labels':['axes'] | --view 30,20 --look clay,lines --labels"
+            + " axes",
+        "section | ,'look':'lines','planes':['x=50%'] | --view 30,20 --look lines --section x=50%"
       },
       quoteCharacter = '`')
   void rendersAreThePicturesOfTheCommandLine(String tool, String arguments, String flags)
@@ -253,6 +259,7 @@ class McpToolsTest {
         "render | ,'hide':['nothing'] | nothing",
         "render | ,'planes':['x=1'] | \"planes\": expected one of the arguments",
         "section | ,'planes':['x=oops'] | planes: ",
+        "views | ,'look':'clay,' | look: expected clay, lines or clay,lines, found clay,",
         "views | ,'highlight':'body' | highlight: expected an array of at most 64 strings"
       })
   void faultsOfArgumentsAreExplained(String tool, String arguments, String part) throws Exception {
