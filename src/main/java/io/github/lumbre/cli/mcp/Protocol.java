@@ -243,7 +243,10 @@ final class Protocol {
     listed.put("title", tool.title());
     listed.put("description", tool.description());
     listed.put("inputSchema", schema);
-    listed.put("annotations", Map.of("readOnlyHint", true, "openWorldHint", false));
+    Map<String, Object> annotations = new LinkedHashMap<>();
+    annotations.put("readOnlyHint", true);
+    annotations.put("openWorldHint", false);
+    listed.put("annotations", annotations);
     return listed;
   }
 

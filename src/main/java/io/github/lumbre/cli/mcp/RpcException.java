@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** A request that the protocol does not allow; it is answered with an error of JSON-RPC 2.0. */
@@ -36,8 +37,12 @@ final class RpcException extends Exception {
 
   /** Returns the value of {@code error} in the answer. */
   Map<String, Object> error() {
-    return data.isEmpty()
-        ? Map.of("code", code, "message", getMessage())
-        : Map.of("code", code, "message", getMessage(), "data", data);
+    Map<String, Object> error = new LinkedHashMap<>();
+    error.put("code", code);
+    error.put("message", getMessage());
+    if (!data.isEmpty()) {
+      error.put("data", data);
+    }
+    return error;
   }
 }

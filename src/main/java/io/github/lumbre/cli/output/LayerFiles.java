@@ -65,8 +65,9 @@ public final class LayerFiles {
               PictureEncoder.write(layer.toImage(), List.of(), out, ImageWriter.Options.DEFAULT));
     } else if (layer.channels().size() <= 3) {
       double[] range = range(layer);
-      Map<String, String> texts =
-          Map.of("Low", String.valueOf(range[0]), "High", String.valueOf(range[1]));
+      Map<String, String> texts = new LinkedHashMap<>();
+      texts.put("Low", String.valueOf(range[0]));
+      texts.put("High", String.valueOf(range[1]));
       files.put(file, out -> PictureEncoder.writeLinear(layer, range[0], range[1], 16, texts, out));
     }
   }

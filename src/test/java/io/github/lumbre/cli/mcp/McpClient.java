@@ -51,7 +51,11 @@ final class McpClient implements AutoCloseable {
   }
 
   void send(String message) throws IOException {
-    messages.write(message.getBytes(StandardCharsets.UTF_8));
+    send(message.getBytes(StandardCharsets.UTF_8));
+  }
+
+  void send(byte[] message) throws IOException {
+    messages.write(message);
     messages.flush();
   }
 

@@ -11,9 +11,11 @@ import io.github.lumbre.testing.Effort;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,6 +38,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class McpToolsTest {
   private static final String SMALL = "'model':'sample.glb','width':32,'height':24";
 
+  private static final String META =
+      "'_meta':{'io.modelcontextprotocol/protocolVersion':'2026-07-28',"
+          + "'io.modelcontextprotocol/clientCapabilities':{}},";
+
   @TempDir private Path temporary;
   private Path folder;
   private McpClient client;
@@ -52,16 +58,16 @@ class McpToolsTest {
     client.close();
   }
 
-  /** Sends a call; single quotes stand for double ones. */
+  /** Returns a call; single quotes stand for double ones. */
+  private static String line(int id, String tool, String arguments) {
+    return ("{'jsonrpc':'2.0','id':%d,'method':'tools/call','params':{%s'name':'%s',"
+            + "'arguments':{%s}}}\n")
+        .formatted(id, META, tool, arguments)
+        .replace('\'', '"');
+  }
+
   private void send(int id, String tool, String arguments) throws IOException {
-    String meta =
-        "'_meta':{'io.modelcontextprotocol/protocolVersion':'2026-07-28',"
-            + "'io.modelcontextprotocol/clientCapabilities':{}}";
-    client.send(
-        ("{'jsonrpc':'2.0','id':%d,'method':'tools/call','params':{%s,'name':'%s',"
-                + "'arguments':{%s}}}\n")
-            .formatted(id, meta, tool, arguments)
-            .replace('\'', '"'));
+    client.send(line(id, tool, arguments));
   }
 
   private JsonObject result(String tool, String arguments)
@@ -344,6 +350,69 @@ class McpToolsTest {
       pictures += result.toString().contains("image/png") ? 1 : 0;
     }
     assertThat(pictures).isGreaterThan(count / 20);
+  }
+
+  /** Each request, and each line that is none, has one answer; notifications have none. */
+  @Test
+  void changedMessagesOfCallsEndNothing() throws Exception {
+    Random random = new Random(Effort.seed(13));
+    String small = "'model':'sample.glb','width':16,'height':16";
+    List<String> seeds =
+        List.of(
+            line(1, "views", small + ",'highlight':['b?dy']"),
+            line(2, "render", small + ",'samples':1,'look':'clay','view':'top'"),
+            line(3, "section", small + ",'samples':1,'planes':['x=50%']"),
+            line(4, "describe", "'model':'sample.glb','z_up':true"),
+            line(5, "pixel", small + ",'x':8,'y':9"),
+            line(6, "compare", "'picture':'paint.png','reference':'paint.png'"));
+    client.send(
+        "{'jsonrpc':'2.0','id':0,'method':'initialize','params':{'protocolVersion':'2025-11-25'}}\n"
+            .replace('\'', '"'));
+    assertThat(client.next().has("result")).isTrue();
+    int answers = 0;
+    int pictures = 0;
+    int count = Effort.count(100, 10_000);
+    for (int i = 0; i < count; i++) {
+      String seed = seeds.get(random.nextInt(seeds.size()));
+      byte[] line = changed(seed.replace(META.replace('\'', '"'), ""), random);
+      client.send(line);
+      if (isAnswered(line)) {
+        answers++;
+        String answer = client.next().toString();
+        assertThat(answer).doesNotContain("internal error");
+        pictures += answer.contains("image/png") ? 1 : 0;
+      }
+    }
+    assertThat(answers).isGreaterThan(count / 2);
+    assertThat(pictures).isGreaterThan(count / 50);
+    assertThat(numbers("describe", "'model':'sample.glb'").get("triangles").getAsInt())
+        .isEqualTo(4);
+  }
+
+  /** Returns a line in which bits are flipped, or a part is left out or repeated. */
+  private static byte[] changed(String seed, Random random) {
+    byte[] line = seed.getBytes(StandardCharsets.UTF_8);
+    int end = line.length - 1;
+    if (random.nextInt(4) == 0) {
+      int from = random.nextInt(end);
+      int to = random.nextInt(end);
+      return (seed.substring(0, from) + seed.substring(to)).getBytes(StandardCharsets.UTF_8);
+    }
+    for (int n = random.nextInt(3); n > 0; n--) {
+      int at = random.nextInt(end);
+      int flipped = line[at] ^ 1 << random.nextInt(8);
+      line[at] = (byte) (flipped == '\n' ? '0' : flipped);
+    }
+    return line;
+  }
+
+  private static boolean isAnswered(byte[] line) {
+    byte[] message = Arrays.copyOf(line, line.length - 1);
+    try {
+      return Message.of(Message.parse(message)).filter(m -> m.id().isPresent()).isPresent();
+    } catch (RpcException e) {
+      return true;
+    }
   }
 
   private static String content(JsonObject result) {
