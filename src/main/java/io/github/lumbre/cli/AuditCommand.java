@@ -7,7 +7,6 @@ import io.github.lumbre.audit.SceneAudit;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProblemText;
@@ -19,12 +18,9 @@ import io.github.lumbre.scene.SettingType;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre audit}: reports questionable values in a valid scene. */
 @Command(
@@ -33,12 +29,9 @@ import picocli.CommandLine.Spec;
     description =
         "Trace a few thousand paths and check materials, lights, glass, textures, scale and depth."
             + " Each finding states its place in the file, what was found, the effect and the fix.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {"", "Examples:", "  lumbre audit scene.json", "  lumbre audit --strict scene.json"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done, with or without findings",
       "1:There are warnings under --strict",
@@ -48,7 +41,7 @@ import picocli.CommandLine.Spec;
       "5:A limit or the available memory is exceeded",
       "7:Internal error"
     })
-final class AuditCommand implements Callable<Integer> {
+final class AuditCommand extends Subcommand {
   /** The JSON format's identifier; it changes with every incompatible change of the format. */
   static final String FORMAT = "lumbre-audit-1";
 
@@ -62,14 +55,12 @@ final class AuditCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print the findings as JSON.")
   private boolean json;
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
     SceneFile file = options.read(flags.over(options.parser()));
     List<Finding> findings = SceneAudit.of(file);
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     (json ? json(file, findings) : text(findings)).lines().forEach(out::line);
     return options.isStrict() && SceneAudit.warnings(findings) > 0
         ? ExitCodes.WARNINGS

@@ -1,10 +1,8 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.Home;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -31,14 +29,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /**
  * {@code lumbre benchmark}: renders the scenes of the 2016 report's table and prints both sets of
@@ -50,8 +45,6 @@ import picocli.CommandLine.Spec;
     description =
         "Print the table in Markdown, each row as soon as it is rendered. A row's size, mode,"
             + " samples, bucket and depth override its scene's.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     sortOptions = false,
     abbreviateSynopsis = true,
     footer = {
@@ -62,7 +55,6 @@ import picocli.CommandLine.Spec;
       "  lumbre benchmark --full --csv table.csv",
       "  lumbre benchmark --check"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "1:Under --check, a picture's hash differs from the stored one or is not stored",
@@ -72,7 +64,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; finished rows are written"
     })
-final class BenchmarkCommand implements Callable<Integer> {
+final class BenchmarkCommand extends Subcommand {
   private static final int MAX_REPETITIONS = 1000;
 
   @Option(
@@ -128,8 +120,6 @@ final class BenchmarkCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   /** The share of the samples to render; at most one of the two flags. */
   static final class Amount {
     @Option(
@@ -161,7 +151,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     List<ReportRow> selected = selected(folder);
     checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     List<BenchmarkResult> results = new ArrayList<>();
     try (Interruption interruption = Interruption.listen()) {
       boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
@@ -194,14 +184,13 @@ final class BenchmarkCommand implements Callable<Integer> {
   }
 
   private BenchmarkPlan plan() {
-    FlagChecks checks = new FlagChecks(spec);
     BigDecimal share = amount.full ? BigDecimal.ONE : amount.scale;
-    checks.require(
+    require(
         share.signum() > 0 && share.compareTo(BigDecimal.ONE) <= 0,
         "--scale: expected more than 0 and at most 1, found " + share);
-    checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
-    checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    checks.requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
+    requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
+    requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+    requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
     int used = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
     return new BenchmarkPlan(share, used, warmup, repeat);
   }
@@ -216,9 +205,7 @@ final class BenchmarkCommand implements Callable<Integer> {
     }
     for (ReportRow row : selected) {
       Path file = folder.file(row.scene());
-      new FlagChecks(spec)
-          .require(
-              Files.isRegularFile(file), "row " + row.number() + ": scene does not exist: " + file);
+      require(Files.isRegularFile(file), "row " + row.number() + ": scene does not exist: " + file);
     }
     return selected;
   }
@@ -260,9 +247,5 @@ final class BenchmarkCommand implements Callable<Integer> {
         results.stream().map(stored::complaint).flatMap(Optional::stream).toList();
     complaints.forEach(errors()::line);
     return complaints.isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
-  }
-
-  private Messages errors() {
-    return new Messages(spec.commandLine().getErr());
   }
 }

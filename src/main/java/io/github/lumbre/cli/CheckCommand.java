@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.SceneOptions;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
@@ -23,23 +22,17 @@ import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre check}: reads a scene as a render would, and prints its contents. */
 @Command(
     name = "check",
     header = "Validate a scene and print its contents without rendering it.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {"", "Example:", "  lumbre check --strict scene.json"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:The scene is valid",
       "1:There are warnings under --strict",
@@ -49,7 +42,7 @@ import picocli.CommandLine.Spec;
       "5:A limit or the available memory is exceeded",
       "7:Internal error"
     })
-final class CheckCommand implements Callable<Integer> {
+final class CheckCommand extends Subcommand {
   private static final int MOST_NAMES = 20;
 
   @Mixin private final SceneOptions options = new SceneOptions();
@@ -62,12 +55,10 @@ final class CheckCommand implements Callable<Integer> {
       description = "Also print which rendering steps this scene does not need and skips.")
   private boolean plan;
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    Messages out = new Messages(spec.commandLine().getOut());
-    Messages errors = new Messages(spec.commandLine().getErr());
+    Messages out = out();
+    Messages errors = errors();
     if (!json) {
       SceneFile file = options.load(parser(), errors);
       describe(file, out);

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
@@ -28,14 +27,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre compare}: measures the error of a picture against a reference. */
 @Command(
@@ -45,8 +40,6 @@ import picocli.CommandLine.Spec;
         "Read PNG, JPEG and the other formats of textures, PFM, Radiance HDR and OpenEXR. Pictures"
             + " are compared in linear light: those of textures are decoded from sRGB. Alpha is"
             + " ignored; the colors of OpenEXR are those in the file, multiplied by alpha.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {
       "",
       "Metrics: rmse, relmse (mean of (x-r)^2/(r^2+0.01)), bias (mean of x-r), p99.9 and max of"
@@ -57,7 +50,6 @@ import picocli.CommandLine.Spec;
       "  lumbre compare draft.exr reference.exr",
       "  lumbre compare a.pfm b.pfm --tolerance rmse=0.01,flip=0.05 --error-map where.png"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done; all metrics are within their tolerances",
       "1:A metric is outside its tolerance",
@@ -67,7 +59,7 @@ import picocli.CommandLine.Spec;
       "6:The error map cannot be written",
       "7:Internal error"
     })
-final class CompareCommand implements Callable<Integer> {
+final class CompareCommand extends Subcommand {
   private static final String LIKENESS = "ssim";
 
   /** The names of all metrics. */
@@ -112,8 +104,6 @@ final class CompareCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws TaskException {
     validate();
@@ -133,7 +123,7 @@ final class CompareCommand implements Callable<Integer> {
     if (errorMap.isPresent()) {
       write(ErrorMap.of(a, b), errorMap.get());
     }
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     List<String> beyond = beyond(error);
     if (json) {
       spec.commandLine().getOut().println(JsonText.pretty(values(error, beyond)));
@@ -171,14 +161,8 @@ final class CompareCommand implements Callable<Integer> {
                 "--error-map: expected a name that ends in .png, found " + file));
   }
 
-  private void require(boolean condition, String message) {
-    if (!condition) {
-      throw new ParameterException(spec.commandLine(), message);
-    }
-  }
-
   private Image readLayer(Path file, String name) throws TaskException {
-    Messages errors = new Messages(spec.commandLine().getErr());
+    Messages errors = errors();
     return finite(LayerInput.layer(LayerInput.read(file, errors), name, file).toImage(), file);
   }
 

@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.cli.option.DenoiserFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -24,14 +23,10 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre denoise}: removes noise from a rendered picture. */
 @Command(
@@ -41,15 +36,12 @@ import picocli.CommandLine.Spec;
         "The layers of 'lumbre render --denoise' or '--layers denoise' help the denoiser, and so do"
             + " the layers albedo and normal of other programs. The result is an estimate: error"
             + " bounds of the render do not hold for it.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {
       "",
       "Examples:",
       "  lumbre denoise night.film -o night.denoised.png",
       "  lumbre denoise picture.exr -o clean.exr --oidn folder/bin"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid, the file does not exist, or oidnDenoise is not found",
@@ -59,7 +51,7 @@ import picocli.CommandLine.Spec;
       "6:The denoiser failed, or the picture cannot be written",
       "7:Internal error"
     })
-final class DenoiseCommand implements Callable<Integer> {
+final class DenoiseCommand extends Subcommand {
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
   private Path file;
 
@@ -83,25 +75,16 @@ final class DenoiseCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   /** A picture to denoise, and how to write it. */
   private record Input(NoisyPicture noisy, ImageWriter.Options options) {}
 
   @Override
   public Integer call() throws TaskException {
-    if (ImageFormat.of(output).isEmpty()) {
-      throw new ParameterException(
-          spec.commandLine(),
-          output + ": expected a name that ends in one of " + ImageFormat.endings());
-    }
-    if (threads < 0) {
-      throw new ParameterException(
-          spec.commandLine(), "--threads: expected at least 0, found " + threads);
-    }
+    checks().requirePicture(output);
+    require(threads >= 0, "--threads: expected at least 0, found " + threads);
     Denoising denoising = denoiser.denoising(threads);
     overwrite.guard().readsFilm(file).writes("-o", output, OutputContent.PICTURE).check();
-    Messages errors = new Messages(spec.commandLine().getErr());
+    Messages errors = errors();
     Input input = read(errors);
     denoising.advise(input.noisy, file.toString(), errors);
     if (input.noisy.replaced() != 0) {

@@ -3,33 +3,24 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.run.FilmInput;
-import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.TaskException;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre develop}: makes a picture from a checkpoint file, without rendering. */
 @Command(
     name = "develop",
     header = "Make a picture from a checkpoint file, without rendering.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {"", "Example:", "  lumbre develop night.film -o night.png --exposure 1.5"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid",
@@ -38,7 +29,7 @@ import picocli.CommandLine.Spec;
       "6:The picture cannot be written",
       "7:Internal error"
     })
-final class DevelopCommand implements Callable<Integer> {
+final class DevelopCommand extends Subcommand {
   @Parameters(
       paramLabel = "FILM",
       description = "Checkpoint file from 'lumbre render --checkpoint'.")
@@ -57,18 +48,12 @@ final class DevelopCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws TaskException {
     flags.validate();
-    if (ImageFormat.of(output).isEmpty()) {
-      throw new ParameterException(
-          spec.commandLine(),
-          output + ": expected a name that ends in one of " + ImageFormat.endings());
-    }
+    checks().requirePicture(output);
     overwrite.guard().readsFilm(film).writes("-o", output, OutputContent.PICTURE).check();
-    Messages messages = new Messages(spec.commandLine().getErr());
+    Messages messages = errors();
     flags.develop(film, () -> FilmInput.read(film, messages), output);
     return ExitCodes.OK;
   }

@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.diff.ChangePage;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
@@ -43,14 +42,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre diff}: says what changed between two models. */
 @Command(
@@ -60,8 +55,6 @@ import picocli.CommandLine.Spec;
         "Pair the parts of two models by name and by shape, and list those that were added,"
             + " removed, moved, changed or renamed. The order of parts, vertices and triangles does"
             + " not matter.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     abbreviateSynopsis = true,
     footer = {
       "",
@@ -69,7 +62,6 @@ import picocli.CommandLine.Spec;
       "  lumbre diff bracket-1.step.glb bracket-2.step.glb",
       "  lumbre diff old.stl new.stl -o what-changed.html --up z"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Nothing changed",
       "1:Something changed",
@@ -80,7 +72,7 @@ import picocli.CommandLine.Spec;
       "6:The page cannot be written",
       "7:Internal error"
     })
-final class DiffCommand implements Callable<Integer> {
+final class DiffCommand extends Subcommand {
   private static final String FORMAT = "lumbre-diff-1";
   private static final int WIDTH = 640;
   private static final int HEIGHT = 480;
@@ -111,8 +103,6 @@ final class DiffCommand implements Callable<Integer> {
   @Mixin private final ModelFlags flags = new ModelFlags();
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
-
-  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws SceneFormatException, TaskException {
@@ -188,7 +178,7 @@ final class DiffCommand implements Callable<Integer> {
 
   private ChangePage.Side side(Path path, SceneFile file) throws TaskException {
     String name = String.valueOf(path.getFileName());
-    Messages messages = new Messages(spec.commandLine().getErr());
+    Messages messages = errors();
     try {
       DisplayLight picture =
           CleanPicture.of(file, name, note -> messages.line(path + ": " + note), Progress.NONE);
@@ -233,7 +223,7 @@ final class DiffCommand implements Callable<Integer> {
   }
 
   private void print(ModelDifference.Result found, List<String> lines, double near) {
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     if (json) {
       JsonText.pretty(values(found, near)).lines().forEach(out::line);
       return;
@@ -273,11 +263,5 @@ final class DiffCommand implements Callable<Integer> {
     }
     values.put("details", change.details());
     return values;
-  }
-
-  private void require(boolean condition, String message) {
-    if (!condition) {
-      throw new ParameterException(spec.commandLine(), message);
-    }
   }
 }

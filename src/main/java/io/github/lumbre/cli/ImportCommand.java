@@ -2,7 +2,6 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -24,14 +23,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre import}: writes the scene that a model file gets when rendered by itself. */
 @Command(
@@ -40,10 +35,7 @@ import picocli.CommandLine.Spec;
     description =
         "The scene is the one that 'lumbre render MODEL' renders with the same flags. It names the"
             + " model file and does not copy it.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:The scene is written",
       "2:The command line is invalid",
@@ -53,7 +45,7 @@ import picocli.CommandLine.Spec;
       "6:The scene cannot be written",
       "7:Internal error"
     })
-final class ImportCommand implements Callable<Integer> {
+final class ImportCommand extends Subcommand {
   @Parameters(paramLabel = "MODEL", description = "Model: " + ModelFormat.TITLES + ".")
   private Path model;
 
@@ -69,31 +61,26 @@ final class ImportCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    if (!ModelReader.isModel(model)) {
-      throw failure(model + ": expected a model file: " + Models.NAMES);
-    }
+    require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
     Path target = output.orElseGet(this::beside);
-    if (ModelReader.isModelName(target.toString())) {
-      throw failure("--output: expected a name that ends in .json, found " + target);
-    }
-    if (spec.commandLine().getParseResult().hasMatchedOption("--labels")) {
-      throw failure("--labels: cannot be used; a scene file holds no labels");
-    }
+    require(
+        !ModelReader.isModelName(target.toString()),
+        "--output: expected a name that ends in .json, found " + target);
+    require(
+        !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
+        "--labels: cannot be used; a scene file holds no labels");
     Stage stage = flags.stage(OptionalDouble.empty());
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : stage.files(model)) {
-      if (!used.startsWith(folder)) {
-        throw failure(
-            "--output: expected a scene file in a folder that contains "
-                + used
-                + ", found "
-                + target
-                + "; a scene may use only files in its own folder or below");
-      }
+      require(
+          used.startsWith(folder),
+          "--output: expected a scene file in a folder that contains "
+              + used
+              + ", found "
+              + target
+              + "; a scene may use only files in its own folder or below");
     }
     OutputGuard guard =
         overwrite.guard().reads(model, "the model").writes("-o", target, OutputContent.SCENE);
@@ -125,9 +112,5 @@ final class ImportCommand implements Callable<Integer> {
   private Path beside() {
     String name = model.getFileName().toString();
     return model.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".json");
-  }
-
-  private ParameterException failure(String message) {
-    return new ParameterException(spec.commandLine(), message);
   }
 }

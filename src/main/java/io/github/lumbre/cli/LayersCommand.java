@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.LayerFiles;
 import io.github.lumbre.cli.output.Messages;
@@ -23,14 +22,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre layers}: lists the layers of a file, and writes them as PNG. */
 @Command(
@@ -39,8 +35,6 @@ import picocli.CommandLine.Spec;
     description =
         "Layers are recorded with 'lumbre render --layers'. Mattes of objects and materials are"
             + " listed with the share of the picture that each covers.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {
       "",
       "PNG files: normals as n/2 + 1/2, colors with the sRGB curve, masks of objects with 255 for"
@@ -51,7 +45,6 @@ import picocli.CommandLine.Spec;
       "  lumbre layers picture.exr",
       "  lumbre layers picture.exr --layer depth --png folder"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid, or the file does not exist or has no such layer",
@@ -61,7 +54,7 @@ import picocli.CommandLine.Spec;
       "6:A PNG file cannot be written",
       "7:Internal error"
     })
-final class LayersCommand implements Callable<Integer> {
+final class LayersCommand extends Subcommand {
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
@@ -84,11 +77,9 @@ final class LayersCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws TaskException {
-    Messages errors = new Messages(spec.commandLine().getErr());
+    Messages errors = errors();
     LayeredImage image = LayerInput.read(file, errors);
     List<Cryptomatte> all = mattes(image);
     List<ImageLayer> layers = wanted(image, all);
@@ -99,7 +90,7 @@ final class LayersCommand implements Callable<Integer> {
       spec.commandLine().getOut().println(GSON.toJson(values(image, layers, mattes)));
       spec.commandLine().getOut().flush();
     } else {
-      print(layers, mattes, new Messages(spec.commandLine().getOut()));
+      print(layers, mattes, out());
     }
     return ExitCodes.OK;
   }
@@ -154,7 +145,7 @@ final class LayersCommand implements Callable<Integer> {
     files.paths().forEach(path -> guard.writes("--png", path, OutputContent.PICTURE));
     guard.check();
     files.write();
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     files.paths().forEach(path -> out.line(path.toString()));
   }
 

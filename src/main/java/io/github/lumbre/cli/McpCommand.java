@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.mcp.Mcp;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
@@ -13,12 +12,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre mcp}: renders models for other programs, such as agents that make them. */
 @Command(
@@ -28,32 +23,24 @@ import picocli.CommandLine.Spec;
         "Read messages of the Model Context Protocol from standard input and answer them on"
             + " standard output, so that programs, such as language models that make parts, can see"
             + " their models. A client starts the command; docs/mcp.md has its configuration.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {"", "Example:", "  lumbre mcp --root parts"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:The input has ended",
       "2:The command line is invalid, or a folder does not exist",
       "7:Internal error",
       "129, 130, 143:Ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
-final class McpCommand implements Callable<Integer> {
+final class McpCommand extends Subcommand {
   @Option(
       names = "--root",
       paramLabel = "DIR",
       description = "Folder from which models may be read; repeatable (none).")
   private List<Path> roots = List.of();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws TaskException {
     for (Path root : roots) {
-      if (!Files.isDirectory(root)) {
-        throw new ParameterException(
-            spec.commandLine(), "--root: expected a folder, found none at " + root);
-      }
+      require(Files.isDirectory(root), "--root: expected a folder, found none at " + root);
     }
     try {
       Mcp.serve(

@@ -9,7 +9,6 @@ import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.Messages;
@@ -26,13 +25,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre merge}: merges checkpoint files of one picture. */
 @Command(
@@ -44,8 +40,6 @@ import picocli.CommandLine.Spec;
             + " Files that share a sample, or come from different scenes or settings, are"
             + " rejected. An existing checkpoint file is replaced only by one that has all of its"
             + " samples, unless --overwrite is given.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {
@@ -56,7 +50,6 @@ import picocli.CommandLine.Spec;
       "  lumbre merge a.film b.film -o all.film",
       "  lumbre merge a.film b.film -o all.png"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid",
@@ -65,7 +58,7 @@ import picocli.CommandLine.Spec;
       "6:The result cannot be written",
       "7:Internal error"
     })
-final class MergeCommand implements Callable<Integer> {
+final class MergeCommand extends Subcommand {
   @Parameters(
       paramLabel = "FILM",
       arity = "1..*",
@@ -84,8 +77,6 @@ final class MergeCommand implements Callable<Integer> {
   @Mixin private final DevelopFlags flags = new DevelopFlags();
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
-
-  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException {
@@ -115,7 +106,7 @@ final class MergeCommand implements Callable<Integer> {
       FilmFile merged = merged();
       requireNothingLost(merged.header());
       target.save(new FilmFile(FilmNotes.ofMerged(merged.header()), merged.film()));
-      new FilmReport(merged).print(output, messages());
+      new FilmReport(merged).print(output, errors());
     } catch (IOException e) {
       throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
     }
@@ -126,7 +117,7 @@ final class MergeCommand implements Callable<Integer> {
     if (overwrite.isGiven() || !Files.exists(output)) {
       return;
     }
-    FilmHeader before = FilmInput.read(output, messages()).header();
+    FilmHeader before = FilmInput.read(output, errors()).header();
     if (!before.identity().equals(merged.identity())) {
       throw kept("is a checkpoint file of another picture");
     }
@@ -146,12 +137,8 @@ final class MergeCommand implements Callable<Integer> {
             + "; choose another path with -o, or replace the file with --overwrite");
   }
 
-  private Messages messages() {
-    return new Messages(spec.commandLine().getErr());
-  }
-
   private FilmFile merged() throws TaskException {
-    Messages messages = messages();
+    Messages messages = errors();
     List<FilmMerge.Named> named = new ArrayList<>();
     for (Path film : films) {
       FilmFile file = FilmInput.read(film, messages);

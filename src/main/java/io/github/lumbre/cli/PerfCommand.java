@@ -1,8 +1,6 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -30,13 +28,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre perf}: measures rendering speed. */
 @Command(
@@ -45,8 +40,6 @@ import picocli.CommandLine.Spec;
     description =
         "Print a table in Markdown: throughput, CPU time, allocated memory, warm-up and noise of"
             + " each scene with each number of threads.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     sortOptions = false,
     abbreviateSynopsis = true,
     footer = {
@@ -56,7 +49,6 @@ import picocli.CommandLine.Spec;
       "  lumbre perf scenes/cornell-box.json scenes/torus-knot.json -s 4 --json speed.json",
       "  lumbre perf scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "2:The command line is invalid, or a scene does not exist",
@@ -65,7 +57,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; finished measurements are written"
     })
-final class PerfCommand implements Callable<Integer> {
+final class PerfCommand extends Subcommand {
   private static final int DEFAULT_REPETITIONS = 5;
   private static final int MAX_REPETITIONS = 1000;
 
@@ -151,22 +143,18 @@ final class PerfCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
-    FlagChecks checks = new FlagChecks(spec);
-    Messages out = new Messages(spec.commandLine().getOut());
-    PerfPlan plan = plan(checks);
-    requireDistinctFiles(checks);
+    Messages out = out();
+    PerfPlan plan = plan();
+    requireDistinctFiles();
     OutputGuard guard = overwrite.guard();
     scenes.forEach(guard::readsScene);
     json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
     guard.check();
     try (TextOutput output = TextOutput.reserve(json);
         Interruption interruption = Interruption.listen()) {
-      LabHost host =
-          new CommandLineHost(interruption, false, new Messages(spec.commandLine().getErr()));
+      LabHost host = new CommandLineHost(interruption, false, errors());
       if (!interruption.beginRender()) {
         return ExitCodes.INTERRUPTED;
       }
@@ -182,17 +170,16 @@ final class PerfCommand implements Callable<Integer> {
     }
   }
 
-  private PerfPlan plan(FlagChecks checks) {
-    checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, samples);
-    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.width()));
-    size.ifPresent(s -> checks.requireIn("--size", 1, RenderSettings.MAX_SIDE, s.height()));
-    threads.forEach(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
-    checks.requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    checks.require(!paired || json.isEmpty(), "--paired: cannot be combined with --json");
-    checks.requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
-    checks.requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
-    checks.requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
-    checks.require(
+  private PerfPlan plan() {
+    requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, samples);
+    size.ifPresent(checks()::requireSize);
+    threads.forEach(n -> requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
+    requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+    require(!paired || json.isEmpty(), "--paired: cannot be combined with --json");
+    requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
+    requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
+    requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
+    require(
         !paired || adaptive || split > 1 || !without.isEmpty(),
         "--paired: requires --without, --adaptive or --split");
     int processors = Runtime.getRuntime().availableProcessors();
@@ -209,13 +196,12 @@ final class PerfCommand implements Callable<Integer> {
   }
 
   /** Requires distinct scene names, because results are identified by them. */
-  private void requireDistinctFiles(FlagChecks checks) {
+  private void requireDistinctFiles() {
     Set<String> names = new HashSet<>();
     for (Path scene : scenes) {
-      checks.require(Files.isRegularFile(scene), "scene does not exist: " + scene);
+      require(Files.isRegularFile(scene), "scene does not exist: " + scene);
       String name = SceneFolder.name(scene);
-      checks.require(
-          names.add(name), "expected scenes with different names, found two named " + name);
+      require(names.add(name), "expected scenes with different names, found two named " + name);
     }
   }
 

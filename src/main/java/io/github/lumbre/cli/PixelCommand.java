@@ -1,11 +1,9 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PixelJson;
@@ -18,13 +16,10 @@ import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre pixel}: repeats the samples of one pixel and prints how they arise. */
 @Command(
@@ -34,8 +29,6 @@ import picocli.CommandLine.Spec;
         "Print the objects in the pixel, and its mean, variance and brightest samples; with"
             + " --sample, the path of that sample, vertex by vertex. With the same scene, seed,"
             + " size, mode and depth, the samples are bit-identical to the samples of the render.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {
@@ -45,7 +38,6 @@ import picocli.CommandLine.Spec;
       "  lumbre pixel scene.json 120,80 --sample 17",
       "  lumbre pixel scene.json 120,80 --sample 17 --seed 5 --json"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "1:There are warnings under --strict",
@@ -55,7 +47,7 @@ import picocli.CommandLine.Spec;
       "5:A limit or the available memory is exceeded",
       "7:Internal error, or rejected samples under --strict"
     })
-final class PixelCommand implements Callable<Integer> {
+final class PixelCommand extends Subcommand {
   /** The number of brightest samples that are printed. */
   private static final int SHOWN = 8;
 
@@ -80,22 +72,19 @@ final class PixelCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print the result as JSON, with all digits.")
   private boolean json;
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
     kernel.validate();
-    FlagChecks checks = new FlagChecks(spec);
-    sample.ifPresent(n -> checks.requireIn("--sample", 0, RenderSettings.MAX_SAMPLES - 1, n));
+    sample.ifPresent(n -> requireIn("--sample", 0, RenderSettings.MAX_SAMPLES - 1, n));
     SceneParser parser = kernel.over(flags.over(options.parser()));
-    SceneFile file = options.load(parser, new Messages(spec.commandLine().getErr()));
+    SceneFile file = options.load(parser, errors());
     RenderSettings settings = file.settings();
-    checks.requireIn("x", 0, settings.width() - 1, pixel.x());
-    checks.requireIn("y", 0, settings.height() - 1, pixel.y());
+    requireIn("x", 0, settings.width() - 1, pixel.x());
+    requireIn("y", 0, settings.height() - 1, pixel.y());
     PixelReplay replay = new PixelReplay(file.scene(), settings);
     PixelReport report = new PixelReport(file, pixel);
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     boolean rejected;
     if (sample.isPresent()) {
       PixelReplay.Sample one = replay.sample(pixel.x(), pixel.y(), sample.get());

@@ -5,12 +5,10 @@ import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.RunFlags;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -49,13 +47,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre resume}: resumes a stopped render, or adds samples to a finished one. */
 @Command(
@@ -64,8 +59,6 @@ import picocli.CommandLine.Spec;
     description =
         "Resume a stopped render or add samples to a finished one. The picture is bit-identical to"
             + " the picture of an uninterrupted render. The scene and its files must be unchanged.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {
@@ -76,7 +69,6 @@ import picocli.CommandLine.Spec;
       "  lumbre resume night.film -s 8000",
       "  lumbre resume night.film --target-error 1%% --time 8h"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done, or stopped by --timeout with a partial picture",
       "1:The target error is not reached",
@@ -88,7 +80,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; checkpoint and picture are saved"
     })
-final class ResumeCommand implements Callable<Integer> {
+final class ResumeCommand extends Subcommand {
   /** The number of samples per pixel that means no limit. */
   private static final int OPEN = RenderSettings.MAX_SAMPLES;
 
@@ -130,8 +122,6 @@ final class ResumeCommand implements Callable<Integer> {
   @Mixin private final CheckpointFlags checkpoints = new CheckpointFlags();
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
-
-  @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws TaskException, SceneFormatException {
@@ -214,8 +204,7 @@ final class ResumeCommand implements Callable<Integer> {
   }
 
   private void validate() throws TaskException {
-    samples.ifPresent(
-        n -> new FlagChecks(spec).requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    samples.ifPresent(n -> requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
     work.validate(spec);
     budgets.validate();
     checkpoints.validate();

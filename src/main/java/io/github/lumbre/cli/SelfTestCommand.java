@@ -1,6 +1,5 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.lab.checks.Invariant;
@@ -10,11 +9,8 @@ import io.github.lumbre.lab.checks.Tries;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre selftest}: checks the renderer's invariants at extreme values on this machine. */
 @Command(
@@ -23,33 +19,28 @@ import picocli.CommandLine.Spec;
     description =
         "Print a line for each invariant: whether it holds, the largest deviation found, its limit"
             + " and the tested range. This takes about 20 s of CPU time.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {
       "",
       "Examples:",
       "  lumbre selftest",
       "  lumbre selftest --markdown > docs/stability.md"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:All invariants hold",
       "1:An invariant does not hold",
       "2:The command line is invalid",
       "7:Internal error"
     })
-final class SelfTestCommand implements Callable<Integer> {
+final class SelfTestCommand extends Subcommand {
   /** Four times the tries of the build's tests. */
   private static final Tries TRIES = new Tries(4, 0);
 
   @Option(names = "--markdown", description = "Print the page docs/stability.md.")
   private boolean markdown;
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws InterruptedException {
-    return run(Invariants.all(), markdown, new Messages(spec.commandLine().getOut()));
+    return run(Invariants.all(), markdown, out());
   }
 
   /** Checks invariants and prints a line for each as soon as its result is known. */

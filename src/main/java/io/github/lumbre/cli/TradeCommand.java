@@ -1,10 +1,8 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SceneOptions;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -29,13 +27,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre trade}: measures the time and error of each setting, for one scene. */
 @Command(
@@ -45,11 +40,8 @@ import picocli.CommandLine.Spec;
         "Render a reference, then vary one setting at a time (see --knobs) with several seeds and"
             + " increasing samples. Write a page of error against time, and the same data as .csv"
             + " and .json.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     sortOptions = false,
     footer = {"", "Example:", "  lumbre trade scene.json --quick -o trade.html"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:Done",
       "1:There are warnings under --strict, or threads or buckets changed a picture",
@@ -61,7 +53,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
-final class TradeCommand implements Callable<Integer> {
+final class TradeCommand extends Subcommand {
   @Mixin private final SceneOptions options = new SceneOptions();
 
   @Option(
@@ -125,22 +117,19 @@ final class TradeCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
-    new FlagChecks(spec)
-        .require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
+    require(page.toString().endsWith(".html"), "-o: expected a name that ends in .html");
     options
         .guardedBy(overwrite.guard())
         .writes("-o", page, OutputContent.TRADE_PAGE)
         .writes("-o", beside(page, ".csv"), OutputContent.TRADE_CSV)
         .writes("-o", beside(page, ".json"), OutputContent.TRADE_JSON)
         .check();
-    Messages messages = new Messages(spec.commandLine().getErr());
+    Messages messages = errors();
     try (TextOutput html = TextOutput.reserve(Optional.of(page));
         TextOutput csv = TextOutput.reserve(Optional.of(beside(page, ".csv")));
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
@@ -150,7 +139,7 @@ final class TradeCommand implements Callable<Integer> {
       html.write(run.page());
       csv.write(TradeTables.csv(result));
       json.write(TradeTables.json(run.facts(), result));
-      new Messages(spec.commandLine().getOut()).line(page.toString());
+      out().line(page.toString());
       boolean same = result.exact().stream().allMatch(ExactRow::isSamePicture);
       return same ? ExitCodes.OK : ExitCodes.DIFFERENT;
     } catch (InterruptedException e) {
@@ -160,11 +149,10 @@ final class TradeCommand implements Callable<Integer> {
   }
 
   private void checkFlags() {
-    FlagChecks checks = new FlagChecks(spec);
-    seeds.ifPresent(n -> checks.requireIn("--seeds", 3, 1000, n));
-    checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
-    samples.ifPresent(n -> checks.requireIn("--samples", 1, TradeBudget.LARGEST, n));
-    reference.ifPresent(n -> checks.requireIn("--reference", 2, RenderSettings.MAX_SAMPLES, n));
+    seeds.ifPresent(n -> requireIn("--seeds", 3, 1000, n));
+    requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
+    samples.ifPresent(n -> requireIn("--samples", 1, TradeBudget.LARGEST, n));
+    reference.ifPresent(n -> requireIn("--reference", 2, RenderSettings.MAX_SAMPLES, n));
   }
 
   private Set<Knob> knobs() {
@@ -175,10 +163,9 @@ final class TradeCommand implements Callable<Integer> {
     }
     List<String> wanted = List.of(knobs.get().split(",", -1));
     for (String name : wanted) {
-      new FlagChecks(spec)
-          .require(
-              known.containsKey(name),
-              "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
+      require(
+          known.containsKey(name),
+          "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
     }
     return wanted.stream().map(known::get).collect(Collectors.toSet());
   }

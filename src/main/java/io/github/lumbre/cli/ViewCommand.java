@@ -3,13 +3,11 @@ package io.github.lumbre.cli;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.option.BudgetFlags;
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.QualityFlags;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmExposure;
@@ -53,12 +51,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre view}: shows a render as it converges, or a picture, in the browser. */
 @Command(
@@ -68,8 +63,6 @@ import picocli.CommandLine.Spec;
         "Open a page, served on this machine only, that shows a scene or model as it is rendered, a"
             + " checkpoint file or a picture (OpenEXR, PNG, JPEG, HDR, PFM). The page renders anew"
             + " when the scene file is saved. Ctrl-C ends it.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {
@@ -80,7 +73,6 @@ import picocli.CommandLine.Spec;
       "  lumbre view picture.exr --compare reference.exr",
       "  lumbre view scene.json --no-open --port 8080"
     },
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "2:The command line is invalid",
       "3:The scene or checkpoint file is missing, unreadable or invalid",
@@ -90,7 +82,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error",
       "129, 130, 143:Ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
-final class ViewCommand implements Callable<Integer> {
+final class ViewCommand extends Subcommand {
   private static final Set<String> PICTURES =
       Set.of("exr", "png", "jpg", "jpeg", "hdr", "pic", "pfm");
 
@@ -123,20 +115,17 @@ final class ViewCommand implements Callable<Integer> {
 
   @Mixin private final KernelFlag kernel = new KernelFlag();
 
-  @Spec private CommandSpec spec;
-
   @Override
   public Integer call() throws SceneFormatException, TaskException {
     flags.validate();
     budgets.validate();
     kernel.validate();
-    FlagChecks checks = new FlagChecks(spec);
-    checks.requireIn("--port", 0, 65535, port);
-    checks.require(
+    requireIn("--port", 0, 65535, port);
+    require(
         !flags.samples().haveRange(),
         "view: cannot be combined with --samples-from, --samples-to or --share");
-    checks.require(!options.isStandardInput(), "view: expected a file, found standard input");
-    Messages errors = new Messages(spec.commandLine().getErr());
+    require(!options.isStandardInput(), "view: expected a file, found standard input");
+    Messages errors = errors();
     Optional<View.Picture> other =
         compare.isPresent() ? Optional.of(picture(compare.get(), errors)) : Optional.empty();
     String otherName = compare.map(path -> String.valueOf(path.getFileName())).orElse("");
@@ -165,7 +154,7 @@ final class ViewCommand implements Callable<Integer> {
   }
 
   private void announce(View view) {
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     boolean isOpen = !noOpen && SystemBrowser.open(view.address());
     out.line((isOpen ? "view: opened " : "view: open ") + view.address());
   }

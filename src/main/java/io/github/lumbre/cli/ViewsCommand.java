@@ -1,10 +1,8 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.cli.option.DenoisingFlags;
-import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
@@ -57,14 +55,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code lumbre views}: renders a model from all standard views. */
 @Command(
@@ -74,10 +68,7 @@ import picocli.CommandLine.Spec;
         "Writes front.png, back.png, left.png, right.png, top.png, bottom.png, iso.png and"
             + " views.png into a folder. Each picture has the bits of 'lumbre render MODEL --view"
             + " NAME' with the same flags and samples.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
     footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"},
-    exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:All pictures are written",
       "2:The command line is invalid",
@@ -88,7 +79,7 @@ import picocli.CommandLine.Spec;
       "7:Internal error",
       "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; complete pictures are kept"
     })
-final class ViewsCommand implements Callable<Integer> {
+final class ViewsCommand extends Subcommand {
   private static final String SHEET = "views.png";
   private static final int SHEET_COLUMNS = 4;
 
@@ -134,8 +125,6 @@ final class ViewsCommand implements Callable<Integer> {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
-  @Spec private CommandSpec spec;
-
   private Optional<Denoising> denoising = Optional.empty();
 
   @Override
@@ -146,7 +135,7 @@ final class ViewsCommand implements Callable<Integer> {
     if (!json) {
       return run(stage, guard, report);
     }
-    Messages out = new Messages(spec.commandLine().getOut());
+    Messages out = out();
     return report.around(
         () -> {
           int code = run(stage, guard, report);
@@ -161,7 +150,7 @@ final class ViewsCommand implements Callable<Integer> {
       throws SceneFormatException, TaskException {
     guard.check();
     denoising = stored.denoising(true);
-    Messages messages = new Messages(spec.commandLine().getErr());
+    Messages messages = errors();
     try (Interruption interruption = Interruption.listen();
         RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
         Frames frames = new Frames(targets(), interruption, Deadline.after(Optional.empty()))) {
@@ -204,10 +193,9 @@ final class ViewsCommand implements Callable<Integer> {
           !spec.commandLine().getParseResult().hasMatchedOption(flag),
           flag + ": cannot be used; 'lumbre views' renders all standard views");
     }
-    FlagChecks checks = new FlagChecks(spec);
-    samples.ifPresent(n -> checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
-    threads.ifPresent(n -> checks.requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
-    size.ifPresent(checks::requireSize);
+    samples.ifPresent(n -> requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    threads.ifPresent(n -> requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
+    size.ifPresent(checks()::requireSize);
     return flags.stage(OptionalDouble.empty());
   }
 
@@ -333,11 +321,5 @@ final class ViewsCommand implements Callable<Integer> {
 
   private static TaskException stopped() {
     return new TaskException(Kind.STOPPED, "stopped before the views were complete");
-  }
-
-  private void require(boolean condition, String message) {
-    if (!condition) {
-      throw new ParameterException(spec.commandLine(), message);
-    }
   }
 }

@@ -10,19 +10,14 @@ import java.time.Instant;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that end a render by time or noise; the first limit that is reached ends it. */
 @Command(optionListHeading = Headings.STOP)
-public final class BudgetFlags {
+public final class BudgetFlags extends Flags {
   /** The system property that is true if the process runs one command, and nothing else. */
   public static final String OWN_PROCESS = "lumbre.process";
-
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
 
   @Option(
       names = "--time",
@@ -57,12 +52,7 @@ public final class BudgetFlags {
    */
   public void validate() {
     sureness.ifPresent(
-        c -> {
-          if (c < .5 || c >= 1) {
-            throw new ParameterException(
-                spec.commandLine(), "--confidence: expected 50% to less than 100%");
-          }
-        });
+        c -> require(c >= .5 && c < 1, "--confidence: expected 50% to less than 100%"));
   }
 
   /**

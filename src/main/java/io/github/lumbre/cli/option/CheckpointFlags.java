@@ -14,17 +14,11 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that protect a render against loss. */
 @Command(optionListHeading = Headings.CHECKPOINTS)
-public final class CheckpointFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class CheckpointFlags extends Flags {
   @Option(
       names = "--checkpoint-interval",
       paramLabel = "DURATION",
@@ -46,10 +40,10 @@ public final class CheckpointFlags {
    * must exist only when it is needed.
    */
   public void validate() {
-    if (fallback.isPresent() && !Files.isDirectory(fallback.get())) {
-      throw new ParameterException(
-          spec.commandLine(), "--fallback-dir: " + fallback.get() + " is not a directory");
-    }
+    fallback.ifPresent(
+        folder ->
+            require(
+                Files.isDirectory(folder), "--fallback-dir: " + folder + " is not a directory"));
   }
 
   public Fallback fallback() {

@@ -23,15 +23,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that set how a film becomes a picture. */
-public final class DevelopFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class DevelopFlags extends Flags {
   @Mixin private final SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
   @Mixin private final PictureFlags stored = new PictureFlags();
@@ -73,20 +67,15 @@ public final class DevelopFlags {
 
   /** Rejects {@code --denoise} if the output is not a picture. */
   public void requireNoDenoising(Path output) {
-    new FlagChecks(spec)
-        .require(
-            !stored.denoising().areOn(),
-            "--denoise: expected a picture (-o), found the checkpoint " + output);
+    require(
+        !stored.denoising().areOn(),
+        "--denoise: expected a picture (-o), found the checkpoint " + output);
   }
 
   private void requireLayers(PictureOutput picture) {
-    if (settings.isGiven(Setting.LAYERS) && !picture.hasLayers()) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "--layers: expected an .exr picture, found "
-              + picture.target()
-              + ", which has no layers");
-    }
+    require(
+        !settings.isGiven(Setting.LAYERS) || picture.hasLayers(),
+        "--layers: expected an .exr picture, found " + picture.target() + ", which has no layers");
   }
 
   /** Returns the layers to develop: those given, or all. */

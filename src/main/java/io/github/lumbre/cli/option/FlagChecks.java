@@ -1,7 +1,9 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Size;
+import java.nio.file.Path;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
@@ -27,6 +29,17 @@ public record FlagChecks(CommandSpec spec) {
     require(
         low <= found && found <= high,
         flag + ": expected " + low + " to " + high + ", found " + found);
+  }
+
+  /**
+   * Requires the name of a picture that can be written.
+   *
+   * @throws ParameterException if its ending is unknown
+   */
+  public void requirePicture(Path file) {
+    require(
+        ImageFormat.of(file).isPresent(),
+        file + ": expected a name that ends in one of " + ImageFormat.endings());
   }
 
   /**

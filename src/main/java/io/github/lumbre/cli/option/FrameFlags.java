@@ -6,17 +6,12 @@ import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Size;
 import java.util.Optional;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that set the size of the picture. */
 @Command(optionListHeading = Headings.FRAME)
-public final class FrameFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class FrameFlags extends Flags {
   @Option(
       names = "--size",
       paramLabel = "WxH",
@@ -43,19 +38,17 @@ public final class FrameFlags {
    * @throws ParameterException that names the flag, if a value is out of range
    */
   public void validate() {
-    FlagChecks checks = new FlagChecks(spec);
-    maxPixels.ifPresent(n -> checks.requireIn("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
-    size.ifPresent(checks::requireSize);
+    maxPixels.ifPresent(n -> checks().requireIn("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
+    size.ifPresent(checks()::requireSize);
     size.ifPresent(s -> requireCropIn(s.width(), s.height()));
   }
 
   private void requireCropIn(int width, int height) {
     Crop window = crop.orElse(new Crop(0, 0, 1, 1));
-    new FlagChecks(spec)
-        .require(
-            (long) window.x() + window.width() <= width
-                && (long) window.y() + window.height() <= height,
-            "--crop: expected a part of " + width + "x" + height + ", found " + window);
+    require(
+        (long) window.x() + window.width() <= width
+            && (long) window.y() + window.height() <= height,
+        "--crop: expected a part of " + width + "x" + height + ", found " + window);
   }
 
   /** Returns a parser that limits the number of pixels. */

@@ -5,22 +5,17 @@ import io.github.lumbre.parser.SceneParser;
 import java.time.Duration;
 import java.util.Optional;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flag that selects the traversal kernel of the BVH. */
 @Command(optionListHeading = Headings.EXECUTION)
-public final class KernelFlag {
+public final class KernelFlag extends Flags {
   /**
    * The shortest time limit with which a render changes to the vector kernel. In less time, the
    * scalar kernel takes more samples.
    */
   private static final Duration FIRST_FOR_VECTORS = Duration.ofSeconds(20);
-
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
 
   @Option(
       names = "--kernel",
@@ -67,10 +62,9 @@ public final class KernelFlag {
 
   private Kernel chosen() {
     Kernel chosen = kernel.orElse(Kernel.AUTO);
-    if (chosen == Kernel.VECTOR && Kernel.vectorObstacle().isPresent()) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "--kernel: vector is not available: " + Kernel.vectorObstacle().get());
+    if (chosen == Kernel.VECTOR) {
+      Optional<String> obstacle = Kernel.vectorObstacle();
+      require(obstacle.isEmpty(), "--kernel: vector is not available: " + obstacle.orElse(""));
     }
     return chosen;
   }

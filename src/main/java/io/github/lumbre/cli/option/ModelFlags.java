@@ -10,50 +10,22 @@ import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.scene.Setting;
+import java.lang.reflect.Field;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.ParseResult;
-import picocli.CommandLine.Spec;
 
 /** The flags for a model file that is rendered by itself. */
 @Command(optionListHeading = Headings.MODEL)
-public final class ModelFlags {
-  private static final String LABELS = "--labels";
+public final class ModelFlags extends Flags {
   private static final String TRANSPARENT = "transparent";
 
-  private static final List<String> NAMES =
-      List.of(
-          "--camera",
-          "--view",
-          "--fov",
-          "--sky",
-          "--sun",
-          "--sky-intensity",
-          "--sky-rotation",
-          "--ground",
-          "--background",
-          "--look",
-          "--line-width",
-          "--crease",
-          LABELS,
-          "--pose",
-          "--variant",
-          "--hide",
-          "--highlight",
-          "--section",
-          "--up",
-          "--unit",
-          "--points");
-
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
 
   @Option(
       names = "--camera",
@@ -134,7 +106,7 @@ public final class ModelFlags {
   private Optional<Double> crease;
 
   @Option(
-      names = LABELS,
+      names = "--labels",
       paramLabel = "LIST",
       description =
           "Draw labels on the picture: view (its name), axes, scale, parts (names), size"
@@ -370,15 +342,11 @@ public final class ModelFlags {
    * @throws ParameterException that names the first one that is
    */
   public void requireNone() {
-    ParseResult given = spec.commandLine().getParseResult();
-    for (String name : NAMES) {
-      require(!given.hasMatchedOption(name), name + ": requires a model file: " + Models.NAMES);
-    }
-  }
-
-  private void require(boolean condition, String message) {
-    if (!condition) {
-      throw failure(message);
+    for (OptionSpec option : spec.commandLine().getParseResult().matchedOptions()) {
+      require(
+          !(option.userObject() instanceof Field field)
+              || field.getDeclaringClass() != ModelFlags.class,
+          option.longestName() + ": requires a model file: " + Models.NAMES);
     }
   }
 

@@ -3,17 +3,12 @@ package io.github.lumbre.cli.option;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that set how a picture is denoised and stored. */
 @Command(optionListHeading = Headings.PICTURE)
-public final class PictureFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class PictureFlags extends Flags {
   @Option(
       names = "--bits",
       paramLabel = "8|16",
@@ -35,9 +30,8 @@ public final class PictureFlags {
    * @throws ParameterException that names the flag, if a value is out of range
    */
   public void validate() {
-    FlagChecks checks = new FlagChecks(spec);
-    bits.ifPresent(n -> checks.require(n == 8 || n == 16, "--bits: expected 8 or 16, found " + n));
-    checks.requireIn("--jpeg-quality", 1, 100, jpegQuality);
+    bits.ifPresent(n -> require(n == 8 || n == 16, "--bits: expected 8 or 16, found " + n));
+    checks().requireIn("--jpeg-quality", 1, 100, jpegQuality);
   }
 
   /** Returns the number of bits per channel of a PNG; empty if it is not given. */

@@ -12,17 +12,12 @@ import java.util.OptionalInt;
 import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that override a scene's render settings. */
 @Command(optionListHeading = Headings.TRANSPORT)
-public final class RenderFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class RenderFlags extends Flags {
   @Option(
       names = "--mode",
       paramLabel = "MODE",
@@ -59,7 +54,7 @@ public final class RenderFlags {
    */
   public void validate() {
     samples.validate();
-    depth.ifPresent(n -> new FlagChecks(spec).requireIn("--depth", 0, RenderSettings.MAX_DEPTH, n));
+    depth.ifPresent(n -> checks().requireIn("--depth", 0, RenderSettings.MAX_DEPTH, n));
     settings.validate(spec);
     frame.validate();
   }
@@ -146,10 +141,9 @@ public final class RenderFlags {
   }
 
   private void requirePathsFor(Setting<?> setting, Mode mode) {
-    new FlagChecks(spec)
-        .require(
-            mode == Mode.PATH || !settings.isGiven(setting),
-            setting.flag() + ": requires path mode, found ray");
+    require(
+        mode == Mode.PATH || !settings.isGiven(setting),
+        setting.flag() + ": requires path mode, found ray");
   }
 
   private static void setDepth(RenderSettings.Builder builder, Mode mode, int depth) {

@@ -22,16 +22,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** The flags for a run's timeout and its reports. */
 @Command(optionListHeading = Headings.EXECUTION)
-public final class RunFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class RunFlags extends Flags {
   @Option(
       names = "--timeout",
       paramLabel = "DURATION",

@@ -3,17 +3,12 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** The flags that select the samples of each pixel. Mutable: picocli stores the values here. */
 @Command(optionListHeading = Headings.SAMPLES)
-public final class SampleFlags {
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
-
+public final class SampleFlags extends Flags {
   @Option(
       names = {"-s", "--samples"},
       paramLabel = "N",
@@ -51,16 +46,15 @@ public final class SampleFlags {
    * @throws ParameterException that names the flag, if a value is out of range
    */
   public void validate() {
-    FlagChecks checks = new FlagChecks(spec);
-    samples.ifPresent(n -> checks.requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    samples.ifPresent(n -> checks().requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
     samplesFrom.ifPresent(
-        n -> checks.requireIn("--samples-from", 0, RenderSettings.MAX_SAMPLES - 1, n));
+        n -> checks().requireIn("--samples-from", 0, RenderSettings.MAX_SAMPLES - 1, n));
     samplesTo.ifPresent(
-        n -> checks.requireIn("--samples-to", first() + 1, RenderSettings.MAX_SAMPLES, n));
-    checks.require(
+        n -> checks().requireIn("--samples-to", first() + 1, RenderSettings.MAX_SAMPLES, n));
+    require(
         samples.isEmpty() || samplesTo.isEmpty(),
         "--samples and --samples-to: expected only one of them");
-    checks.require(
+    require(
         part().isEmpty() || samplesFrom.isEmpty() && samplesTo.isEmpty(),
         "--share: cannot be combined with --samples-from or --samples-to, which select samples"
             + " too");

@@ -14,18 +14,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** The flags that name the pictures of {@code render}. */
-public final class TargetFlags {
+public final class TargetFlags extends Flags {
   /** The flags that cannot be combined with several scenes. */
   private static final Set<String> FOR_ONE_SCENE =
       Set.of("--checkpoint", "--dry-run", "--turntable");
-
-  @Spec(Spec.Target.MIXEE)
-  private CommandSpec spec;
 
   @Option(
       names = {"-o", "--output"},
@@ -62,10 +57,9 @@ public final class TargetFlags {
    */
   public List<Path> targets(List<Path> scenes) throws TaskException {
     boolean isFolder = isFolder();
-    new FlagChecks(spec)
-        .require(
-            format.isEmpty() || isStandardOutput() || isFolder,
-            "--format: requires -o - or a folder (-o)");
+    require(
+        format.isEmpty() || isStandardOutput() || isFolder,
+        "--format: requires -o - or a folder (-o)");
     if (scenes.size() == 1) {
       return List.of(isFolder ? inFolder(scenes.get(0)) : single(scenes.get(0)));
     }
@@ -88,19 +82,18 @@ public final class TargetFlags {
   }
 
   private void requireBatch(List<Path> scenes) {
-    FlagChecks checks = new FlagChecks(spec);
     for (String flag : FOR_ONE_SCENE) {
-      checks.require(
+      require(
           !spec.commandLine().getParseResult().hasMatchedOption(flag),
           flag + ": requires one scene, found " + scenes.size());
     }
-    checks.require(
+    require(
         !scenes.contains(PictureOutput.STANDARD),
         "-: standard input cannot be one of several scenes");
-    checks.require(
+    require(
         output.isPresent(),
         scenes.get(1) + ": several scenes require a folder for their pictures (-o FOLDER)");
-    checks.require(
+    require(
         isFolder(),
         "-o: expected a folder for the pictures of several scenes, which exists or has a name"
             + " without an ending, found "
@@ -124,10 +117,9 @@ public final class TargetFlags {
 
   private Path single(Path scene) {
     Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene, ImageFormat.PNG));
-    new FlagChecks(spec)
-        .require(
-            isStandardOutput() || ImageFormat.of(target).isPresent(),
-            target + ": expected a name that ends in one of " + ImageFormat.endings());
+    if (!isStandardOutput()) {
+      checks().requirePicture(target);
+    }
     return target;
   }
 }
