@@ -25,7 +25,7 @@ import java.util.zip.DeflaterOutputStream;
  * picture.
  */
 public final class PngWriter {
-  private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
+  static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
   private static final int GRAY = 0;
   private static final int RGB = 2;
   private static final int RGBA = 6;
@@ -195,7 +195,7 @@ public final class PngWriter {
     }
   }
 
-  private static void writeText(String keyword, String text, OutputStream out) throws IOException {
+  static void writeText(String keyword, String text, OutputStream out) throws IOException {
     ByteArrayOutputStream chunk = new ByteArrayOutputStream();
     chunk.writeBytes(keyword.getBytes(StandardCharsets.ISO_8859_1));
     chunk.write(0);
@@ -225,7 +225,7 @@ public final class PngWriter {
     writeChunk(type, data.toByteArray(), data.size(), out);
   }
 
-  private static void writeChunk(String type, byte[] data, int length, OutputStream out)
+  static void writeChunk(String type, byte[] data, int length, OutputStream out)
       throws IOException {
     byte[] name = type.getBytes(StandardCharsets.US_ASCII);
     CRC32 sum = new CRC32();
@@ -237,7 +237,7 @@ public final class PngWriter {
     out.write(bytes((int) sum.getValue()));
   }
 
-  private static byte[] bytes(int value) {
+  static byte[] bytes(int value) {
     return new byte[] {
       (byte) (value >> 24), (byte) (value >> 16), (byte) (value >> 8), (byte) value
     };

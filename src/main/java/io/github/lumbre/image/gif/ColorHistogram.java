@@ -1,0 +1,82 @@
+package io.github.lumbre.image.gif;
+
+import java.util.BitSet;
+
+/**
+ * Counts the colors of pixels: each color exactly as long as there are few, and all in cells of 4 x
+ * 4 x 4 values. Mutable.
+ */
+final class ColorHistogram {
+  static final int CELLS = 1 << 18;
+
+  /** More different colors than a palette can have. */
+  private static final int MANY = 257;
+
+  private static final int OPAQUE = 128;
+
+  private final long[] counts = new long[CELLS];
+
+  /** Sums of the red, green and blue values in each cell. */
+  private final long[][] sums = new long[3][CELLS];
+
+  private final BitSet colors = new BitSet(1 << 24);
+  private int different;
+  private boolean hasTransparent;
+
+  /** Returns whether a pixel of 8 bits per channel is shown; if not, it is transparent. */
+  static boolean isOpaque(int argb) {
+    return argb >>> 24 >= OPAQUE;
+  }
+
+  /** Counts pixels of 8 bits per channel. */
+  void add(int[] argb) {
+    for (int pixel : argb) {
+      if (!isOpaque(pixel)) {
+        hasTransparent = true;
+        continue;
+      }
+      int rgb = pixel & 0xffffff;
+      if (different < MANY && !colors.get(rgb)) {
+        colors.set(rgb);
+        different++;
+      }
+      int red = rgb >> 16;
+      int green = rgb >> 8 & 0xff;
+      int blue = rgb & 0xff;
+      int cell = red >> 2 << 12 | green >> 2 << 6 | blue >> 2;
+      counts[cell]++;
+      sums[0][cell] += red;
+      sums[1][cell] += green;
+      sums[2][cell] += blue;
+    }
+  }
+
+  /** Returns whether any pixel is transparent. */
+  boolean hasTransparent() {
+    return hasTransparent;
+  }
+
+  /** Returns whether there are at most a number of colors up to 256. */
+  boolean hasAtMost(int count) {
+    return different <= count;
+  }
+
+  /** Returns the colors, if {@link #hasAtMost} is true of any number. */
+  int[] colors() {
+    return colors.stream().toArray();
+  }
+
+  /** Returns the number of pixels in a cell. */
+  long count(int cell) {
+    return counts[cell];
+  }
+
+  /**
+   * Returns the mean of a channel in a cell that is not empty, rounded down.
+   *
+   * @param channel 0 red, 1 green, 2 blue
+   */
+  int mean(int cell, int channel) {
+    return (int) (sums[channel][cell] / counts[cell]);
+  }
+}

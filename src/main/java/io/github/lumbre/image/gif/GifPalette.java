@@ -1,0 +1,145 @@
+package io.github.lumbre.image.gif;
+
+import java.util.Arrays;
+import java.util.Comparator;
+
+/**
+ * The colors of all frames, and the choice among them by an ordered dither: neighbors of a pixel
+ * get different colors whose mean is the pixel's color. The pattern is fixed on the screen, so that
+ * it does not flicker. Colors that the palette has are exact. Mutable.
+ *
+ * <p>For each color, {@value #LEVELS} palette colors are chosen in turn, each the nearest to the
+ * color plus the error so far, and sorted by brightness; the pixel's place in the pattern chooses
+ * one of them (T. Knoll, "Pattern dithering", US patent 6606166, expired 2019). The mean is taken
+ * of sRGB values, which is good enough for colors as near to each other as here.
+ */
+final class GifPalette {
+  private static final int MOST = 256;
+
+  /** The number of palette colors that are mixed, and of places in the pattern. */
+  private static final int LEVELS = 16;
+
+  private static final int SIDE = 4;
+
+  /** The number of colors whose mixture is remembered; a power of two. */
+  private static final int SLOTS = 1 << 15;
+
+  private final int[] colors;
+  private final boolean isTransparent;
+  private final NearestColor nearest;
+  private final int[] pattern = pattern();
+  private final int[] keys = new int[SLOTS];
+  private final byte[] mixtures = new byte[SLOTS * LEVELS];
+
+  private GifPalette(int[] colors, boolean isTransparent) {
+    this.colors = colors;
+    this.isTransparent = isTransparent;
+    nearest = new NearestColor(colors);
+    Arrays.fill(keys, -1);
+  }
+
+  /** Returns a palette for all colors; exact if they are few enough. */
+  static GifPalette of(ColorHistogram histogram) {
+    boolean isTransparent = histogram.hasTransparent();
+    int most = isTransparent ? MOST - 1 : MOST;
+    int[] colors =
+        histogram.hasAtMost(most) ? histogram.colors() : ColorClusters.of(histogram, most);
+    int[] sorted =
+        Arrays.stream(colors)
+            .boxed()
+            .sorted(Comparator.comparingInt(GifPalette::brightness).thenComparingInt(c -> c))
+            .mapToInt(c -> c)
+            .toArray();
+    return new GifPalette(sorted.length == 0 ? new int[1] : sorted, isTransparent);
+  }
+
+  /** Returns the luma of an sRGB color (ITU-R BT.709), times 10,000. */
+  private static int brightness(int rgb) {
+    return 2126 * (rgb >> 16) + 7152 * (rgb >> 8 & 0xff) + 722 * (rgb & 0xff);
+  }
+
+  /** Returns the Bayer matrix of 4 x 4 places (Bayer 1973), row by row. */
+  private static int[] pattern() {
+    int[] pattern = new int[SIDE * SIDE];
+    for (int i = 0; i < pattern.length; i++) {
+      int x = i % SIDE;
+      int y = i / SIDE;
+      for (int bit = 1; bit < SIDE; bit *= 2) {
+        int quarter = ((x ^ y) & bit) / bit * 2 + (y & bit) / bit;
+        pattern[i] = 4 * pattern[i] + quarter;
+      }
+    }
+    return pattern;
+  }
+
+  /** Returns whether a color stands for transparent pixels. */
+  boolean isTransparent() {
+    return isTransparent;
+  }
+
+  /** Returns the index of transparent pixels, which is no color's index. */
+  int transparent() {
+    return colors.length;
+  }
+
+  /** Returns the bits of an index, 1 to 8. */
+  int bits() {
+    int last = isTransparent ? colors.length : colors.length - 1;
+    return Math.max(1, Integer.SIZE - Integer.numberOfLeadingZeros(last));
+  }
+
+  /** Returns red, green and blue of 2^{@link #bits} colors; those without a use are black. */
+  byte[] bytes() {
+    byte[] bytes = new byte[3 << bits()];
+    for (int i = 0; i < colors.length; i++) {
+      bytes[3 * i] = (byte) (colors[i] >> 16);
+      bytes[3 * i + 1] = (byte) (colors[i] >> 8);
+      bytes[3 * i + 2] = (byte) colors[i];
+    }
+    return bytes;
+  }
+
+  /**
+   * Returns the index of a pixel's color.
+   *
+   * @param argb 8 bits per channel
+   */
+  int index(int argb, int x, int y) {
+    if (!ColorHistogram.isOpaque(argb)) {
+      return transparent();
+    }
+    int rgb = argb & 0xffffff;
+    int slot = (rgb * 0x9e3779b1) >>> 17;
+    if (keys[slot] != rgb) {
+      keys[slot] = rgb;
+      mix(rgb, slot * LEVELS);
+    }
+    return mixtures[slot * LEVELS + pattern[y % SIDE * SIDE + x % SIDE]] & 0xff;
+  }
+
+  /** Stores the mixture of a color from a position on. */
+  private void mix(int rgb, int at) {
+    int red = 0;
+    int green = 0;
+    int blue = 0;
+    int[] chosen = new int[LEVELS];
+    for (int i = 0; i < LEVELS; i++) {
+      red += rgb >> 16;
+      green += rgb >> 8 & 0xff;
+      blue += rgb & 0xff;
+      int index = nearest.index(clamp(red), clamp(green), clamp(blue));
+      red -= nearest.red(index);
+      green -= nearest.green(index);
+      blue -= nearest.blue(index);
+      chosen[i] = index;
+    }
+    Arrays.sort(chosen);
+    for (int i = 0; i < LEVELS; i++) {
+      mixtures[at + i] = (byte) chosen[i];
+    }
+  }
+
+  private static int clamp(int value) {
+    return Math.max(0, Math.min(value, 0xff));
+  }
+}
