@@ -22,11 +22,15 @@ public final class EnvironmentLight implements Light {
   /** The largest texture coordinate. Textures repeat, so at 1 the zenith would show the nadir. */
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 
+  /** The smallest weight of a light, so that it is selected if it is the only one. */
+  private static final double LEAST_SHARE = 1e-3;
+
   private final Frame axes;
   private final Texture<Rgb> radiance;
   private final Optional<Distribution2d> distribution;
   private final double meanBrightness;
   private final Optional<int[]> grid;
+  private final double choiceShare;
 
   /** What {@link #besideBsdf} returns; null until it is needed. */
   private volatile EnvironmentLight besideBsdf;
@@ -36,8 +40,10 @@ public final class EnvironmentLight implements Light {
       Texture<Rgb> radiance,
       Optional<Distribution2d> distribution,
       double meanBrightness,
-      Optional<int[]> grid) {
+      Optional<int[]> grid,
+      double choiceShare) {
     this.grid = grid;
+    this.choiceShare = choiceShare;
     this.axes = axes;
     this.radiance = radiance;
     this.distribution = distribution;
@@ -51,7 +57,8 @@ public final class EnvironmentLight implements Light {
         Texture.constant(radiance),
         Optional.empty(),
         radiance.max(),
-        Optional.empty());
+        Optional.empty(),
+        1);
   }
 
   /**
@@ -83,7 +90,41 @@ public final class EnvironmentLight implements Light {
         radiance,
         Optional.of(new Distribution2d(weights)),
         total / (2 * columns),
-        Optional.of(new int[] {columns, rows}));
+        Optional.of(new int[] {columns, rows}),
+        1);
+  }
+
+  /**
+   * Returns this light, to be sampled and selected as the sky's part of one image with the sun: in
+   * proportion to its brightness above the mean over the sphere of both. Other environment lights
+   * are selected in proportion to all their light.
+   *
+   * @param sun mean over the sphere of the sun's radiance, its largest color component, at least 0
+   */
+  public EnvironmentLight besideSun(double sun) {
+    if (distribution.isEmpty() || meanBrightness == 0) {
+      return this;
+    }
+    double[][] density = aboveMean(1 + sun / meanBrightness);
+    double share = 0;
+    for (double[] row : density) {
+      for (double part : row) {
+        share += part;
+      }
+    }
+    EnvironmentLight result =
+        new EnvironmentLight(
+            axes, radiance, distribution, meanBrightness, grid, Math.max(LEAST_SHARE, share));
+    result.besideBsdf = result.sampledBy(density);
+    return result;
+  }
+
+  /**
+   * Returns the factor of this light's weights when lights are selected at random: 1, or a part of
+   * it for {@link #besideSun}.
+   */
+  public double choiceShare() {
+    return choiceShare;
   }
 
   /** Returns the solid angle of a row of the grid, divided by 2π. */
@@ -146,22 +187,32 @@ public final class EnvironmentLight implements Light {
     }
     EnvironmentLight result = besideBsdf;
     if (result == null) {
-      Distribution2d density = aboveMean(distribution.get(), grid.get()[0], grid.get()[1]);
-      result = new EnvironmentLight(axes, radiance, Optional.of(density), meanBrightness, grid);
+      result = sampledBy(aboveMean(1));
       besideBsdf = result;
     }
     return result;
   }
 
-  private static Distribution2d aboveMean(Distribution2d brightness, int columns, int rows) {
+  private EnvironmentLight sampledBy(double[][] density) {
+    Optional<Distribution2d> other = Optional.of(new Distribution2d(density));
+    return new EnvironmentLight(axes, radiance, other, meanBrightness, grid, choiceShare);
+  }
+
+  /**
+   * Returns the part of the light in each cell of the grid that is above a multiple of the mean.
+   */
+  private double[][] aboveMean(double factor) {
+    Distribution2d brightness = distribution.get();
+    int columns = grid.get()[0];
+    int rows = grid.get()[1];
     double[][] weights = new double[rows][columns];
     for (int row = 0; row < rows; row++) {
-      double even = solidAngle(row, rows) / (2 * columns);
+      double even = factor * solidAngle(row, rows) / (2 * columns);
       for (int column = 0; column < columns; column++) {
         weights[row][column] = Math.max(0, brightness.probability(row, column) - even);
       }
     }
-    return new Distribution2d(weights);
+    return weights;
   }
 
   /** {@inheritDoc} An environment light cannot be moved. */
@@ -260,7 +311,7 @@ public final class EnvironmentLight implements Light {
    */
   @Override
   public double farIrradiance() {
-    return isEven() ? 0 : 4 * Math.PI * meanBrightness;
+    return isEven() ? 0 : 4 * Math.PI * meanBrightness * choiceShare;
   }
 
   /** Returns whether the radiance is the same in all directions. */

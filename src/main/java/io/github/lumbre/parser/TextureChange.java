@@ -46,8 +46,10 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
 
   /** Returns the light of a clear sky without the sun, multiplied by a color. */
   EnvironmentLight clear(Frame axes, Rgb radiance, ClearSky sky) {
+    double sun = sky.sun().times(radiance).max() / (4 * Math.PI);
     return EnvironmentLight.image(
-        axes, TintedTexture.of(radiance, watched(sky)), ClearSky.COLUMNS, ClearSky.ROWS);
+            axes, TintedTexture.of(radiance, watched(sky)), ClearSky.COLUMNS, ClearSky.ROWS)
+        .besideSun(sun);
   }
 
   /** Returns the light of the sun in a clear sky, multiplied by a color. */

@@ -75,6 +75,9 @@ final class WrittenLights {
       strength(to, sky.radiance().at(0, 0));
       return;
     }
+    if (sky.choiceShare() != 1) {
+      throw new Unwritable("an environment light without besideSun", "one with it");
+    }
     strength(to, textures.sky(to, sky.radiance()));
     WrittenObjects.matrix(to, Transform.ofFrame(sky.axes(), Vec3.ZERO));
   }

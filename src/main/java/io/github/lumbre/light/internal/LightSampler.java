@@ -77,8 +77,8 @@ public final class LightSampler {
   private final double farIrradiance;
 
   /** Creates a sampler with the same probabilities at all points. */
-  private LightSampler(double[] weights, int[] alone, int[] places) {
-    distribution = halfEven(weights);
+  private LightSampler(Distribution1d distribution, int[] alone, int[] places) {
+    this.distribution = distribution;
     this.alone = alone;
     this.places = places;
     near = Optional.empty();
@@ -94,16 +94,15 @@ public final class LightSampler {
    * @param items the near emitters, at least one
    */
   private LightSampler(List<Light> emitters, int[] far, List<LightTreeBuilder.Item> items) {
-    double[] weights =
-        IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray();
-    distribution = halfEven(weights.length == 0 ? new double[1] : weights);
+    distribution = far(emitters, far);
     alone = far;
     places = places(emitters.size(), far);
     items.forEach(item -> places[item.emitter()] = NEAR);
     double unit =
         items.stream().mapToDouble(item -> item.bounds().intensity()).average().orElseThrow();
     near = Optional.of(near(comparable(items, unit), emitters.size()));
-    farIrradiance = Arrays.stream(weights).sum() / unit;
+    farIrradiance =
+        IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).sum() / unit;
     selectable = items.size() + far.length;
     only = items.get(0).emitter();
   }
@@ -126,7 +125,9 @@ public final class LightSampler {
    */
   public static LightSampler byPower(double... powers) {
     int[] all = IntStream.range(0, powers.length).toArray();
-    return new LightSampler(powers, all, all);
+    double[] shares = new double[powers.length];
+    Arrays.fill(shares, 1);
+    return new LightSampler(halfEven(powers, shares), all, all);
   }
 
   /**
@@ -150,10 +151,20 @@ public final class LightSampler {
     if (!items.isEmpty()) {
       return new LightSampler(emitters, far, items);
     }
-    double[] weights =
-        IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray();
-    return new LightSampler(
-        weights.length == 0 ? new double[1] : weights, far, places(emitters.size(), far));
+    return new LightSampler(far(emitters, far), far, places(emitters.size(), far));
+  }
+
+  /** Returns the distribution over the far group. */
+  private static Distribution1d far(List<Light> emitters, int[] far) {
+    return far.length == 0
+        ? new Distribution1d(1)
+        : halfEven(
+            IntStream.of(far).mapToDouble(i -> emitters.get(i).farIrradiance()).toArray(),
+            IntStream.of(far).mapToDouble(i -> choiceShare(emitters.get(i))).toArray());
+  }
+
+  private static double choiceShare(Light light) {
+    return light instanceof EnvironmentLight environment ? environment.choiceShare() : 1;
   }
 
   private static boolean isEven(Light light) {
@@ -191,14 +202,21 @@ public final class LightSampler {
     return result;
   }
 
-  private static Distribution1d halfEven(double... powers) {
+  /**
+   * Returns a distribution, half of it by power.
+   *
+   * @param shares weights of the other half, at least one positive
+   */
+  private static Distribution1d halfEven(double[] powers, double[] shares) {
     double sum = Arrays.stream(powers).sum();
     boolean isKnown = sum > 0 && Double.isFinite(sum);
-    double even = 1.0 / powers.length;
-    return new Distribution1d(
-        Arrays.stream(powers)
-            .map(p -> EVEN_SHARE * even + (1 - EVEN_SHARE) * (isKnown ? p / sum : even))
-            .toArray());
+    double total = Arrays.stream(shares).sum();
+    double[] weights = new double[powers.length];
+    for (int i = 0; i < weights.length; i++) {
+      double even = shares[i] / total;
+      weights[i] = EVEN_SHARE * even + (1 - EVEN_SHARE) * (isKnown ? powers[i] / sum : even);
+    }
+    return new Distribution1d(weights);
   }
 
   /** How the emitters of the near group are selected. */
