@@ -5,7 +5,9 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.parser.internal.ShownLabels;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.texture.internal.ClearSky;
+import io.github.lumbre.texture.internal.SunPosition;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -116,6 +118,21 @@ public record Stage(
     /** Creates a sky of intensity 1 that is not turned. */
     public Sky(String name) {
       this(name, 1, 0);
+    }
+
+    /**
+     * Returns where the sun stands at a place and a time, right to about 0.01 degrees: the front
+     * view looks north.
+     *
+     * @param latitude degrees to the north of the equator, -90 to 90
+     * @param longitude degrees to the east of Greenwich, -180 to 180
+     * @param time from 1950 to 2050
+     * @return the view from the sun; its elevation is negative at night
+     * @throws IllegalArgumentException if an argument is out of its range
+     */
+    public static View sunAt(double latitude, double longitude, Instant time) {
+      SunPosition sun = SunPosition.of(latitude, longitude, time);
+      return new View(180 - sun.azimuth(), sun.elevation());
     }
 
     /** Returns whether it is a clear day's, with the sun. */

@@ -156,6 +156,8 @@ class ModelCommandsTest {
         " --view iso --fov 60 --ground",
         " --variant red --view back",
         " --pose lift@0.5 --sky white --sky-intensity 0.5",
+        " --sky sun --sun 20,40 --sky-rotation 30 --ground",
+        " --sky sun --sun 48.1,11.6@2026-06-21T14:00+02:00",
         " --background #336699 --sky T/sky/sky.pfm --sky-rotation 40"
       })
   void theImportedSceneHasTheSamePicture(String flags) throws IOException {
@@ -379,6 +381,17 @@ class ModelCommandsTest {
         "--pose lift@soon | --pose: expected a number, found soon",
         "--background red | --background",
         "--sky-intensity -1 | --sky-intensity",
+        "--sun 0,30 | --sun: requires --sky sun",
+        "--sky sun --sun 0,-1 | --sun: expected an elevation from 0 to 90, found -1.0",
+        "--sky sun --sun 0,91 | --sun: expected an elevation from -90 to 90, found 91",
+        "--sky sun --sun 0,x | --sun: expected a number, found x",
+        "--sky sun --sun 48@2026-06-21T12:00Z | --sun: expected LATITUDE,LONGITUDE@TIME, found 48@",
+        "--sky sun --sun 48,x@2026-06-21T12:00Z | --sun: expected a number, found x",
+        "--sky sun --sun 98,11@2026-06-21T12:00Z | --sun: expected a latitude from -90 to 90",
+        "--sky sun --sun 48,11@noon | --sun: expected a time such as 2026-06-21T12:00Z, found noon",
+        "--sky sun --sun 48,11@2026-06-21T12:00 | --sun: expected a time such as",
+        "--sky sun --sun 48,11@1926-06-21T12:00Z | --sun: expected a time from 1950 to 2050",
+        "--sky sun --sun 48,11@2026-06-21T23:00Z | --sun: expected a time when the sun is up",
         "--turntable 0 | --turntable",
         "--turntable 2 --camera close | --turntable: cannot be combined with --camera"
       })

@@ -10,19 +10,26 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the two lights of a clear day. */
 class SunAndSkyTest {
   private static final Path MODEL = Path.of("src/test/resources/cases/twoprims.glb");
   private static final View PLACE = new View(70, 25);
   private static final double RADIUS = .266272;
+
+  @TempDir private Path folder;
 
   private static SceneFile file;
   private static EnvironmentLight sky;
@@ -123,10 +130,56 @@ class SunAndSkyTest {
     }
   }
 
+  /** North is at -z and east at +x; a sky that is turned by 90 degrees has its north at -x. */
+  @Test
+  void theFrontViewLooksNorth() throws IOException, SceneFormatException {
+    Instant morning = Instant.parse("2026-03-20T06:02:00Z");
+    View east = Sky.sunAt(0, 0, morning);
+    assertThat(Math.abs(east.elevation())).isLessThan(2);
+    View place = new View(east.azimuth(), 0);
+    for (int turn : new int[] {0, 90}) {
+      Stage stage = Stage.DEFAULT.under(new Sky("sun", 1, turn, place));
+      EnvironmentLight light = new SceneParser().parse(MODEL, stage).scene().environments().get(1);
+      LightSample sample = light.sample(Vec3.ZERO, new Point2(.5, .999)).orElseThrow();
+      assertThat(sample.wi().dot(turn == 0 ? Vec3.X : Vec3.Z.negated())).isGreaterThan(.999);
+    }
+  }
+
   @Test
   void aSunBelowTheHorizonIsRefused() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new Sky("sun", 1, 0, new View(0, -4)))
         .withMessage("sun: expected an elevation from 0 to 90, found -4.0");
+  }
+
+  /** The lights do not know where the sun is, so that no file could have them. */
+  @Test
+  void theSceneWriterRefusesThem() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> written(sky))
+        .withMessage("expected an environment light without besideSun, found one with it");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> written(sun))
+        .withMessage("expected a constant, a picture or a texture of the format, found SunDisk");
+  }
+
+  private static SceneFile written(EnvironmentLight light) {
+    Scene scene = Scene.builder().lookingAt(Vec3.Z, Vec3.ZERO, 40).add(light).build();
+    return SceneWriter.file(scene, RenderSettings.DEFAULT);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "'sky': 'sun', 'sunElevation': -1 | sunElevation: expected",
+        "'sky': 'sun', 'sunElevation': 91 | sunElevation: expected",
+        "'sky': 'clear', 'sunElevation': 'noon' | sunElevation: expected",
+        "'sky': 'sunny' | sky: expected"
+      })
+  void wrongSkiesAreRefused(String keys, String message) {
+    SceneFixture fixture = new SceneFixture(folder);
+    String light = SceneFixture.json("{'type': 'Light', 'lightType': 'Dome', " + keys + "}");
+    assertThat(fixture.refusal(SceneFixture.scene(light, ""))).hasMessageContaining(message);
   }
 }

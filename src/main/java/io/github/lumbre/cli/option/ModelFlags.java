@@ -11,8 +11,11 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.scene.Setting;
 import java.lang.reflect.Field;
+import java.time.OffsetDateTime;
+import java.time.format.DateTimeParseException;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -57,10 +60,11 @@ public final class ModelFlags extends Flags {
 
   @Option(
       names = "--sun",
-      paramLabel = "AZ,EL",
+      paramLabel = "AZ,EL|LAT,LON@TIME",
       description =
           "Place of the sun with --sky sun: azimuth as of --view, 0 in front, and elevation from 0"
-              + " to 90, in degrees (-40,35).")
+              + " to 90, in degrees (-40,35); or a latitude, an eastern longitude and a time such"
+              + " as 2026-06-21T12:00Z, where --view front looks north.")
   private Optional<String> sun;
 
   @Option(
@@ -290,11 +294,43 @@ public final class ModelFlags extends Flags {
       return of;
     }
     require(of.name().equals("sun"), "--sun: requires --sky sun");
-    View place = view("--sun", sun.get());
+    View place = sun.get().indexOf('@') < 0 ? highSun(sun.get()) : sunAt(sun.get());
+    return new Sky(of.name(), of.intensity(), of.rotation(), place);
+  }
+
+  private View highSun(String text) {
+    View place = view("--sun", text);
     require(
         place.elevation() >= 0,
         "--sun: expected an elevation from 0 to 90, found " + place.elevation());
-    return new Sky(of.name(), of.intensity(), of.rotation(), place);
+    return place;
+  }
+
+  /** Returns the sun's place for a latitude, a longitude and a time. */
+  private View sunAt(String text) {
+    int at = text.indexOf('@');
+    String[] place = text.substring(0, at).split(",", -1);
+    require(place.length == 2, "--sun: expected LATITUDE,LONGITUDE@TIME, found " + text);
+    double latitude = number("--sun", place[0]);
+    double longitude = number("--sun", place[1]);
+    View found = sunAt(latitude, longitude, text.substring(at + 1));
+    require(
+        found.elevation() >= 0,
+        String.format(
+            Locale.ROOT,
+            "--sun: expected a time when the sun is up, found an elevation of %.2f degrees",
+            found.elevation()));
+    return found;
+  }
+
+  private View sunAt(double latitude, double longitude, String time) {
+    try {
+      return Sky.sunAt(latitude, longitude, OffsetDateTime.parse(time).toInstant());
+    } catch (DateTimeParseException e) {
+      throw failure("--sun: expected a time such as 2026-06-21T12:00Z, found " + time);
+    } catch (IllegalArgumentException e) {
+      throw failure("--sun: " + e.getMessage());
+    }
   }
 
   private Pose pose(String text) {
