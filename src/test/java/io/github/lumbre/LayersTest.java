@@ -82,7 +82,7 @@ class LayersTest {
               "math image drawing sampling texture geometry file text limit json material camera"
                   + " light scene outline label model"),
           Map.entry("checkpoint", "file image scene render"),
-          Map.entry("denoise", "math image sampling scene render"),
+          Map.entry("denoise", "file math image sampling scene render"),
           Map.entry("stopping", "math scene render"),
           Map.entry("preview", "image scene render checkpoint stopping"),
           Map.entry(

@@ -1,9 +1,9 @@
 package io.github.lumbre.denoise;
 
+import io.github.lumbre.file.ExternalProgram;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.LinearReader;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -32,13 +32,11 @@ public final class OpenImageDenoise {
   private static final String PROGRAM = "oidnDenoise";
   private static final Pattern VERSION = Pattern.compile("version=([0-9.]{1,20})");
 
-  private final Path program;
-  private final Duration limit;
+  private final ExternalProgram program;
   private final int threads;
 
-  private OpenImageDenoise(Path program, Duration limit, int threads) {
+  private OpenImageDenoise(ExternalProgram program, int threads) {
     this.program = program;
-    this.limit = limit;
     this.threads = threads;
   }
 
@@ -52,48 +50,28 @@ public final class OpenImageDenoise {
    */
   public static OpenImageDenoise find(Optional<Path> chosen, Map<String, String> environment)
       throws DenoiseException {
-    Optional<Path> named =
-        chosen.or(
-            () ->
-                Optional.ofNullable(environment.get(VARIABLE))
-                    .filter(text -> !text.isBlank())
-                    .map(Path::of));
-    List<Path> places = named.map(List::of).orElse(onPath(environment.getOrDefault("PATH", "")));
-    for (Path place : places) {
-      for (Path file : List.of(place, place.resolve(PROGRAM), place.resolve(PROGRAM + ".exe"))) {
-        if (Files.isRegularFile(file) && Files.isExecutable(file)) {
-          return new OpenImageDenoise(file.toAbsolutePath(), Duration.ofMinutes(10), 0);
-        }
-      }
+    String advice = "'pip install pyoidn' brings it, in the package's folder oidn/bin";
+    try {
+      return new OpenImageDenoise(
+          ExternalProgram.find(PROGRAM, chosen, VARIABLE, environment, advice), 0);
+    } catch (IOException e) {
+      throw new DenoiseException(e.getMessage(), e);
     }
-    String found =
-        named.map(path -> path + ": not a program").orElse(PROGRAM + ": not found on the PATH");
-    throw new DenoiseException(
-        found
-            + "; 'pip install pyoidn' brings it, in the package's folder oidn/bin; name it in "
-            + VARIABLE);
-  }
-
-  private static List<Path> onPath(String path) {
-    return Stream.of(path.split(Pattern.quote(File.pathSeparator)))
-        .filter(folder -> !folder.isBlank())
-        .map(folder -> Path.of(folder))
-        .toList();
   }
 
   /** Returns a denoiser that ends each run of the program after this time; 10 minutes at first. */
   public OpenImageDenoise within(Duration each) {
-    return new OpenImageDenoise(program, each, threads);
+    return new OpenImageDenoise(program.within(each), threads);
   }
 
   /** Returns a denoiser with this number of threads; 0 leaves the choice to the program. */
   public OpenImageDenoise withThreads(int count) {
-    return new OpenImageDenoise(program, limit, count);
+    return new OpenImageDenoise(program, count);
   }
 
   /** Returns the path of the program. */
   public Path program() {
-    return program;
+    return program.path();
   }
 
   /**
@@ -111,7 +89,7 @@ public final class OpenImageDenoise {
         delete(folder);
       }
     } catch (IOException e) {
-      throw new DenoiseException(program + ": its files failed: " + e.getMessage(), e);
+      throw new DenoiseException(program.path() + ": its files failed: " + e.getMessage(), e);
     }
   }
 
@@ -158,13 +136,16 @@ public final class OpenImageDenoise {
   /** Runs the program and returns its output. */
   private String run(List<String> arguments, Path output)
       throws DenoiseException, InterruptedException {
-    List<String> command = new ArrayList<>(List.of(program.toString()));
-    command.addAll(arguments);
+    List<String> command = new ArrayList<>(arguments);
     command.addAll(List.of("-o", output.toString()));
     if (threads > 0) {
       command.addAll(List.of("--threads", String.valueOf(threads)));
     }
-    return new ExternalProgram(program, limit).run(command);
+    try {
+      return program.run(command, ExternalProgram.Input.NONE);
+    } catch (IOException e) {
+      throw new DenoiseException(e.getMessage(), e);
+    }
   }
 
   private Image result(NoisyPicture noisy, Path output) throws DenoiseException {
@@ -172,16 +153,18 @@ public final class OpenImageDenoise {
     try {
       image = LinearReader.read(output);
     } catch (IOException e) {
-      throw new DenoiseException(program + ": left no readable picture: " + e.getMessage(), e);
+      throw new DenoiseException(
+          program.path() + ": left no readable picture: " + e.getMessage(), e);
     }
     if (image.width() != noisy.width() || image.height() != noisy.height()) {
       throw new DenoiseException(
           "%s: expected a picture of %dx%d, found %dx%d"
-              .formatted(program, noisy.width(), noisy.height(), image.width(), image.height()));
+              .formatted(
+                  program.path(), noisy.width(), noisy.height(), image.width(), image.height()));
     }
     for (float value : image.rgb()) {
       if (!Float.isFinite(value)) {
-        throw new DenoiseException(program + ": expected finite pixels, found " + value);
+        throw new DenoiseException(program.path() + ": expected finite pixels, found " + value);
       }
     }
     return image;

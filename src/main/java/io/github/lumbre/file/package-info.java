@@ -1,8 +1,10 @@
 /**
- * Safe output files: written to a locked temporary file, and renamed when complete.
+ * Safe output files, written to a locked temporary file and renamed when complete, and installed
+ * programs.
  *
  * <p>All output goes through {@link io.github.lumbre.file.OutputFile}; {@link
- * io.github.lumbre.file.FileFailure} words why reading or writing failed. The package is internal:
+ * io.github.lumbre.file.FileFailure} words why reading or writing failed. {@link
+ * io.github.lumbre.file.ExternalProgram} runs a program within a time limit. The package is internal:
  * the module does not export it.
  */
 package io.github.lumbre.file;

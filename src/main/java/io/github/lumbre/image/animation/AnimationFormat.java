@@ -76,26 +76,41 @@ public enum AnimationFormat {
   }
 
   /**
-   * Writes an animation that is no video to a reserved file and commits it.
+   * Returns a writer of this format. For a video it finds the installed program ffmpeg and one of
+   * its encoders, so that a missing one is known before the frames are rendered.
    *
-   * @param texts metadata by keyword, as in {@link
-   *     io.github.lumbre.image.ImageWriter.Options#metadata}; left out of a GIF
-   * @throws IllegalArgumentException if the format is a video, or {@link #requireFits} refuses it
-   * @throws IOException if a frame cannot be read or the file not be written; the file stays
-   *     reserved
-   * @throws InterruptedException if the thread is interrupted; the file stays reserved
+   * @param ffmpeg path of the program or of its folder; if empty, the variable LUMBRE_FFMPEG states
+   *     it, or else the program is sought in the folders of {@code PATH}
+   * @param environment the environment variables, such as {@link System#getenv()}
+   * @throws IOException if the program is not found, fails, or lacks the encoders of the format
+   * @throws InterruptedException if the thread is interrupted
    */
-  public void write(AnimationFrames frames, Map<String, String> texts, OutputFile output)
+  public AnimationWriter writer(Optional<Path> ffmpeg, Map<String, String> environment)
+      throws IOException, InterruptedException {
+    return isVideo() ? VideoWriter.find(this, ffmpeg, environment) : this::write;
+  }
+
+  private void write(AnimationFrames frames, Map<String, String> texts, OutputFile output)
       throws IOException, InterruptedException {
     requireFits(frames.width(), frames.height(), frames.rate());
+    if (this == GIF) {
+      commit(output, out -> GifWriter.write(frames, out));
+    } else {
+      commit(output, out -> ApngWriter.write(frames, texts, out));
+    }
+  }
+
+  /** Writes the content of a file. */
+  @FunctionalInterface
+  interface Content {
+    void writeTo(OutputStream out) throws IOException;
+  }
+
+  /** Writes a reserved file and commits it. An interrupt in any form ends it with one exception. */
+  static void commit(OutputFile output, Content content) throws IOException, InterruptedException {
     try {
       OutputStream out = new BufferedOutputStream(Channels.newOutputStream(output.restart()));
-      switch (this) {
-        case GIF -> GifWriter.write(frames, out);
-        case APNG -> ApngWriter.write(frames, texts, out);
-        default ->
-            throw new IllegalArgumentException(this + ": expected a format without a program");
-      }
+      content.writeTo(out);
       out.flush();
       output.commit();
     } catch (CancellationException | ClosedByInterruptException e) {

@@ -11,12 +11,6 @@ import java.util.stream.IntStream;
  * frame buffer display"), and k-means steps then move the colors (Lloyd 1982). Mutable.
  */
 final class ColorClusters {
-  /**
-   * The weights of squared differences of red, green and blue sRGB values: about what the eye makes
-   * of them (T. Riemersma's "redmean" at middle red).
-   */
-  static final int[] WEIGHTS = {5, 8, 5};
-
   private static final int STEPS = 12;
 
   /** The counts of the occupied cells, and their mean red, green and blue. */
@@ -44,11 +38,11 @@ final class ColorClusters {
   /** Returns at most a number of colors that stand for all colors. */
   static int[] of(ColorHistogram histogram, int most) {
     ColorClusters clusters = new ColorClusters(histogram);
-    int[] colors = clusters.split(most);
+    int[] colors = NearestColor.sorted(clusters.split(most));
     for (int step = 0; step < STEPS; step++) {
       colors = clusters.moved(colors);
     }
-    return Arrays.stream(colors).distinct().toArray();
+    return colors;
   }
 
   /**
@@ -95,7 +89,7 @@ final class ColorClusters {
       long error = 0;
       for (int i = from; i < to; i++) {
         int difference = means[channel][order[i]] - mean[channel];
-        error += counts[order[i]] * WEIGHTS[channel] * difference * difference;
+        error += counts[order[i]] * NearestColor.WEIGHTS[channel] * difference * difference;
       }
       if (error > largest) {
         largest = error;
@@ -141,7 +135,7 @@ final class ColorClusters {
         moved[i] = rgb(mean);
       }
     }
-    return moved;
+    return NearestColor.sorted(moved);
   }
 
   private static int rgb(int[] mean) {

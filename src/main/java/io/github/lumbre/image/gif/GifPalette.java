@@ -1,7 +1,6 @@
 package io.github.lumbre.image.gif;
 
 import java.util.Arrays;
-import java.util.Comparator;
 
 /**
  * The colors of all frames, and the choice among them by an ordered dither: neighbors of a pixel
@@ -22,7 +21,7 @@ final class GifPalette {
   private static final int SIDE = 4;
 
   /** The number of colors whose mixture is remembered; a power of two. */
-  private static final int SLOTS = 1 << 15;
+  private static final int SLOTS = 1 << 16;
 
   private final int[] colors;
   private final boolean isTransparent;
@@ -44,18 +43,8 @@ final class GifPalette {
     int most = isTransparent ? MOST - 1 : MOST;
     int[] colors =
         histogram.hasAtMost(most) ? histogram.colors() : ColorClusters.of(histogram, most);
-    int[] sorted =
-        Arrays.stream(colors)
-            .boxed()
-            .sorted(Comparator.comparingInt(GifPalette::brightness).thenComparingInt(c -> c))
-            .mapToInt(c -> c)
-            .toArray();
+    int[] sorted = NearestColor.sorted(colors);
     return new GifPalette(sorted.length == 0 ? new int[1] : sorted, isTransparent);
-  }
-
-  /** Returns the luma of an sRGB color (ITU-R BT.709), times 10,000. */
-  private static int brightness(int rgb) {
-    return 2126 * (rgb >> 16) + 7152 * (rgb >> 8 & 0xff) + 722 * (rgb & 0xff);
   }
 
   /** Returns the Bayer matrix of 4 x 4 places (Bayer 1973), row by row. */
@@ -109,7 +98,7 @@ final class GifPalette {
       return transparent();
     }
     int rgb = argb & 0xffffff;
-    int slot = (rgb * 0x9e3779b1) >>> 17;
+    int slot = (rgb * 0x9e3779b1) >>> 16;
     if (keys[slot] != rgb) {
       keys[slot] = rgb;
       mix(rgb, slot * LEVELS);

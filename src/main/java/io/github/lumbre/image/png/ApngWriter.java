@@ -19,6 +19,11 @@ public final class ApngWriter {
   private static final int GAMA = 0x67414d41;
   private static final int SRGB = 0x73524742;
   private static final int CONTROL_BYTES = 26;
+
+  /** The position of the color type. */
+  private static final int COLOR_TYPE = 25;
+
+  /** The position after the header. */
   private static final int HEADER_END = 33;
 
   private final AnimationFrames frames;
@@ -47,6 +52,9 @@ public final class ApngWriter {
 
   private void write(Map<String, String> texts) throws IOException {
     byte[] first = frames.bytes(0);
+    if (first[COLOR_TYPE] == PngFile.PALETTE) {
+      throw malformed(frames.files().get(0) + ": expected colors without a palette");
+    }
     writeStart(first, texts);
     writeFrame(first, 0);
     for (int frame = 1; frame < frames.count(); frame++) {

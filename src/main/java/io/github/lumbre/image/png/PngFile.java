@@ -39,7 +39,7 @@ public record PngFile(
   static final int IDAT = 0x49444154;
   static final int IEND = 0x49454e44;
   private static final int TRNS = 0x74524e53;
-  private static final int PALETTE = 3;
+  static final int PALETTE = 3;
   private static final int HEADER_BYTES = 13;
 
   /** The largest number of colors of a palette. */

@@ -1,0 +1,23 @@
+package io.github.lumbre.image.animation;
+
+import io.github.lumbre.file.OutputFile;
+import java.io.IOException;
+import java.util.Map;
+
+/** Writes animations of one format. */
+@FunctionalInterface
+public interface AnimationWriter {
+  /**
+   * Writes an animation to a reserved file and commits it. If it fails, the file stays reserved,
+   * and the frames stay as they are.
+   *
+   * @param texts metadata by keyword, as in {@link
+   *     io.github.lumbre.image.ImageWriter.Options#metadata}; only APNG keeps them
+   * @throws IllegalArgumentException if {@link AnimationFormat#requireFits} refuses the frames
+   * @throws IOException if a frame cannot be read, the file cannot be written, or the installed
+   *     program fails or takes too long
+   * @throws InterruptedException if the thread is interrupted
+   */
+  void write(AnimationFrames frames, Map<String, String> texts, OutputFile output)
+      throws IOException, InterruptedException;
+}
