@@ -3,9 +3,9 @@ package io.github.lumbre.parser;
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
-import io.github.lumbre.camera.ThinLensCamera;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.util.Optional;
+import java.util.function.Function;
 
 /** Reads the main camera of a scene. */
 final class CameraReader {
@@ -15,15 +15,12 @@ final class CameraReader {
   private static final Range CYLINDER_HEIGHT = Range.closed(0, 1e150);
   private static final Range FISH_EYE_ANGLE = Range.above(0, 360);
 
-  /** Reads a camera of one type. */
-  private interface Reader {
-    Camera read(Placed camera, double aspect);
-  }
-
   private final TextureReader textures;
-  private final Family<Reader> family =
-      new Family<Reader>("cameraType", ObjectTree.COMMON_KEYS)
-          .with(DEFAULT_TYPE, this::pinhole, "fieldOfView")
+
+  /** The camera types and their keys. */
+  final Family<Function<JsonNode, Lens>> family =
+      new Family<Function<JsonNode, Lens>>("cameraType", ObjectTree.COMMON_KEYS)
+          .with(DEFAULT_TYPE, CameraReader::pinhole, "fieldOfView")
           .with(
               "ThinLens",
               this::thinLens,
@@ -31,18 +28,13 @@ final class CameraReader {
               "focusDistance",
               "aperture",
               "bokehTextureId")
-          .with("Orthographic", this::orthographic, "height")
-          .with("Cylindrical", this::cylindrical, "height")
-          .with("Spherical", this::spherical)
-          .with("FishEye", this::fishEye, "angle");
+          .with("Orthographic", CameraReader::orthographic, "height")
+          .with("Cylindrical", CameraReader::cylindrical, "height")
+          .with("Spherical", camera -> Lens.spherical())
+          .with("FishEye", CameraReader::fishEye, "angle");
 
   CameraReader(TextureReader textures) {
     this.textures = textures;
-  }
-
-  /** Returns the camera types and their keys. */
-  Family<?> family() {
-    return family;
   }
 
   /** Warns of keys that no camera type has. */
@@ -56,44 +48,37 @@ final class CameraReader {
    * @param aspect width of the film over its height
    */
   Optional<Camera> read(Placed camera, double aspect) {
-    return family.choose(camera.node(), DEFAULT_TYPE).map(reader -> reader.read(camera, aspect));
+    return family
+        .choose(camera.node(), DEFAULT_TYPE)
+        .map(reader -> reader.apply(camera.node()))
+        .map(lens -> lens.camera(camera.position(), camera.axes(), aspect));
   }
 
-  private Camera pinhole(Placed camera, double aspect) {
-    return Lens.pinhole(fieldOfView(camera)).camera(camera.position(), camera.axes(), aspect);
+  private static Lens pinhole(JsonNode camera) {
+    return Lens.pinhole(fieldOfView(camera));
   }
 
-  private Camera thinLens(Placed camera, double aspect) {
-    return new ThinLensCamera(
-        camera.position(),
-        camera.axes(),
-        aspect,
+  private Lens thinLens(JsonNode camera) {
+    return new Lens.ThinLens(
         fieldOfView(camera),
-        camera.node().number("focusDistance", 5, Range.POSITIVE),
-        camera.node().number("aperture", .2, Range.NOT_NEGATIVE),
-        textures.mask(camera.node(), "bokehTextureId").orElse(Aperture.DISK));
+        camera.number("focusDistance", 5, Range.POSITIVE),
+        camera.number("aperture", .2, Range.NOT_NEGATIVE),
+        textures.mask(camera, "bokehTextureId").orElse(Aperture.DISK));
   }
 
-  private Camera orthographic(Placed camera, double aspect) {
-    double height = camera.node().number("height", 2, Range.POSITIVE);
-    return Lens.orthographic(height).camera(camera.position(), camera.axes(), aspect);
+  private static Lens orthographic(JsonNode camera) {
+    return Lens.orthographic(camera.number("height", 2, Range.POSITIVE));
   }
 
-  private Camera cylindrical(Placed camera, double aspect) {
-    double height = camera.node().number("height", 2, CYLINDER_HEIGHT);
-    return Lens.cylindrical(height).camera(camera.position(), camera.axes(), aspect);
+  private static Lens cylindrical(JsonNode camera) {
+    return Lens.cylindrical(camera.number("height", 2, CYLINDER_HEIGHT));
   }
 
-  private Camera spherical(Placed camera, double aspect) {
-    return Lens.spherical().camera(camera.position(), camera.axes(), aspect);
+  private static Lens fishEye(JsonNode camera) {
+    return Lens.fishEye(camera.number("angle", 180, FISH_EYE_ANGLE));
   }
 
-  private Camera fishEye(Placed camera, double aspect) {
-    double angle = camera.node().number("angle", 180, FISH_EYE_ANGLE);
-    return Lens.fishEye(angle).camera(camera.position(), camera.axes(), aspect);
-  }
-
-  private static double fieldOfView(Placed camera) {
-    return camera.node().number("fieldOfView", 60, FIELD_OF_VIEW);
+  private static double fieldOfView(JsonNode camera) {
+    return camera.number("fieldOfView", 60, FIELD_OF_VIEW);
   }
 }

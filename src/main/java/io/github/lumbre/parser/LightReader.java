@@ -21,6 +21,7 @@ import io.github.lumbre.texture.Texture;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 
 /** Reads lights, and converts the format's intensity to the unit of each light type. */
@@ -30,11 +31,6 @@ final class LightReader {
 
   private static final Map<String, Falloff> FALLOFFS = new LinkedHashMap<>();
   private static final Map<String, Unit> UNITS = new LinkedHashMap<>();
-
-  /** Reads a light of one type; {@code intensity} is already multiplied by the color. */
-  private interface Reader {
-    Consumer<SceneAssembly> read(Placed light, Rgb intensity);
-  }
 
   /** The unit of an area light's intensity. */
   private enum Unit {
@@ -78,8 +74,11 @@ final class LightReader {
   private int count;
   private boolean hasDome;
   private boolean warnedOfGlass;
-  private final Family<Reader> family =
-      new Family<Reader>("lightType", ObjectTree.EMITTER_KEYS)
+
+  /** The light types and their keys. */
+  final Family<BiFunction<Placed, Rgb, Consumer<SceneAssembly>>> family =
+      new Family<BiFunction<Placed, Rgb, Consumer<SceneAssembly>>>(
+              "lightType", ObjectTree.EMITTER_KEYS)
           .with("Directional", this::directional, "intensity", "color")
           .with("Point", this::point, "falloff", LightProfiles.KEY)
           .with("Spot", this::spot, "spotAngle", "penumbra", "falloff")
@@ -95,11 +94,6 @@ final class LightReader {
     this.textures = textures;
     this.profiles = profiles;
     this.hasGlass = hasGlass;
-  }
-
-  /** Returns the light types and their keys. */
-  Family<?> family() {
-    return family;
   }
 
   /** Returns the number of lights read so far. */
@@ -126,7 +120,7 @@ final class LightReader {
       node.error("intensity", "expected a finite product with the color, found an infinite one");
       return Optional.empty();
     }
-    return family.choose(node).map(reader -> reader.read(light, intensity));
+    return family.choose(node).map(reader -> reader.apply(light, intensity));
   }
 
   private Consumer<SceneAssembly> directional(Placed light, Rgb irradiance) {

@@ -21,11 +21,11 @@ import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -40,33 +40,35 @@ final class MaterialReader {
 
   private static final Range IOR = Range.above(0, MAX_IOR);
   private static final Range ROUGHNESS = Range.closed(0, 1);
-  private static final Map<String, MicrofacetDistribution> DISTRIBUTIONS = new LinkedHashMap<>();
-
-  static {
-    DISTRIBUTIONS.put("beckmann", MicrofacetDistribution.BECKMANN);
-    DISTRIBUTIONS.put("ggx", MicrofacetDistribution.GGX);
-  }
-
-  /** Reads a material of one type. */
-  private interface Reader {
-    Surface read(JsonNode material);
-  }
 
   private final AssetTable assets;
   private final TextureReader textures;
   private final Map<JsonNode, Surface> surfaces = new HashMap<>();
   private boolean hasGlass;
-  private final Family<Reader> family =
-      new Family<Reader>("materialType", AssetTable.COMMON_KEYS)
-          .with("Diffuse", this::diffuse, keys("color", "normal"))
-          .with("Color", this::color, keys("color"))
-          .with("AreaLight", this::areaLight, areaLightKeys())
-          .with("Reflective", this::reflective, keys("reflectivityColor", "normal"))
-          .with("Refractive", this::refractive, refractiveKeys())
+
+  /** The material types and their keys. */
+  final Family<Function<JsonNode, Surface>> family =
+      new Family<Function<JsonNode, Surface>>("materialType", AssetTable.COMMON_KEYS)
+          .with("Diffuse", this::diffuse, keys(List.of("color", "normal")))
+          .with("Color", this::color, keys(List.of("color")))
+          .with("AreaLight", this::areaLight, keys(List.of("color"), "twoSided"))
+          .with("Reflective", this::reflective, keys(List.of("reflectivityColor", "normal")))
+          .with(
+              "Refractive",
+              this::refractive,
+              keys(
+                  List.of("refractionColor", "reflectivityColor", "ior", "normal", "roughness"),
+                  REPEATED))
           .with("None", material -> Surface.DEFAULT)
-          .with("Phong", this::phong, keys("color", "specularColor", "exponent", "normal"))
-          .with("CookTorrance", this::cookTorrance, cookTorranceKeys())
-          .with("ShadowCatcher", this::shadowCatcher, keys("color"))
+          .with("Phong", this::phong, keys(List.of("color", "specularColor", "exponent", "normal")))
+          .with(
+              "CookTorrance",
+              this::cookTorrance,
+              keys(
+                  List.of("color", "specularColor", "roughness", "normal", "ior"),
+                  "distribution",
+                  REPEATED))
+          .with("ShadowCatcher", this::shadowCatcher, keys(List.of("color")))
           .with("MetallicRoughness", this::metallicRoughness, metallicRoughnessKeys());
 
   MaterialReader(AssetTable assets, TextureReader textures) {
@@ -74,37 +76,18 @@ final class MaterialReader {
     this.textures = textures;
   }
 
-  /** Returns the material types and their keys. */
-  Family<?> family() {
-    return family;
-  }
-
-  private static String[] refractiveKeys() {
-    List<String> all =
-        new ArrayList<>(
-            List.of(keys("refractionColor", "reflectivityColor", "ior", "normal", "roughness")));
-    all.add(REPEATED);
-    return all.toArray(String[]::new);
-  }
-
-  private static String[] cookTorranceKeys() {
-    List<String> all =
-        new ArrayList<>(List.of(keys("color", "specularColor", "roughness", "normal", "ior")));
-    all.addAll(List.of("distribution", REPEATED));
-    return all.toArray(String[]::new);
-  }
-
-  /** Returns the scene file keys of these channels and of their textures. */
-  private static String[] keys(String... channels) {
-    return Stream.of(channels)
-        .flatMap(
-            c ->
-                Stream.of(
-                    c.equals("normal") ? c + "Strength" : c,
-                    c + TEXTURE,
-                    c + "Offset",
-                    c + "Scale"))
-        .toArray(String[]::new);
+  /** Returns the scene file keys of these channels and of their textures, and other keys. */
+  private static String[] keys(List<String> channels, String... others) {
+    Stream<String> all =
+        channels.stream()
+            .flatMap(
+                c ->
+                    Stream.of(
+                        c.equals("normal") ? c + "Strength" : c,
+                        c + TEXTURE,
+                        c + "Offset",
+                        c + "Scale"));
+    return Stream.concat(all, Stream.of(others)).toArray(String[]::new);
   }
 
   /** Warns of keys that no material type has. */
@@ -148,7 +131,7 @@ final class MaterialReader {
   }
 
   private Surface read(JsonNode material) {
-    return family.choose(material).map(reader -> reader.read(material)).orElse(Surface.DEFAULT);
+    return family.choose(material).map(reader -> reader.apply(material)).orElse(Surface.DEFAULT);
   }
 
   private Surface diffuse(JsonNode material) {
@@ -163,12 +146,6 @@ final class MaterialReader {
     Emission emission =
         new Emission(textures.color(material, "color", material.rgb("color")), true);
     return (shape, scene) -> scene.add(shape, Unlit.INSTANCE, emission);
-  }
-
-  private static String[] areaLightKeys() {
-    List<String> all = new ArrayList<>(List.of(keys("color")));
-    all.add("twoSided");
-    return all.toArray(String[]::new);
   }
 
   /** An infinite plane cannot be sampled; it is as one of type Color. */
@@ -210,7 +187,7 @@ final class MaterialReader {
   private Surface cookTorrance(JsonNode material) {
     warnOfSum(material);
     MicrofacetDistribution distribution =
-        material.choice("distribution", DISTRIBUTIONS, MicrofacetDistribution.BECKMANN);
+        material.choice("distribution", MicrofacetDistribution.BECKMANN);
     return surface(
         material,
         new CookTorrance(
@@ -241,9 +218,9 @@ final class MaterialReader {
             .collect(Collectors.toSet());
     Stream<String> keys =
         MaterialParameter.all().stream()
-            .flatMap(p -> p.isTextured() ? Stream.of(keys(p.key())) : Stream.of(p.key()))
+            .flatMap(p -> p.isTextured() ? Stream.of(keys(List.of(p.key()))) : Stream.of(p.key()))
             .map(key -> normals.contains(key) ? key + "Strength" : key);
-    return Stream.of(keys, Stream.of(keys("normal")), Stream.of("twoSided"))
+    return Stream.of(keys, Stream.of(keys(List.of("normal"))), Stream.of("twoSided"))
         .flatMap(each -> each)
         .toArray(String[]::new);
   }

@@ -16,13 +16,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 
 /** Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP. */
 final class ModelObjects {
   private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
-  private static final Map<String, String> LOOKS = new LinkedHashMap<>();
-  private static final Map<String, Up> UPS = new LinkedHashMap<>();
+  private static final Map<String, String> LOOKS =
+      new TreeMap<>(
+          Map.of(ModelOptions.CLAY, ModelOptions.CLAY, ModelOptions.WHITE, ModelOptions.WHITE));
 
   static {
     KEYS.addAll(
@@ -41,10 +43,6 @@ final class ModelObjects {
             "useLights",
             "materials",
             "shared"));
-    LOOKS.put(ModelOptions.CLAY, ModelOptions.CLAY);
-    LOOKS.put(ModelOptions.WHITE, ModelOptions.WHITE);
-    UPS.put("y", Up.Y);
-    UPS.put("z", Up.Z);
   }
 
   private final AssetData data;
@@ -125,7 +123,7 @@ final class ModelObjects {
     return new ModelOptions(
         pose,
         variant,
-        node.choice("up", UPS, Up.Y),
+        node.choice("up", Up.Y),
         node.number("unit", 1, Range.POSITIVE),
         node.has("pointRadius")
             ? OptionalDouble.of(node.number("pointRadius", 1, Range.POSITIVE))

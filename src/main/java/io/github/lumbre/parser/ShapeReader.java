@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * Reads shapes. A mesh with one instance is transformed to world space; a mesh with several
@@ -28,11 +29,6 @@ final class ShapeReader {
   /** The largest absolute coordinate: squares of coordinates must not overflow. */
   private static final double MAX_REACH = 1e150;
 
-  /** Reads a shape of one type. */
-  private interface Reader {
-    Optional<Shape> read(Placed object);
-  }
-
   private final MeshReader meshes;
   private final Kernel kernel;
   private final Map<JsonNode, Integer> placements = new HashMap<>();
@@ -40,8 +36,10 @@ final class ShapeReader {
   private final Map<JsonNode, SharedMesh> shared = new HashMap<>();
   private int count;
   private long triangles;
-  private final Family<Reader> family =
-      new Family<Reader>("shapeType", ObjectTree.EMITTER_KEYS)
+
+  /** The shape types and their keys. */
+  final Family<Function<Placed, Optional<Shape>>> family =
+      new Family<Function<Placed, Optional<Shape>>>("shapeType", ObjectTree.EMITTER_KEYS)
           .with("Sphere", this::sphere, "materialID", "radius")
           .with("Plane", this::plane, "finite", "width", "height", "twoSided")
           .with("Cube", this::cube, "width", "height", "depth")
@@ -57,11 +55,6 @@ final class ShapeReader {
     for (Placed shape : shapes) {
       countPlacement(shape.node());
     }
-  }
-
-  /** Returns the shape types and their keys. */
-  Family<?> family() {
-    return family;
   }
 
   private void countPlacement(JsonNode object) {
@@ -89,7 +82,7 @@ final class ShapeReader {
     count++;
     return family
         .choose(node)
-        .flatMap(reader -> reader.read(object))
+        .flatMap(reader -> reader.apply(object))
         .filter(shape -> shape instanceof Plane || isMeasurable(node.spot(), shape));
   }
 

@@ -20,16 +20,15 @@ import io.github.lumbre.texture.internal.TexelTexture;
 import io.github.lumbre.texture.internal.TintedTexture;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 
 /** Reads each texture at its first use, and the material channels that use textures. */
 final class TextureReader {
   private static final String BASE64_KEY = "base64PNG";
-  private static final Map<String, Filter> FILTERS = new LinkedHashMap<>();
 
   private static final Point2 NO_OFFSET = new Point2(0, 0);
   private static final Point2 NO_SCALE = new Point2(1, 1);
@@ -37,26 +36,11 @@ final class TextureReader {
   /** The keys of the sun's place: its azimuth and its elevation. */
   static final List<String> SUN_KEYS = List.of("sunAzimuth", "sunElevation");
 
-  private static final Map<String, Sky> SKIES = new LinkedHashMap<>();
-
   /** A computed sky. */
   private enum Sky {
     STUDIO,
     CLEAR,
     SUN
-  }
-
-  static {
-    SKIES.put("studio", Sky.STUDIO);
-    SKIES.put("clear", Sky.CLEAR);
-    SKIES.put("sun", Sky.SUN);
-    FILTERS.put("nearest", Filter.NEAREST);
-    FILTERS.put("bilinear", Filter.BILINEAR);
-  }
-
-  /** Reads a texture of one type. */
-  private interface Reader {
-    Optional<Picture> read(JsonNode texture);
   }
 
   private final AssetTable assets;
@@ -66,8 +50,10 @@ final class TextureReader {
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
   private final Map<Point2, ClearSky> clearSkies = new HashMap<>();
   private final List<TextureUse> uses = new ArrayList<>();
-  private final Family<Reader> family =
-      new Family<Reader>("textureType", AssetTable.COMMON_KEYS)
+
+  /** The texture types and their keys. */
+  final Family<Function<JsonNode, Optional<Picture>>> family =
+      new Family<Function<JsonNode, Optional<Picture>>>("textureType", AssetTable.COMMON_KEYS)
           .with("Image", this::image, BASE64_KEY, AssetData.FILE_KEY, "filter")
           .with(
               "Wood", t -> computed(t, ProceduralReader::wood), "width", "height", "rings", "seed")
@@ -96,11 +82,6 @@ final class TextureReader {
     this.data = data;
     this.change = change;
     procedurals = new ProceduralReader(seed);
-  }
-
-  /** Returns the texture types and their keys. */
-  Family<?> family() {
-    return family;
   }
 
   /** Warns of keys that no texture type has. */
@@ -153,7 +134,7 @@ final class TextureReader {
 
   private Optional<Picture> read(JsonNode texture) {
     Interrupts.check();
-    return family.choose(texture, "Image").flatMap(reader -> reader.read(texture));
+    return family.choose(texture, "Image").flatMap(reader -> reader.apply(texture));
   }
 
   private Optional<Picture> image(JsonNode texture) {
@@ -171,7 +152,7 @@ final class TextureReader {
   }
 
   private Filter filter(JsonNode texture) {
-    return change.filter(texture.choice("filter", FILTERS, Filter.NEAREST));
+    return change.filter(texture.choice("filter", Filter.NEAREST));
   }
 
   private Texture<Rgb> watched(Picture picture, Role role) {
@@ -232,7 +213,7 @@ final class TextureReader {
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
     if (light.has("sky")) {
-      return switch (light.choice("sky", SKIES, Sky.STUDIO)) {
+      return switch (light.choice("sky", Sky.STUDIO)) {
         case STUDIO -> change.studio(axes, radiance);
         case CLEAR -> change.clear(axes, radiance, clearSky(light));
         case SUN -> change.sun(axes, radiance, clearSky(light));

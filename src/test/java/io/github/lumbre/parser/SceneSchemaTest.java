@@ -235,11 +235,11 @@ class SceneSchemaTest {
     assertKeys("mesh", MeshReader.KEYS);
     assertKeys("group", ObjectTree.COMMON_KEYS);
     TextureReader textures = new TextureReader(null, null, 0, TextureChange.NONE);
-    assertFamily("texture", "textureType", textures.family());
-    assertFamily("material", "materialType", new MaterialReader(null, textures).family());
-    assertFamily("shape", "shapeType", new ShapeReader(null, List.of(), Kernel.AUTO).family());
-    assertFamily("light", "lightType", new LightReader(textures, null, false).family());
-    assertFamily("camera", "cameraType", new CameraReader(textures).family());
+    assertFamily("texture", "textureType", textures.family);
+    assertFamily("material", "materialType", new MaterialReader(null, textures).family);
+    assertFamily("shape", "shapeType", new ShapeReader(null, List.of(), Kernel.AUTO).family);
+    assertFamily("light", "lightType", new LightReader(textures, null, false).family);
+    assertFamily("camera", "cameraType", new CameraReader(textures).family);
     assertThat(
             JsonParser.parseString(SCHEMA).getAsJsonObject().getAsJsonObject("properties").keySet())
         .isEqualTo(SceneParser.KEYS);

@@ -29,7 +29,6 @@ import picocli.CommandLine.ParameterException;
 public final class ModelFlags extends Flags {
   private static final String TRANSPARENT = "transparent";
 
-
   @Option(
       names = "--camera",
       paramLabel = "NAME",
