@@ -101,7 +101,6 @@ final class CompletionScript {
 
   private CompletionScript() {}
 
-  /** Returns the script for a program. */
   static String of(CommandSpec program) {
     StringBuilder commands = new StringBuilder();
     append("", program, commands);

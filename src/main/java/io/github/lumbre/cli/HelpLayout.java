@@ -21,7 +21,6 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 final class HelpLayout {
   private HelpLayout() {}
 
-  /** Sets the layout for a program and its commands. */
   static void applyTo(CommandLine program) {
     program.setUsageHelpAutoWidth(true);
     Map<String, IHelpSectionRenderer> sections = program.getHelpSectionMap();

@@ -283,7 +283,6 @@ final class ResumeCommand extends Subcommand {
     }
   }
 
-  /** Requires the scene and the files of the film. */
   private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
       throws TaskException {
     if (file.hash().equals(header.identity().get(FilmHeader.SCENE_HASH))) {

@@ -14,7 +14,6 @@ import java.nio.file.StandardOpenOption;
  * fail.
  */
 public interface Disk {
-  /** The real disk. */
   Disk REAL = new Disk() {};
 
   /** Writes bytes of a buffer at a channel's position: at least one if the buffer is not empty. */

@@ -38,7 +38,6 @@ record MadeFolders(List<Path> folders) {
     return new MadeFolders(missing);
   }
 
-  /** Deletes the folders that are empty. */
   void deleteEmpty() throws IOException {
     for (Path folder : folders) {
       try {

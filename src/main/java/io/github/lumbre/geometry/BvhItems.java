@@ -190,7 +190,6 @@ final class BvhItems {
     return leafShapes(numbers);
   }
 
-  /** Returns the unbounded shapes. */
   LeafShapes unbounded() {
     int[] numbers = new int[unbounded.size()];
     for (int i = 0; i < numbers.length; i++) {

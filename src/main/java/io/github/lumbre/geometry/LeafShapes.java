@@ -1,20 +1,11 @@
 package io.github.lumbre.geometry;
 
-/** The shapes other than triangles, in the order of a hierarchy's leaves. Immutable. */
-final class LeafShapes {
-  private final Shape[] shapes;
-  private final int[] numbers;
-
-  /**
-   * Creates the shapes of a hierarchy.
-   *
-   * @param numbers the number of each shape in the hierarchy
-   */
-  LeafShapes(Shape[] shapes, int[] numbers) {
-    this.shapes = shapes;
-    this.numbers = numbers;
-  }
-
+/**
+ * The shapes other than triangles, in the order of a hierarchy's leaves. Immutable.
+ *
+ * @param numbers the number of each shape in the hierarchy
+ */
+record LeafShapes(Shape[] shapes, int[] numbers) {
   boolean isEmpty() {
     return shapes.length == 0;
   }

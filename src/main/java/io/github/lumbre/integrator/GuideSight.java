@@ -16,7 +16,6 @@ public final class GuideSight implements Sight {
   private final Scene scene;
   private final NearestHit ray = new NearestHit();
 
-  /** Creates the sight of a scene. */
   public GuideSight(Scene scene) {
     this.scene = Objects.requireNonNull(scene, "scene");
   }

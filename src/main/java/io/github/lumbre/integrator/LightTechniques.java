@@ -18,7 +18,6 @@ final class LightTechniques {
   /** The techniques of non-specular vertices, in the order in which they are used. */
   final LightTechnique[] ofVertices;
 
-  /** All techniques. */
   final LightTechnique[] all;
 
   /** Whether some technique needs to know the specular surfaces that a path has met. */

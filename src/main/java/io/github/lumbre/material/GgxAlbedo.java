@@ -45,7 +45,6 @@ final class GgxAlbedo {
     return fourthPower(FIRST_ROOT + (1 - FIRST_ROOT) * row / (SIDE - 1));
   }
 
-  /** Returns the cosine of a column. */
   static double cosine(int column) {
     return Math.max(1e-6, fourthPower((double) column / (SIDE - 1)));
   }

@@ -89,7 +89,6 @@ record LostLight(int row, double towardsIndex, double towardsAlpha, boolean isFl
     return cube(FIRST_ROOT + (1 - FIRST_ROOT) * row / (ALPHAS - 1));
   }
 
-  /** Returns the cosine of a column. */
   static double cosine(int column) {
     return Math.max(1e-6, square((double) column / (COLUMNS - 1)));
   }

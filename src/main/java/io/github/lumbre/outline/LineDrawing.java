@@ -13,18 +13,10 @@ import java.util.Optional;
 /**
  * The black lines on pictures of a scene, and of the same scene from other places, as its settings
  * ask for. Immutable.
+ *
+ * @param outlines the edges of the scene; empty if no lines are drawn
  */
-public final class LineDrawing {
-  private final RenderSettings settings;
-
-  /** The edges of the scene; empty if no lines are drawn. */
-  private final Optional<Outlines> outlines;
-
-  private LineDrawing(RenderSettings settings, Optional<Outlines> outlines) {
-    this.settings = settings;
-    this.outlines = outlines;
-  }
-
+public record LineDrawing(RenderSettings settings, Optional<Outlines> outlines) {
   /**
    * Returns why a scene lacks lines that its settings ask for; empty if it lacks none. Infinite
    * planes need no lines.
@@ -69,7 +61,6 @@ public final class LineDrawing {
     return outlines.flatMap(edges -> edges.strokes(scene, settings));
   }
 
-  /** Returns the pen for the lines. */
   public Pen pen() {
     return new Pen(Rgb.BLACK, settings.get(Setting.LINE_WIDTH));
   }

@@ -19,14 +19,8 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /** The edges of the meshes of a scene. Immutable. */
-public final class Outlines {
+public record Outlines(List<OutlinedPart> parts) {
   private static final int EDGES_PER_CHECK = 256;
-
-  private final List<OutlinedPart> parts;
-
-  private Outlines(List<OutlinedPart> parts) {
-    this.parts = parts;
-  }
 
   /** Primitives whose meshes belong together: those of one object at one place. */
   private record Key(String object, Transform toWorld) {}

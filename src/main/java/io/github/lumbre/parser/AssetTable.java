@@ -18,7 +18,6 @@ final class AssetTable {
   private static final int NONE = -1;
   private static final int MAX_IDS_SHOWN = 20;
 
-  /** The type of an asset. */
   enum Type {
     MATERIAL("Material"),
     TEXTURE("Texture"),

@@ -19,8 +19,17 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 
-/** Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP. */
-final class ModelObjects {
+/**
+ * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP.
+ *
+ * @param parts receives the models
+ * @param sceneName name of the scene file; places of a model with this name are in the model alone:
+ *     the scene stands for the model
+ * @param lenient whether a missing picture of a model is a warning instead of an error; it always
+ *     is if the scene stands for the model
+ */
+record ModelObjects(
+    AssetData data, MaterialReader materials, ModelParts parts, String sceneName, boolean lenient) {
   private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
   private static final Map<String, String> LOOKS =
       new TreeMap<>(
@@ -43,32 +52,6 @@ final class ModelObjects {
             "useLights",
             "materials",
             "shared"));
-  }
-
-  private final AssetData data;
-  private final MaterialReader materials;
-  private final ModelParts parts;
-  private final String sceneName;
-  private final boolean lenient;
-
-  /**
-   * @param parts receives the models
-   * @param sceneName name of the scene file; places of a model with this name are in the model
-   *     alone: the scene stands for the model
-   * @param lenient whether a missing picture of a model is a warning instead of an error; it always
-   *     is if the scene stands for the model
-   */
-  ModelObjects(
-      AssetData data,
-      MaterialReader materials,
-      ModelParts parts,
-      String sceneName,
-      boolean lenient) {
-    this.data = data;
-    this.materials = materials;
-    this.parts = parts;
-    this.sceneName = sceneName;
-    this.lenient = lenient;
   }
 
   /** Adds the model of an object; adds an error if it cannot be used. */

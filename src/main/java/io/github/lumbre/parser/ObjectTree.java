@@ -42,7 +42,6 @@ final class ObjectTree {
       Stream.concat(COMMON_KEYS.stream(), Stream.of(LIGHT_GROUP))
           .collect(Collectors.toUnmodifiableSet());
 
-  /** The type of an object. */
   enum Type {
     NONE,
     CAMERA,

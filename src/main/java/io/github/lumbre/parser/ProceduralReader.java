@@ -7,18 +7,13 @@ import io.github.lumbre.texture.internal.TexelTexture;
 import io.github.lumbre.texture.internal.VoronoiTexture;
 import io.github.lumbre.texture.internal.WoodTexture;
 
-/** Reads procedural textures. */
-final class ProceduralReader {
+/**
+ * Reads procedural textures.
+ *
+ * @param seed of the scene; with the textures' ids, it determines their random numbers
+ */
+record ProceduralReader(long seed) {
   private static final int DEFAULT_SIDE = 1000;
-
-  private final long seed;
-
-  /**
-   * @param seed seed of the scene; with the textures' ids, it determines their random numbers
-   */
-  ProceduralReader(long seed) {
-    this.seed = seed;
-  }
 
   TexelTexture wood(JsonNode texture) {
     double rings = texture.number("rings", 10, Range.NOT_NEGATIVE);

@@ -12,7 +12,6 @@ import java.util.concurrent.CancellationException;
 /** A way to read a scene, which may take too long or too much memory. */
 @FunctionalInterface
 interface TimedReading<T> {
-  /** Reads the scene. */
   T read() throws SceneFormatException, IOException;
 
   /**

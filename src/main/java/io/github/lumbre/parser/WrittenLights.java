@@ -14,14 +14,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.internal.SceneNode;
 
 /** Writes lights without surfaces. */
-final class WrittenLights {
-  private final WrittenTextures textures;
-
-  WrittenLights(WrittenTextures textures) {
-    this.textures = textures;
-  }
-
-  /** Returns the object of a light. */
+record WrittenLights(WrittenTextures textures) {
   JsonObject light(SceneNode.Lamp lamp) {
     JsonObject object = WrittenObjects.object("Light", "");
     if (!lamp.lightGroup().isEmpty()) {

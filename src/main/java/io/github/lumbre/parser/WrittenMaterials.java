@@ -22,16 +22,8 @@ import io.github.lumbre.scene.internal.SceneNode;
 import java.util.Optional;
 
 /** Writes materials. */
-final class WrittenMaterials {
+record WrittenMaterials(WrittenAssets assets, WrittenTextures textures) {
   private static final double MAX_IOR = MaterialReader.MAX_IOR;
-
-  private final WrittenAssets assets;
-  private final WrittenTextures textures;
-
-  WrittenMaterials(WrittenAssets assets, WrittenTextures textures) {
-    this.assets = assets;
-    this.textures = textures;
-  }
 
   /**
    * Writes the material of a surface and returns its id.

@@ -27,13 +27,7 @@ import io.github.lumbre.texture.internal.VoronoiTexture;
 import io.github.lumbre.texture.internal.WoodTexture;
 
 /** Writes textures, and the channels of materials that use them. */
-final class WrittenTextures {
-  private final WrittenAssets assets;
-
-  WrittenTextures(WrittenAssets assets) {
-    this.assets = assets;
-  }
-
+record WrittenTextures(WrittenAssets assets) {
   /**
    * A texture as the format has it: a constant times a picture, read at mapped coordinates.
    *

@@ -21,7 +21,6 @@ final class ExactSums {
     return whole.length;
   }
 
-  /** Adds a value ≥ 0 to a sum. */
   void add(int i, double value) {
     long units = (long) value;
     // The fraction times 2^64; only fractions below 2^-12 are rounded, so the result is below 2^64.

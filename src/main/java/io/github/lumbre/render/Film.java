@@ -99,7 +99,6 @@ public final class Film {
     return sums;
   }
 
-  /** Returns the sums of the layers. */
   LayerSums layerSums() {
     return layers;
   }

@@ -14,13 +14,7 @@ import java.util.concurrent.atomic.AtomicReference;
  * pool, even if the calling thread is one of its threads. Stalled buckets are not reported.
  * Immutable.
  */
-final class SharedThreads implements Crew {
-  private final Executor executor;
-
-  SharedThreads(Executor executor) {
-    this.executor = executor;
-  }
-
+record SharedThreads(Executor executor) implements Crew {
   /** A worker that is either run by a thread of the pool, or withdrawn. */
   private static final class Offer implements Runnable {
     private final BucketRenderer worker;

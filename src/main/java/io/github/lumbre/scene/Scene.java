@@ -84,7 +84,7 @@ public final class Scene {
     // The scene that this one continues need not be kept.
     this.built = from.map(b -> new Built(b.description(), b.placements(), Optional.empty()));
     primitives = List.copyOf(built.primitives);
-    lights = new SceneLights(built);
+    lights = SceneLights.of(built);
     ambient = built.ambient;
     backplate = built.backplate;
     radius =

@@ -9,46 +9,55 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The lights of a scene in its two lists, and where each stands in the list of emitters. */
-final class SceneLights {
-  private final List<Light> declared;
-  private final List<Light> emitters;
-  private final List<EnvironmentLight> environments;
-  private final LightGroups groups;
-
-  /** The index in {@code emitters} of each environment light, and of each declared light. */
-  private final int[] ofEnvironment, ofLight;
-
-  /** The index in {@code emitters} of each primitive; -1 if it is not sampled as a light. */
-  private final int[] ofPrimitive;
-
-  SceneLights(SceneAssembly built) {
-    declared = List.copyOf(built.lights);
-    emitters = List.copyOf(built.emitters);
-    environments =
+/**
+ * The lights of a scene in its two lists, and where each stands in the list of emitters.
+ *
+ * @param environments the emitters that are environment lights
+ * @param indexOfEnvironment the index in {@code emitters} of each environment light
+ * @param indexOfLight the index in {@code emitters} of each declared light
+ * @param indexOfPrimitive the index in {@code emitters} of each primitive; -1 if it is not sampled
+ *     as a light
+ */
+record SceneLights(
+    List<Light> declared,
+    List<Light> emitters,
+    List<EnvironmentLight> environments,
+    LightGroups groups,
+    int[] indexOfEnvironment,
+    int[] indexOfLight,
+    int[] indexOfPrimitive) {
+  static SceneLights of(SceneAssembly built) {
+    List<Light> declared = List.copyOf(built.lights);
+    List<Light> emitters = List.copyOf(built.emitters);
+    List<EnvironmentLight> environments =
         emitters.stream()
             .filter(EnvironmentLight.class::isInstance)
             .map(EnvironmentLight.class::cast)
             .toList();
-    groups = new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, built.primitives);
-    ofEnvironment = indices(environments);
-    ofLight = indices(declared);
-    ofPrimitive = new int[built.primitives.size()];
+    int[] ofPrimitive = new int[built.primitives.size()];
     Arrays.setAll(ofPrimitive, i -> built.emitterOfPrimitive.getOrDefault(i, -1));
+    return new SceneLights(
+        declared,
+        emitters,
+        environments,
+        new LightGroups(built.groupOfEmitter, built.groupOfPrimitive, built.primitives),
+        indices(environments, emitters),
+        indices(declared, emitters),
+        ofPrimitive);
   }
 
   /** Returns the index in {@code emitters} of each light, or -1; both have the same order. */
-  private int[] indices(List<? extends Light> some) {
+  private static int[] indices(List<? extends Light> some, List<Light> emitters) {
     int[] indices = new int[some.size()];
     int next = 0;
     for (int i = 0; i < indices.length; i++) {
-      indices[i] = indexOf(some.get(i), next);
+      indices[i] = indexOf(some.get(i), next, emitters);
       next = Math.max(next, indices[i] + 1);
     }
     return indices;
   }
 
-  private int indexOf(Light light, int from) {
+  private static int indexOf(Light light, int from, List<Light> emitters) {
     for (int i = from; i < emitters.size(); i++) {
       // Most are the same; comparing others is slow.
       if (emitters.get(i) == light || emitters.get(i).equals(light)) {
@@ -63,18 +72,6 @@ final class SceneLights {
     return Stream.concat(declared.stream(), emitters.stream()).toList();
   }
 
-  List<Light> declared() {
-    return declared;
-  }
-
-  List<Light> emitters() {
-    return emitters;
-  }
-
-  List<EnvironmentLight> environments() {
-    return environments;
-  }
-
   Rgb background(Vec3 direction) {
     Rgb sum = Rgb.BLACK;
     for (EnvironmentLight environment : environments) {
@@ -83,19 +80,15 @@ final class SceneLights {
     return sum;
   }
 
-  LightGroups groups() {
-    return groups;
-  }
-
   int ofPrimitive(int primitive) {
-    return ofPrimitive[primitive];
+    return indexOfPrimitive[primitive];
   }
 
   int ofEnvironment(int environment) {
-    return ofEnvironment[environment];
+    return indexOfEnvironment[environment];
   }
 
   int ofLight(int light) {
-    return ofLight[light];
+    return indexOfLight[light];
   }
 }

@@ -17,7 +17,6 @@ public final class Version implements IVersionProvider {
     return args.length == 1 && FLAGS.contains(args[0]);
   }
 
-  /** Prints the version. */
   public static void print(PrintWriter out) {
     for (String line : new Version().getVersion()) {
       out.println(line);

@@ -24,17 +24,11 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /**
  * Reports failures: one line per problem, an exit code, and a stack trace only under {@code
  * --debug}.
+ *
+ * @param commands names of all commands
  */
-public final class Failures implements IExecutionExceptionHandler, IParameterExceptionHandler {
-  private final Set<String> commands;
-
-  /**
-   * @param commands names of all commands
-   */
-  public Failures(Set<String> commands) {
-    this.commands = commands;
-  }
-
+public record Failures(Set<String> commands)
+    implements IExecutionExceptionHandler, IParameterExceptionHandler {
   @Override
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine command = e.getCommandLine();

@@ -128,7 +128,6 @@ public final class LayerFiles {
     }
   }
 
-  /** Returns a new file for a name. */
   private Path file(String name) {
     String safe = name.replaceAll("[^A-Za-z0-9._-]", "_");
     String base = safe.substring(0, Math.min(MAX_NAME, safe.length())).replaceFirst("^[.]+", "_");

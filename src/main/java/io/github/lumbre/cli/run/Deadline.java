@@ -35,7 +35,6 @@ public final class Deadline {
     return time.isEmpty() ? NEVER : new Deadline(time, clock);
   }
 
-  /** Returns whether the deadline has passed. */
   boolean hasPassed() {
     return secondsLeft().orElse(1) <= 0;
   }

@@ -32,8 +32,12 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
-/** The notes in a film's header that commands need to resume and develop it. */
-public final class FilmNotes {
+/**
+ * The notes in a film's header that commands need to resume and develop it.
+ *
+ * @param film the file's path, for messages
+ */
+public record FilmNotes(Path film, FilmHeader header) {
   private static final String SOFTWARE = "software";
   private static final String SCENE = "scene";
   private static final String SCENE_TEXT = "scene-text";
@@ -48,17 +52,6 @@ public final class FilmNotes {
   private static final String LENIENT = "lenient";
   private static final String TARGET_ERROR = "target-error";
   private static final String CONFIDENCE = "confidence";
-
-  private final Path film;
-  private final FilmHeader header;
-
-  /**
-   * @param film the file's path, for messages
-   */
-  public FilmNotes(Path film, FilmHeader header) {
-    this.film = film;
-    this.header = header;
-  }
 
   /** Returns the notes for the film of a render. */
   public static Map<String, String> of(

@@ -39,7 +39,6 @@ final class Drafts {
     this.session = session;
   }
 
-  /** Shows a draft of a view. */
   void show(ViewSession.Job job) throws InterruptedException {
     if (job.file().settings().crop().isPresent()) {
       return;

@@ -38,7 +38,6 @@ record Frame(
         version, image, layers, samples, isDraft, isFinal, metadata, Optional.of(clean));
   }
 
-  /** Returns a layer by its name. */
   Optional<ImageLayer> layer(String name) {
     return layers.stream().filter(layer -> layer.name().equals(name)).findFirst();
   }

@@ -29,7 +29,6 @@ import java.util.stream.Collectors;
 record PictureFiles(Path viewed, Exposure automatic) {
   private static final long MOST_STOPS = 64;
 
-  /** Returns the file of a frame. */
   Answer of(Frame frame, Optional<SceneFile> scene, ViewSession session, Query query)
       throws IOException {
     boolean isExr = query.text("format").equals(Optional.of("exr"));
@@ -65,7 +64,6 @@ record PictureFiles(Path viewed, Exposure automatic) {
     return metadata;
   }
 
-  /** Returns the automatic exposure of a frame. */
   Exposure automatic(Frame frame, Optional<SceneFile> scene) {
     return scene
         .map(file -> Visible.exposure(Exposure.AUTO, file, frame.image()))

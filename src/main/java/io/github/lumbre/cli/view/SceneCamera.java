@@ -21,7 +21,6 @@ final class SceneCamera {
     current = Optional.of(pose.map(opened::seenFrom).orElse(opened));
   }
 
-  /** Moves the camera. Returns whether there is a scene. */
   boolean move(Orbit next) {
     if (home.isEmpty()) {
       return false;

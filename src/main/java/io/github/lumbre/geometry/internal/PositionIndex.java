@@ -13,7 +13,6 @@ public final class PositionIndex {
   private int[] slots = freeSlots(32);
   private int count;
 
-  /** Creates an index without positions. */
   public PositionIndex() {}
 
   /** Returns the number of a finite position; assigns the next one at its first occurrence. */

@@ -31,7 +31,6 @@ public final class JdkDecoder {
     Pixels from(ImageReader reader) throws IOException;
   }
 
-  /** Decodes a JPEG file. */
   public static Pixels decode(JpegFile jpeg) throws ImageFormatException {
     return decode(
         "JPEG",

@@ -92,7 +92,6 @@ record TgaHeader(
     return (descriptor & RIGHT_TO_LEFT) != 0;
   }
 
-  /** Returns the bytes of a pixel. */
   int pixelBytes() {
     return (depth + 7) / 8;
   }

@@ -5,30 +5,19 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.internal.LowBits;
 
-/** A canonical prefix code of the lossless format (RFC 9649, sec. 3.7.2). Immutable. */
-final class PrefixCode {
+/**
+ * A canonical prefix code of the lossless format (RFC 9649, sec. 3.7.2). Immutable.
+ *
+ * @param table for each sequence of bits, the symbol, shifted by four, and the length of its code;
+ *     0 for longer codes
+ * @param symbols of the code, by the lengths of their codes, and then by their values
+ * @param counts the number of codes of each length
+ */
+record PrefixCode(char[] table, char[] symbols, char[] counts) {
   private static final int MAX_LENGTH = 15;
 
   /** The longest codes that a table decodes; longer ones are decoded bit by bit. */
   private static final int TABLE_BITS = 8;
-
-  /**
-   * For each sequence of bits, the symbol, shifted by four, and the length of its code; 0 for
-   * longer codes.
-   */
-  private final char[] table;
-
-  /** The symbols, by the lengths of their codes, and then by their values. */
-  private final char[] symbols;
-
-  /** The number of codes of each length. */
-  private final char[] counts;
-
-  private PrefixCode(char[] table, char[] symbols, char[] counts) {
-    this.table = table;
-    this.symbols = symbols;
-    this.counts = counts;
-  }
 
   /**
    * Returns the code with a length for each symbol, 0 for those that do not occur.

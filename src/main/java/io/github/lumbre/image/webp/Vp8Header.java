@@ -45,7 +45,6 @@ record Vp8Header(
       return new Segments(present, absolute, quantizers, filters, probabilities);
     }
 
-    /** Returns the value of a segment. */
     int value(int[] values, int segment, int base) {
       return !present ? base : absolute ? values[segment] : base + values[segment];
     }

@@ -5,15 +5,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 
 /** A closed latitude-longitude mesh around the origin, and its vertices. */
-final class Ball {
-  private final Vec3[] vertices;
-  private final int[] indices;
-
-  private Ball(Vec3[] vertices, int[] indices) {
-    this.vertices = vertices;
-    this.indices = indices;
-  }
-
+record Ball(Vec3[] vertices, int[] indices) {
   /**
    * @param n number of latitudes and number of longitudes
    * @param jitter radii lie in [1 - jitter, 1]

@@ -27,7 +27,6 @@ public record Invariant(
 
   /** The result of measuring an invariant. */
   public record Outcome(Invariant law, double worst) {
-    /** Returns whether the invariant holds. */
     public boolean holds() {
       return worst <= law.limit;
     }

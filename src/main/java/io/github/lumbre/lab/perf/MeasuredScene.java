@@ -66,7 +66,6 @@ public final class MeasuredScene {
     return file;
   }
 
-  /** Returns the settings of the scene. */
   public RenderSettings settings() {
     return file.settings();
   }

@@ -59,7 +59,6 @@ public record TradeSetting(
     return BuiltInDenoiser.denoise(NoisyPicture.of(film), threads).image();
   }
 
-  /** Returns whether the setting is unbiased. */
   public boolean isUnbiased() {
     return kind == Kind.NOISE;
   }

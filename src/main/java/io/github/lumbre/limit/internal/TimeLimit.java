@@ -38,7 +38,6 @@ public final class TimeLimit implements AutoCloseable {
     }
   }
 
-  /** Returns whether the time has passed. */
   public synchronized boolean hasPassed() {
     return passed;
   }

@@ -46,7 +46,6 @@ final class OpenMesh {
     return vertices.length / 3;
   }
 
-  /** Returns the vertex of a corner. */
   int vertex(int corner) {
     int vertex = vertices[corner];
     while (merged[vertex] != vertex) {
@@ -66,7 +65,6 @@ final class OpenMesh {
     vertices[corner] = vertexCount++;
   }
 
-  /** Adds a corner to a vertex. */
   void add(int corner, int vertex) {
     vertices[corner] = vertex;
   }

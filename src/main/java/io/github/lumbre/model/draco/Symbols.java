@@ -19,7 +19,6 @@ interface Symbols {
   /** A face with three new vertices. */
   int END = 4;
 
-  /** Returns the next symbol. */
   int next() throws ModelFormatException;
 
   /**

@@ -39,7 +39,6 @@ final class GltfAccessors {
     return object.value().path() + '.' + member;
   }
 
-  /** Returns an accessor by its index. */
   GltfAccessor get(int index) throws ModelFormatException, IOException {
     GltfAccessor accessor = accessors.get(index);
     if (accessor == null) {

@@ -7,14 +7,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /** The cameras of a glTF file (glTF 2.0, section 3.10). */
-final class GltfCameras {
-  private final GltfDocument document;
-
-  GltfCameras(GltfDocument document) {
-    this.document = document;
-  }
-
-  /** Returns the camera of a node. */
+record GltfCameras(GltfDocument document) {
   ModelCamera camera(GltfNode node, Transform toWorld) throws ModelFormatException {
     GltfJson json = document.section("cameras").get(node.camera().getAsInt());
     return new ModelCamera(

@@ -24,7 +24,6 @@ final class GltfLights {
     return lights.size();
   }
 
-  /** Returns the light of a node. */
   ModelLight light(GltfNode node, Transform toWorld) throws ModelFormatException {
     GltfJson json = lights.get(node.light().getAsInt());
     double[] color = json.numbers("color", 1, 1, 1);

@@ -8,15 +8,7 @@ import java.util.BitSet;
 import java.util.List;
 
 /** Moves the vertices of a mesh by weighted morph targets (glTF 2.0, section 3.7.2.2). */
-final class GltfMorph {
-  private final GltfDocument document;
-  private final GltfAttributes attributes;
-
-  GltfMorph(GltfDocument document, GltfAttributes attributes) {
-    this.document = document;
-    this.attributes = attributes;
-  }
-
+record GltfMorph(GltfDocument document, GltfAttributes attributes) {
   /**
    * Returns the moved mesh, without triangles whose vertices are not finite. Its normals and
    * tangents have unit length.

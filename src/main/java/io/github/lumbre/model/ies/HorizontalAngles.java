@@ -6,18 +6,11 @@ import java.util.Optional;
 /**
  * The horizontal angles of a whole turn, and which row of the file each has. The range of the
  * angles in the file states the symmetry of the lamp. Immutable.
+ *
+ * @param angles in degrees; the last one is the first plus 360
+ * @param rows for each angle the index of its row in the file
  */
-final class HorizontalAngles {
-  /** In degrees; the last one is the first plus 360. */
-  private final double[] angles;
-
-  private final int[] rows;
-
-  private HorizontalAngles(double[] angles, int[] rows) {
-    this.angles = angles;
-    this.rows = rows;
-  }
-
+record HorizontalAngles(double[] angles, int[] rows) {
   /**
    * Returns the angles of a whole turn; empty if the range has no meaning. From 0 to 0, the lamp is
    * the same all around; from 0 to 90, in each quadrant; from 0 to 180, on both sides of the plane
@@ -67,15 +60,5 @@ final class HorizontalAngles {
     double[] more = Arrays.copyOf(angles, angles.length + 1);
     more[angles.length] = 360;
     return new HorizontalAngles(more, Arrays.copyOf(rows, more.length));
-  }
-
-  /** Returns the angles in degrees, ascending. */
-  double[] angles() {
-    return angles;
-  }
-
-  /** Returns for each angle the index of its row in the file. */
-  int[] rows() {
-    return rows;
   }
 }

@@ -102,7 +102,6 @@ public record Model(
     return with(newParts, pointRadius, warnings);
   }
 
-  /** Returns this model with more warnings. */
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);

@@ -45,7 +45,6 @@ public record ModelGeometry(
     this(positions, normals, tangents, uv0, uv1, colors, indices, false);
   }
 
-  /** Creates points. */
   public static ModelGeometry ofPoints(
       double[] positions, double[] uv0, double[] uv1, float[] colors) {
     double[] none = {};

@@ -125,7 +125,6 @@ public record ModelMaterial(
       this.location = location;
     }
 
-    /** Sets a parameter. */
     public Builder set(MaterialParameter parameter, MaterialInput value) {
       inputs.put(parameter, value);
       return this;
@@ -196,7 +195,6 @@ public record ModelMaterial(
       return this;
     }
 
-    /** Returns the material. */
     public ModelMaterial build() {
       return new ModelMaterial(
           name,

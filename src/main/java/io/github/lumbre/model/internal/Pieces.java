@@ -123,7 +123,6 @@ public final class Pieces {
     return count;
   }
 
-  /** Returns the piece of a triangle of a mesh. */
   public int of(int mesh, int triangle) {
     return ofTriangles[starts[mesh] + triangle];
   }

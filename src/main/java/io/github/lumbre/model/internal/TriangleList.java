@@ -17,7 +17,6 @@ public final class TriangleList {
     indices = new int[Math.multiplyExact(3, triangles)];
   }
 
-  /** Adds a triangle. */
   public void add(int a, int b, int c) {
     if (size + 3 > indices.length) {
       int larger = (int) Math.min(2L * indices.length + 12, 3L * ModelLimits.MAX_COUNT);

@@ -51,7 +51,6 @@ final class MeshoptInput {
     return unsignedByte(skip(1));
   }
 
-  /** Returns the byte at an index. */
   int unsignedByte(int index) {
     return bytes.get(index) & 0xff;
   }

@@ -26,7 +26,6 @@ final class StlText {
     return start.nextWordOfText() && start.word().equalsIgnoreCase("solid");
   }
 
-  /** Returns the solids of a text. */
   static List<StlSolid> read(byte[] text, Warnings warnings) throws ModelFormatException {
     StlText reader = new StlText(text, warnings);
     while (reader.scanner.nextWordOfText()) {

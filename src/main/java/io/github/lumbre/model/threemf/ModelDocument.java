@@ -84,7 +84,6 @@ final class ModelDocument {
     return unit.meters;
   }
 
-  /** Returns the name of the unit. */
   String unitName() {
     return unit.name().toLowerCase(Locale.ROOT);
   }

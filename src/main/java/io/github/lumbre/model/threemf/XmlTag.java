@@ -54,7 +54,6 @@ final class XmlTag {
     return size;
   }
 
-  /** Returns the byte at an offset. */
   byte at(int offset) {
     return bytes[offset];
   }

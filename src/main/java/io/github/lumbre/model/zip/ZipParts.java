@@ -200,7 +200,6 @@ public final class ZipParts implements ModelFolder {
     return entries.values().stream().map(Entry::name).toList();
   }
 
-  /** Returns whether there is a part of a name. */
   public boolean has(String name) {
     return entries.containsKey(key(name));
   }

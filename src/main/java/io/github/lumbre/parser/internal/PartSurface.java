@@ -13,7 +13,6 @@ import io.github.lumbre.model.internal.ModelPart;
  * @param points the number of points
  */
 public record PartSurface(ModelNode node, boolean isOnePiece, int triangles, int points) {
-  /** Returns a surface of a model. */
   public static PartSurface of(ModelPart part) {
     int points = part.geometry().isPoints() ? part.geometry().vertexCount() : 0;
     return new PartSurface(part.node(), part.isOnePiece(), part.geometry().triangleCount(), points);

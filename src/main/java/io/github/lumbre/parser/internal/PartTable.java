@@ -181,7 +181,6 @@ public final class PartTable {
         new Vec3(box.max().x(), box.max().y(), 0 - box.min().z()));
   }
 
-  /** Returns the parts. */
   public List<Part> parts() {
     return List.copyOf(parts);
   }

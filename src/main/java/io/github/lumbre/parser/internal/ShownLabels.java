@@ -36,7 +36,6 @@ public record ShownLabels(Set<String> kinds, String title) {
     kinds = Set.copyOf(kinds);
   }
 
-  /** Returns the labels of a model on a stage. */
   public static ShownLabels of(Stage stage, Model model) {
     Optional<String> camera =
         stage.view().isPresent()

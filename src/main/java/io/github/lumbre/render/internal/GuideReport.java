@@ -24,17 +24,14 @@ public record GuideReport(Outcome outcome, long rays, long bytes, int hash) {
     NOTHING_LEARNED
   }
 
-  /** Returns the report on a guide. */
   public static GuideReport used(Guide guide, long rays) {
     return new GuideReport(Outcome.GUIDED, rays, guide.bytes(), guide.hash());
   }
 
-  /** Returns a report without a guide. */
   public static GuideReport unused(Outcome outcome, long rays) {
     return new GuideReport(outcome, rays, 0, 0);
   }
 
-  /** Returns the hash as text. */
   public String hashText() {
     return String.format("%08x", hash);
   }

@@ -22,7 +22,6 @@ public abstract class RendererInside {
     opener = newOpener;
   }
 
-  /** Returns the inside of a renderer. */
   public static RendererInside of(FilmRenderer renderer) {
     return opener.apply(renderer);
   }

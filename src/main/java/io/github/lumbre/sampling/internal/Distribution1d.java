@@ -62,7 +62,6 @@ public final class Distribution1d {
     return mean;
   }
 
-  /** Returns the probability of an item. */
   public double probability(int item) {
     return cumulative[item + 1] - cumulative[item];
   }

@@ -27,7 +27,6 @@ public record SceneInside(
     opener = newOpener;
   }
 
-  /** Returns the inside of a scene. */
   public static SceneInside of(Scene scene) {
     return opener.apply(scene);
   }

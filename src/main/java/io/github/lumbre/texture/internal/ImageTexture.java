@@ -62,7 +62,6 @@ public final class ImageTexture implements Texture<Rgb> {
   private final Filter filter;
   private final Rgb tint;
 
-  /** Creates a texture. */
   public ImageTexture(Pixels pixels, Role role, Filter filter) {
     this(
         Objects.requireNonNull(pixels, "pixels"),

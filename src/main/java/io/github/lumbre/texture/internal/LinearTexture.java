@@ -13,7 +13,6 @@ import java.util.Objects;
 public final class LinearTexture implements Texture<Rgb> {
   private final Image image;
 
-  /** Creates a texture. */
   public LinearTexture(Image image) {
     this.image = Objects.requireNonNull(image, "image");
   }

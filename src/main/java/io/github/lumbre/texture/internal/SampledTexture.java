@@ -52,7 +52,6 @@ public final class SampledTexture implements Texture<Rgb> {
   private final Wrap wrapV;
   private final double[] decoded;
 
-  /** Creates a texture. */
   public SampledTexture(
       Pixels pixels, ImageTexture.Role role, ImageTexture.Filter filter, Wrap wrapU, Wrap wrapV) {
     this.pixels = Objects.requireNonNull(pixels, "pixels");
