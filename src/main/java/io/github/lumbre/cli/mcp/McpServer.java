@@ -46,12 +46,11 @@ final class McpServer {
    */
   void serve() throws IOException {
     try (calls) {
-      for (Optional<Lines.Line> line = lines.next();
-          line.isPresent() && !answers.isBroken();
-          line = lines.next()) {
-        if (!line.get().isBlank()) {
-          answer(line.get());
-        }
+      boolean hasMore = true;
+      while (hasMore && !answers.isBroken()) {
+        Optional<Lines.Line> line = lines.next();
+        hasMore = line.isPresent();
+        line.filter(read -> !read.isBlank()).ifPresent(this::answer);
       }
     }
   }

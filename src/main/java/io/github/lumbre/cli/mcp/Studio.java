@@ -1,7 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
-import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.Interrupts;
@@ -9,6 +8,7 @@ import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.parser.ModelViews;
+import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -22,6 +22,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Reads and renders the models of calls, and keeps the last ones. Thread-safe. */
 final class Studio {
@@ -70,7 +71,7 @@ final class Studio {
     /** Returns a summary of a tool's result: the model, and what a picture of it lacks. */
     JsonSummary summary(String tool) {
       JsonSummary summary = new JsonSummary(tool, "model", file);
-      summary.put("warnings", first().warnings().stream().map(ProblemText::of).toList());
+      summary.put("warnings", first().warnings().stream().map(Problem::toString).toList());
       return summary;
     }
 
@@ -96,7 +97,7 @@ final class Studio {
         SceneFile seen = views.seenFrom(view, width, height);
         return seen.with(seen.settings().toBuilder().samples(samples).build());
       } catch (SceneFormatException e) {
-        throw new ToolException(String.join("\n", ProblemText.of(e)), e);
+        throw failure(e);
       }
     }
   }
@@ -140,7 +141,12 @@ final class Studio {
       ModelViews views = parser.parse(name, content, others, stage, List.of(View.DEFAULT));
       return new Staged(file, views, others);
     } catch (SceneFormatException e) {
-      throw new ToolException(String.join("\n", ProblemText.of(e)), e);
+      throw failure(e);
     }
+  }
+
+  private static ToolException failure(SceneFormatException e) {
+    return new ToolException(
+        e.problems().stream().map(Problem::toString).collect(Collectors.joining("\n")), e);
   }
 }

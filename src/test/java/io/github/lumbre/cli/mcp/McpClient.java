@@ -15,6 +15,10 @@ import java.util.concurrent.TimeUnit;
 
 /** A client of a server in a thread of this process: its messages are sent one after the other. */
 final class McpClient implements AutoCloseable {
+  static final String META =
+      "'_meta':{'io.modelcontextprotocol/protocolVersion':'2026-07-28',"
+          + "'io.modelcontextprotocol/clientCapabilities':{}},";
+
   private final PipedOutputStream messages = new PipedOutputStream();
   private final LinkedBlockingQueue<String> answers = new LinkedBlockingQueue<>();
   private final Thread server;
@@ -57,6 +61,37 @@ final class McpClient implements AutoCloseable {
   void send(byte[] message) throws IOException {
     messages.write(message);
     messages.flush();
+  }
+
+  /** Returns a call; single quotes stand for double ones. */
+  static String line(int id, String tool, String arguments) {
+    return ("{'jsonrpc':'2.0','id':%d,'method':'tools/call','params':{%s'name':'%s',"
+            + "'arguments':{%s}}}\n")
+        .formatted(id, META, tool, arguments)
+        .replace('\'', '"');
+  }
+
+  void send(int id, String tool, String arguments) throws IOException {
+    send(line(id, tool, arguments));
+  }
+
+  JsonObject result(String tool, String arguments) throws IOException, InterruptedException {
+    send(1, tool, arguments);
+    JsonObject answer = next();
+    assertThat(answer.has("result")).as(answer.toString()).isTrue();
+    return answer.getAsJsonObject("result");
+  }
+
+  JsonObject numbers(String tool, String arguments) throws IOException, InterruptedException {
+    JsonObject result = result(tool, arguments);
+    assertThat(result.has("isError")).as(result.toString()).isFalse();
+    return result.getAsJsonObject("structuredContent");
+  }
+
+  String failure(String tool, String arguments) throws IOException, InterruptedException {
+    JsonObject result = result(tool, arguments);
+    assertThat(result.has("isError")).as(result.toString()).isTrue();
+    return result.getAsJsonArray("content").get(0).getAsJsonObject().get("text").getAsString();
   }
 
   JsonObject next() throws InterruptedException {
