@@ -73,7 +73,7 @@ public final class SampleLayers implements PathListener {
    * @param layers the layers to collect, of those that a film stores
    */
   public SampleLayers(Set<Layer> layers, Scene scene) {
-    mayDisperse = Vertex.mayDisperse(scene);
+    mayDisperse = scene.poses().stream().anyMatch(Vertex::mayDisperse);
     groups = SceneInside.of(scene).lightGroups();
     for (Layer layer : layers) {
       int count = layer == Layer.LIGHTS ? 3 * groups.names().size() : layer.channels().size();

@@ -58,12 +58,13 @@ record SettingsChange(
   }
 
   /**
-   * Returns settings with the caller's changes; adds an error for each that exceeds a limit.
+   * Returns settings with the caller's changes, and equally many samples of each pose; adds an
+   * error for each that exceeds a limit.
    *
    * @param place of the settings, for messages
    */
   RenderSettings changed(RenderSettings inFile, String place, Problems problems) {
-    RenderSettings used = change.apply(inFile);
+    RenderSettings used = change.apply(inFile).withWholePoses();
     boolean isInFile = used.width() == inFile.width() && used.height() == inFile.height();
     if ((long) used.width() * used.height() > limits.pixels()) {
       boolean overrides = place.startsWith("$") && !isInFile;

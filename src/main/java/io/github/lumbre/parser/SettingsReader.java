@@ -12,6 +12,7 @@ import io.github.lumbre.scene.internal.SettingTypes.IntegerType;
 import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
+import io.github.lumbre.scene.internal.SettingTypes.PowerType;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -72,6 +73,9 @@ final class SettingsReader {
     if (type instanceof IntegerType range) {
       return (T) (Integer) options.integer(key, (Integer) missing, range.low(), range.high());
     }
+    if (type instanceof PowerType power) {
+      return (T) power(key, (Integer) missing, power, options);
+    }
     if (type instanceof LongType) {
       return (T) (Long) options.integer(key, (Long) missing, Long.MIN_VALUE, Long.MAX_VALUE);
     }
@@ -89,6 +93,15 @@ final class SettingsReader {
       return options.choice(key, (Map<String, T>) choice.choices(), missing);
     }
     return (T) exposure(options, key, (Exposure) missing);
+  }
+
+  private static Integer power(String key, int missing, PowerType type, JsonNode options) {
+    int value = options.integer(key, missing, 1, type.high());
+    if (type.accepts(value)) {
+      return value;
+    }
+    options.error(key, "expected " + type.expected() + ", found " + value);
+    return missing;
   }
 
   /**

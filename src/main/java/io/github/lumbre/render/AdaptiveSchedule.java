@@ -49,6 +49,7 @@ final class AdaptiveSchedule implements Schedule {
   private static final float RAYS_TO_BEGIN = 1;
 
   private final int goal;
+  private final int pilot;
 
   /** The number of rays of each pixel's samples; empty before the first pass. */
   private long[] rays = {};
@@ -60,9 +61,11 @@ final class AdaptiveSchedule implements Schedule {
    * Creates the schedule of one film.
    *
    * @param goal mean samples per pixel; a rest that is too small for a doubling is not used
+   * @param poses number of poses; the noise of a pixel is known from two samples of each pose on
    */
-  AdaptiveSchedule(int goal) {
+  AdaptiveSchedule(int goal, int poses) {
     this.goal = goal;
+    pilot = Math.min(Math.max(PILOT, 2 * poses), goal);
   }
 
   @Override
@@ -71,7 +74,6 @@ final class AdaptiveSchedule implements Schedule {
       rays = new long[(int) film.window().pixels()];
     }
     int fewest = film.fewestSamples();
-    int pilot = Math.min(PILOT, goal);
     if (fewest < pilot) {
       int end = Passes.next(fewest, pilot);
       return Optional.of(target(film, pixel -> end));

@@ -24,8 +24,7 @@ final class BucketRenderer implements Runnable {
   private static final int MAX_REPORTED_REJECTS = 10;
 
   private final RenderSettings settings;
-  private final Scene scene;
-  private final Integrator integrator;
+  private final TracedPose[] poses;
   private final Film film;
   private final SampleTarget target;
   private final RenderQueue queue;
@@ -46,6 +45,7 @@ final class BucketRenderer implements Runnable {
 
   private volatile Optional<Crop> bucket = Optional.empty();
   private long samples;
+  private long nextQuestion;
   private long reported;
   private long rejected;
   private long saturated;
@@ -53,17 +53,20 @@ final class BucketRenderer implements Runnable {
   private long clamped;
   private double clampedLight;
 
+  /**
+   * @param scene whose names and numbers the layers have
+   * @param poses of the scene, a power of two
+   */
   BucketRenderer(
       RenderSettings settings,
       Scene scene,
-      Integrator integrator,
+      List<TracedPose> poses,
       Sampler sampler,
       Film film,
       SampleTarget target,
       RenderQueue queue) {
     this.settings = settings;
-    this.scene = scene;
-    this.integrator = integrator;
+    this.poses = poses.toArray(TracedPose[]::new);
     this.film = film;
     this.target = target;
     this.queue = queue;
@@ -121,12 +124,14 @@ final class BucketRenderer implements Runnable {
   private boolean renderPixel(int x, int y) {
     int pixel = film.index(x, y);
     int wanted = target.samples(x, y);
-    for (int count = film.samples(pixel); count < wanted; count++) {
+    // A pixel ends with equally many samples of each pose.
+    for (int count = film.samples(pixel); count < wanted || !film.isWhole(count); count++) {
       if (samples - reported >= SAMPLES_PER_REPORT) {
         report();
       }
-      if (samples % SAMPLES_PER_QUESTION == 0) {
+      if (samples >= nextQuestion && film.isWhole(count)) {
         beats = samples;
+        nextQuestion = samples + SAMPLES_PER_QUESTION;
         if (queue.isStopped()) {
           return false;
         }
@@ -139,9 +144,11 @@ final class BucketRenderer implements Runnable {
   private void renderSample(int x, int y, int sample, int pixel) {
     context.startSample();
     samples++;
-    boolean hasRay = CameraSamples.start(scene, settings, sampler, x, y, sample, ray);
+    TracedPose pose = poses[sample & poses.length - 1];
+    boolean hasRay = CameraSamples.start(pose.scene(), settings, sampler, x, y, sample, ray);
+    Integrator integrator = pose.integrator();
     if (layers.isPresent()) {
-      renderLayers(x, y, sample, pixel, hasRay, layers.get());
+      renderLayers(integrator, x, y, sample, pixel, hasRay, layers.get());
       return;
     }
     if (!hasRay) {
@@ -154,7 +161,13 @@ final class BucketRenderer implements Runnable {
 
   /** Renders a sample with its layers. */
   private void renderLayers(
-      int x, int y, int sample, int pixel, boolean hasRay, SampleLayers collected) {
+      Integrator integrator,
+      int x,
+      int y,
+      int sample,
+      int pixel,
+      boolean hasRay,
+      SampleLayers collected) {
     if (!hasRay) {
       collected.clear();
       film.add(pixel, Rgb.BLACK, false, collected);

@@ -39,6 +39,9 @@ public final class Film {
   private final Crop window;
   private final int firstSample;
 
+  /** The number of poses whose samples take turns. */
+  private final int poses;
+
   /** Three sums per pixel. */
   private final ExactSums sums;
 
@@ -56,6 +59,11 @@ public final class Film {
     this(window, hasAlpha, firstSample, FilmLayers.NONE);
   }
 
+  /** Creates an empty film of a scene that stands still. */
+  public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers) {
+    this(window, hasAlpha, firstSample, layers, 1);
+  }
+
   /**
    * Creates an empty film.
    *
@@ -63,14 +71,22 @@ public final class Film {
    * @param hasAlpha whether the film counts the samples that cover a pixel
    * @param firstSample the number of each pixel's first sample, at least 0
    * @param layers the layers that the film records besides the picture
-   * @throws IllegalArgumentException if {@code firstSample} is negative
+   * @param poses the number of poses whose samples take turns, 1 for a scene that stands still
+   * @throws IllegalArgumentException if {@code firstSample} is negative or not a multiple of the
+   *     poses, or if {@code poses} is not a power of two
    */
-  public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers) {
+  public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers, int poses) {
     this.window = Objects.requireNonNull(window, "window");
-    if (firstSample < 0) {
-      throw new IllegalArgumentException("firstSample: expected at least 0, found " + firstSample);
+    if (Integer.bitCount(poses) != 1 || poses < 1) {
+      throw new IllegalArgumentException("poses: expected a power of two, found " + poses);
+    }
+    if (firstSample < 0 || firstSample % poses != 0) {
+      String expected = poses == 1 ? "at least 0" : "a multiple of " + poses;
+      throw new IllegalArgumentException(
+          "firstSample: expected " + expected + ", found " + firstSample);
     }
     this.firstSample = firstSample;
+    this.poses = poses;
     int pixels = Math.multiplyExact(window.width(), window.height());
     sums = new ExactSums(Math.multiplyExact(3, pixels));
     counts = new int[pixels];
@@ -119,6 +135,21 @@ public final class Film {
     Objects.checkIndex(x - window.x(), window.width());
     Objects.checkIndex(y - window.y(), window.height());
     return counts[index(x, y)];
+  }
+
+  /** Returns the number of poses whose samples take turns; 1 for a scene that stands still. */
+  public int poses() {
+    return poses;
+  }
+
+  /** Returns whether a number of samples has equally many of each pose. */
+  boolean isWhole(int samples) {
+    return (samples & poses - 1) == 0;
+  }
+
+  /** Returns whether a number of samples has two parts, each with all poses. */
+  boolean hasHalves(int samples) {
+    return samples >= 2 * poses && isWhole(samples);
   }
 
   /** Returns the smallest number of samples of any pixel. */
@@ -221,7 +252,7 @@ public final class Film {
 
   /** Returns an independent copy of this film. */
   public Film copy() {
-    Film copy = new Film(window, hasAlpha(), firstSample, layers());
+    Film copy = new Film(window, hasAlpha(), firstSample, layers(), poses);
     copy.set(this);
     return copy;
   }
@@ -436,14 +467,14 @@ public final class Film {
   }
 
   /**
-   * Returns the means of two parts of a pixel's samples. Empty with fewer than two samples, or if
-   * the stored mean was lost when films were added.
+   * Returns the means of two parts of a pixel's samples, each with all poses. Empty with fewer than
+   * two samples of each pose, and if the stored mean was lost when films were added.
    *
    * @param x the pixel's column in the full frame, inside the window
    * @param y the pixel's row in the full frame, inside the window
    */
   public Optional<PixelHalves> halves(int x, int y) {
-    return samples(x, y) < 2 ? Optional.empty() : firstMeans.halves(index(x, y));
+    return hasHalves(samples(x, y)) ? firstMeans.halves(index(x, y)) : Optional.empty();
   }
 
   /** Returns the size and the mean number of samples, for people. */

@@ -15,6 +15,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
+import java.util.function.Function;
 import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
 
@@ -75,7 +76,7 @@ public final class FilmRenderer implements PassRenderer {
     this(
         settings,
         scene,
-        IntegratorSource.of(settings, scene, integrator),
+        IntegratorSource.of(settings, scene, pose -> integrator),
         SobolSampler::new,
         UnaryOperator.identity(),
         new OwnThreads());
@@ -143,10 +144,10 @@ public final class FilmRenderer implements PassRenderer {
    * Returns an empty film with the settings' window and a given first sample number. Films of the
    * same window with disjoint sample numbers can be merged.
    *
-   * @param firstSample at least 0
+   * @param firstSample at least 0, and a multiple of the number of the scene's poses
    */
   public Film newFilm(int firstSample) {
-    return new Film(settings.window(), hasAlpha, firstSample, layers);
+    return new Film(settings.window(), hasAlpha, firstSample, layers, scene.poses().size());
   }
 
   /** Returns the schedule of passes for a new film or a resumed one. */
@@ -162,7 +163,9 @@ public final class FilmRenderer implements PassRenderer {
    * @param goal samples per pixel; the mean if the settings are adaptive
    */
   public Schedule schedule(int goal) {
-    return settings.adaptive() ? new AdaptiveSchedule(goal) : Schedule.even(goal, Passes::next);
+    return settings.adaptive()
+        ? new AdaptiveSchedule(goal, scene.poses().size())
+        : Schedule.even(goal, Passes::next);
   }
 
   /**
@@ -179,6 +182,10 @@ public final class FilmRenderer implements PassRenderer {
    * samples of a pixel continue its sample numbers. After a cancelled pass, another pass with the
    * same target therefore adds the missing samples.
    *
+   * <p>In a {@linkplain Scene#inMotion scene in motion}, targets are rounded up so that a pixel has
+   * equally many samples of each pose, and a cancelled pass completes the poses of the pixels that
+   * it has begun.
+   *
    * @param film a film as {@link #newFilm} makes it; no other thread may use it during the pass
    * @param progress receives all events except {@link Progress#started}
    * @throws IllegalArgumentException if the film has another window, alpha or other layers
@@ -190,9 +197,9 @@ public final class FilmRenderer implements PassRenderer {
   public PassResult addSamples(Film film, SampleTarget target, Progress progress)
       throws InterruptedException {
     requireOwn(film);
-    Integrator integrator;
+    List<TracedPose> poses;
     try {
-      integrator = integrators.get(pilot(progress));
+      poses = integrators.get(pilot(progress));
     } catch (CancellationException e) {
       return new PassResult(false, RenderStatistics.ZERO);
     }
@@ -200,7 +207,7 @@ public final class FilmRenderer implements PassRenderer {
     RenderQueue queue = new RenderQueue(buckets, progress);
     List<BucketRenderer> workers = new ArrayList<>();
     for (int i = 0; i < Math.min(threads(), buckets.size()); i++) {
-      workers.add(new BucketRenderer(settings, scene, integrator, sampler(), film, target, queue));
+      workers.add(new BucketRenderer(settings, scene, poses, sampler(), film, target, queue));
     }
     double start = seconds();
     KernelUpgrade.begin();
@@ -272,9 +279,10 @@ public final class FilmRenderer implements PassRenderer {
   /** Does what the program does with a renderer and other programs do not need. */
   private final class Inside extends RendererInside {
     @Override
-    public FilmRenderer with(Integrator integrator, LongFunction<Sampler> others) {
-      IntegratorSource source = IntegratorSource.of(settings, scene, integrator);
-      return new FilmRenderer(settings, scene, source, others, order, crew);
+    public FilmRenderer with(
+        Function<Scene, Integrator> others, LongFunction<Sampler> otherSamplers) {
+      IntegratorSource source = IntegratorSource.of(settings, scene, others);
+      return new FilmRenderer(settings, scene, source, otherSamplers, order, crew);
     }
 
     @Override

@@ -130,7 +130,7 @@ final class LayerDevelopment {
     float[] values = new float[Math.multiplyExact(3, pixels)];
     for (int pixel = 0; pixel < pixels; pixel++) {
       int samples = film.samples(pixel);
-      boolean isKnown = samples > 1 && sums.hasFirstMean(layer, pixel);
+      boolean isKnown = film.hasHalves(samples) && sums.hasFirstMean(layer, pixel);
       for (int channel = 0; channel < 3; channel++) {
         values[3 * pixel + channel] =
             isKnown ? (float) noise(layer, channel, pixel, samples) : Float.NaN;

@@ -2,7 +2,6 @@ package io.github.lumbre.render;
 
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.PathRecorder;
 import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.path.PathVertex;
@@ -23,10 +22,9 @@ import java.util.TreeMap;
  * to one thread.
  */
 public final class PixelReplay {
-  private final Scene scene;
   private final RenderSettings settings;
   private final Sampler sampler;
-  private final Integrator integrator;
+  private final List<TracedPose> poses;
   private final SampleLimit limit;
   private final PathRecorder recorder = new PathRecorder();
   private final RenderContext context = RenderContext.recordedBy(recorder);
@@ -38,15 +36,14 @@ public final class PixelReplay {
    * @param settings the settings of the render whose samples are repeated
    */
   public PixelReplay(Scene scene, RenderSettings settings) {
-    this.scene = scene.framed(settings.aspect());
     this.settings = settings;
     sampler = new SobolSampler(settings.seed());
-    integrator = integrator(settings, this.scene);
+    poses = poses(settings, scene.framed(settings.aspect()));
     limit = SampleLimit.of(settings);
   }
 
-  /** Returns the integrator; renders the pilot even if the calling thread is interrupted. */
-  private static Integrator integrator(RenderSettings settings, Scene scene) {
+  /** Returns the poses; renders the pilot even if the calling thread is interrupted. */
+  private static List<TracedPose> poses(RenderSettings settings, Scene scene) {
     boolean isInterrupted = Thread.interrupted();
     IntegratorSource source = IntegratorSource.of(settings, scene);
     while (true) {
@@ -122,10 +119,11 @@ public final class PixelReplay {
    */
   public Sample sample(int x, int y, int number) {
     context.startSample();
-    if (!CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {
+    TracedPose pose = poses.get(number & poses.size() - 1);
+    if (!CameraSamples.start(pose.scene(), settings, sampler, x, y, number, ray)) {
       return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false, false);
     }
-    Rgb radiance = integrator.radiance(ray, sampler, context);
+    Rgb radiance = pose.integrator().radiance(ray, sampler, context);
     return new Sample(
         number,
         recorder.vertices(),

@@ -30,6 +30,12 @@ public final class RenderSettings {
   /** The largest allowed number of branches of a split path. */
   public static final int MAX_SPLIT = 256;
 
+  /** The longest allowed time of {@link Setting#SHUTTER}, in seconds. */
+  public static final double MAX_SHUTTER = 3600;
+
+  /** The largest allowed number of {@link Setting#POSES}. */
+  public static final int MAX_POSES = 256;
+
   /** The largest allowed number of threads. */
   public static final int MAX_THREADS = 1024;
 
@@ -166,6 +172,23 @@ public final class RenderSettings {
   /** Returns {@link Setting#LAYERS}. */
   public Set<Layer> layers() {
     return get(Setting.LAYERS);
+  }
+
+  /**
+   * Returns the number of poses whose samples take turns: {@link Setting#POSES}, or 1 if {@link
+   * Setting#SHUTTER} is 0.
+   */
+  public int poses() {
+    return isSet(Setting.SHUTTER) ? get(Setting.POSES) : 1;
+  }
+
+  /**
+   * Returns these settings with equally many samples of each pose: rounds the samples up to a
+   * multiple of {@link #poses}.
+   */
+  public RenderSettings withWholePoses() {
+    int rest = Math.floorMod(-samples(), poses());
+    return rest == 0 ? this : toBuilder().samples(samples() + rest).build();
   }
 
   /** Returns the part of the full frame to render; empty means the full frame. */

@@ -18,12 +18,15 @@ import io.github.lumbre.scene.internal.SceneDescription;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
 import io.github.lumbre.scene.internal.SurfaceNames;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
 /**
@@ -78,7 +81,17 @@ public final class Scene {
   /** Whether rays may pass straight through some surface. */
   private final boolean hasTransparency;
 
+  /** The poses of a scene in motion, in the order of time; empty if it stands still. */
+  private final List<Scene> poses;
+
   Scene(SceneAssembly built, Optional<Built> from) {
+    this(built, from, Optional.empty());
+  }
+
+  /**
+   * @param known the hierarchies of the shapes and lights; empty to build them
+   */
+  Scene(SceneAssembly built, Optional<Built> from, Optional<Hierarchies> known) {
     camera = built.camera;
     viewpoint = from.flatMap(code -> code.description().viewpoint());
     // The scene that this one continues need not be kept.
@@ -94,14 +107,19 @@ public final class Scene {
             .reduce(Bounds3.EMPTY, Bounds3::union)
             .radius();
     hierarchies =
-        from.flatMap(Built::origin)
-            .filter(other -> other.shapes().equals(shapes()))
-            .map(other -> other.hierarchies.of(lights.all().equals(other.lights.all())))
+        known
+            .or(
+                () ->
+                    from.flatMap(Built::origin)
+                        .filter(other -> other.shapes().equals(shapes()))
+                        .map(
+                            other -> other.hierarchies.of(lights.all().equals(other.lights.all()))))
             .orElseGet(() -> Hierarchies.over(shapes(), built.kernel, lights.all()));
     bvh = hierarchies.all();
     names = SurfaceNames.of(built.objectNames, built.materialNames);
     shortcuts = Specialization.of(primitives, emitters().size());
     hasTransparency = primitives.stream().anyMatch(primitive -> !primitive.material().isOpaque());
+    poses = List.of();
     primitiveOfShape = primitivesOfShapes();
   }
 
@@ -112,8 +130,10 @@ public final class Scene {
       Set<Specialization> shortcuts,
       Camera camera,
       Optional<Viewpoint> viewpoint,
-      SurfaceNames names) {
+      SurfaceNames names,
+      List<Scene> poses) {
     this.camera = camera;
+    this.poses = poses;
     this.names = names;
     this.viewpoint = viewpoint;
     built = other.built;
@@ -139,7 +159,8 @@ public final class Scene {
   Scene without(Specialization shortcut) {
     Set<Specialization> others =
         shortcuts.stream().filter(other -> other != shortcut).collect(Collectors.toSet());
-    return new Scene(this, hierarchies, others, camera, viewpoint, names);
+    return new Scene(
+        this, hierarchies, others, camera, viewpoint, names, posed(s -> s.without(shortcut)));
   }
 
   /**
@@ -149,7 +170,7 @@ public final class Scene {
    */
   public Scene searchedBy(Kernel kernel) {
     Hierarchies others = Hierarchies.over(shapes(), kernel, lights.all());
-    return new Scene(this, others, shortcuts, camera, viewpoint, names);
+    return searchedIn(others, posed(pose -> pose.searchedBy(kernel)));
   }
 
   /**
@@ -158,7 +179,17 @@ public final class Scene {
    */
   public Scene counting(LongAdder visits) {
     Hierarchies others = Hierarchies.counting(shapes(), visits, lights.all());
-    return new Scene(this, others, shortcuts, camera, viewpoint, names);
+    return searchedIn(others, posed(pose -> pose.counting(visits)));
+  }
+
+  private Scene searchedIn(Hierarchies others, List<Scene> newPoses) {
+    return new Scene(this, others, shortcuts, camera, viewpoint, names, newPoses);
+  }
+
+  /** Returns the poses after a change; one that stands for several is changed once. */
+  private List<Scene> posed(UnaryOperator<Scene> change) {
+    Map<Scene, Scene> changed = new IdentityHashMap<>();
+    return poses.stream().map(pose -> changed.computeIfAbsent(pose, change)).toList();
   }
 
   /** Returns whether {@link #changeKernel} has something to do, if vectors are available. */
@@ -185,6 +216,36 @@ public final class Scene {
   /** Returns whether the scene uses a specialization. */
   boolean takes(Specialization shortcut) {
     return shortcuts.contains(shortcut);
+  }
+
+  /**
+   * Returns a scene in motion: its pictures are the means of the pictures of poses. Of each pixel's
+   * samples, number i shows pose i modulo the number of poses, and every pixel gets equally many
+   * samples of each. Everything but samples, such as lines, names and guiding, is that of the
+   * middle pose.
+   *
+   * @param poses in the order of time; their number is a power of two, up to {@link
+   *     RenderSettings#MAX_POSES}. Scenes that share meshes and hierarchies need little memory
+   */
+  public static Scene inMotion(List<Scene> poses) {
+    if (!Setting.POSES.type().accepts(poses.size())) {
+      throw new IllegalArgumentException(
+          "poses: expected " + Setting.POSES.type().expected() + ", found " + poses.size());
+    }
+    Scene middle = poses.get(poses.size() / 2);
+    return new Scene(
+        middle,
+        middle.hierarchies,
+        middle.shortcuts,
+        middle.camera,
+        middle.viewpoint,
+        middle.names,
+        poses.size() == 1 ? List.of() : List.copyOf(poses));
+  }
+
+  /** Returns the poses of a scene in motion, in the order of time; itself if it stands still. */
+  public List<Scene> poses() {
+    return poses.isEmpty() ? List.of(this) : poses;
   }
 
   /** Returns a builder of a scene in code. */
@@ -219,7 +280,14 @@ public final class Scene {
   }
 
   private Scene seenBy(Camera newCamera, Optional<Viewpoint> newViewpoint) {
-    return new Scene(this, hierarchies, shortcuts, newCamera, newViewpoint, names);
+    return new Scene(
+        this,
+        hierarchies,
+        shortcuts,
+        newCamera,
+        newViewpoint,
+        names,
+        posed(pose -> pose.seenBy(newCamera, newViewpoint)));
   }
 
   /**
@@ -244,7 +312,8 @@ public final class Scene {
       throw new IllegalArgumentException("same: expected " + expected + ", found " + found);
     }
     SurfaceNames others = SurfaceNames.of(same.objectNames, same.materialNames);
-    return new Scene(this, hierarchies, shortcuts, camera, viewpoint, others);
+    return new Scene(
+        this, hierarchies, shortcuts, camera, viewpoint, others, posed(pose -> pose.named(same)));
   }
 
   /** Returns the description that the scene was built from; empty if it was read from a file. */

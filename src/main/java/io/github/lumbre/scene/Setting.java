@@ -11,6 +11,7 @@ import io.github.lumbre.scene.internal.SettingTypes.LayersType;
 import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
+import io.github.lumbre.scene.internal.SettingTypes.PowerType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -168,6 +169,31 @@ public final class Setting<T> {
               "Pixel reconstruction filter: box, tent, gaussian or blackman-harris.")
           .inScenes()
           .withFlag("--filter", "NAME")
+          .changingSamples();
+
+  /**
+   * The time in seconds during which the animated models of a scene move for one picture, from the
+   * time of their pose on; 0 for a still picture.
+   */
+  public static final Setting<Double> SHUTTER =
+      new Setting<>(
+              "shutter",
+              Group.SAMPLING,
+              new NumberType(0, RenderSettings.MAX_SHUTTER),
+              0.,
+              "Seconds during which animated models move for one picture; 0: they stand still.")
+          .inScenes()
+          .changingSamples();
+
+  /** The number of poses that stand for the motion during {@link #SHUTTER}. */
+  public static final Setting<Integer> POSES =
+      new Setting<>(
+              "poses",
+              Group.SAMPLING,
+              new PowerType(RenderSettings.MAX_POSES),
+              16,
+              "Poses, a power of two, that stand for the motion during the time of the shutter.")
+          .inScenes()
           .changingSamples();
 
   /** Seed of all random numbers. */

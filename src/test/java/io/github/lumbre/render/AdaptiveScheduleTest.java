@@ -94,7 +94,7 @@ class AdaptiveScheduleTest {
   @Test
   void dearSamplesAreFewer() {
     Film film = new Film(new Crop(0, 0, WIDTH, HEIGHT), false, 0);
-    Schedule schedule = new AdaptiveSchedule(512);
+    Schedule schedule = new AdaptiveSchedule(512, 1);
     Random random = new Random(7);
     for (Optional<SampleTarget> target = schedule.next(film);
         target.isPresent();
@@ -220,7 +220,7 @@ class AdaptiveScheduleTest {
   }
 
   private static SampleTarget next(Film film, int goal) {
-    return new AdaptiveSchedule(goal).next(film).orElseThrow();
+    return new AdaptiveSchedule(goal, 1).next(film).orElseThrow();
   }
 
   /** Returns the pixels selected for more samples, as x + width * y. */
@@ -324,10 +324,10 @@ class AdaptiveScheduleTest {
   @Test
   void noPixelHasMoreSamplesThanARenderMayHave() {
     int most = RenderSettings.MAX_SAMPLES;
-    assertThat(new AdaptiveSchedule(most).next(black(1, 1, most))).isEmpty();
+    assertThat(new AdaptiveSchedule(most, 1).next(black(1, 1, most))).isEmpty();
     assertThat(chosen(black(1, 1, most / 2), most)).containsExactly(0);
-    assertThat(new AdaptiveSchedule(most - 1).next(black(1, 1, most / 2))).isEmpty();
-    assertThat(new AdaptiveSchedule(most).next(black(2, 2, most / 2 + 1))).isEmpty();
+    assertThat(new AdaptiveSchedule(most - 1, 1).next(black(1, 1, most / 2))).isEmpty();
+    assertThat(new AdaptiveSchedule(most, 1).next(black(2, 2, most / 2 + 1))).isEmpty();
   }
 
   /** Where a pass is too short for any pixel, the one with the fewest samples is doubled. */
@@ -338,13 +338,13 @@ class AdaptiveScheduleTest {
     fillAtOnce(film, 1, 512);
     fillAtOnce(film, 2, 1024);
     assertThat(chosen(film, 1024)).containsExactly(1);
-    assertThat(new AdaptiveSchedule(1023).next(film)).isEmpty();
+    assertThat(new AdaptiveSchedule(1023, 1).next(film)).isEmpty();
   }
 
   @Test
   void targetStaysTheSameUntilItIsMet() {
     Film film = film(16, 16, 32, 7, 7);
-    Schedule schedule = new AdaptiveSchedule(64);
+    Schedule schedule = new AdaptiveSchedule(64, 1);
     SampleTarget first = schedule.next(film).orElseThrow();
     fill(film, 0, 4096, true);
     SampleTarget again = schedule.next(film).orElseThrow();
@@ -357,7 +357,7 @@ class AdaptiveScheduleTest {
   @Test
   void pilotIsEvenAndInPasses() {
     Film film = new Film(new Crop(0, 0, 4, 4), false, 0);
-    Schedule schedule = new AdaptiveSchedule(1_000);
+    Schedule schedule = new AdaptiveSchedule(1_000, 1);
     for (int expected = 1; expected <= AdaptiveSchedule.PILOT; expected *= 2) {
       SampleTarget target = schedule.next(film).orElseThrow();
       for (int pixel = 0; pixel < 16; pixel++) {

@@ -71,7 +71,7 @@ class WatchdogTest {
     return new BucketRenderer(
         SETTINGS,
         SCENE,
-        integrator,
+        List.of(new TracedPose(SCENE, integrator)),
         new SobolSampler(0),
         renderer.newFilm(),
         (x, y) -> SETTINGS.samples(),

@@ -75,6 +75,6 @@ public record TradeSetting(
   /** Returns a renderer of the setting for another scene and other frame settings. */
   FilmRenderer renderer(Scene other, RenderSettings frame) {
     FilmRenderer renderer = new FilmRenderer(frame, other);
-    return RendererInside.of(renderer).with(method.apply(other), samplers);
+    return RendererInside.of(renderer).with(method, samplers);
   }
 }

@@ -6,6 +6,7 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderException;
 import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.LongFunction;
@@ -27,12 +28,14 @@ public abstract class RendererInside {
   }
 
   /**
-   * Returns the same renderer with another integrator and other random numbers. Its films cannot be
+   * Returns the same renderer with other integrators and other random numbers. Its films cannot be
    * merged with films of other renderers.
    *
+   * @param integrators creates the integrator of a pose of the scene
    * @param samplers creates the sampler of a seed; called once for each thread
    */
-  public abstract FilmRenderer with(Integrator integrator, LongFunction<Sampler> samplers);
+  public abstract FilmRenderer with(
+      Function<Scene, Integrator> integrators, LongFunction<Sampler> samplers);
 
   /**
    * Renders the pilot of {@link RenderSettings#guiding} if there is none yet. The first pass does

@@ -60,11 +60,11 @@ public final class LightGroups {
 
   /** Returns the number of the group of an emitter of the scene, or -1. */
   public int ofEmitter(int emitter) {
-    return ofEmitter[emitter];
+    return names.isEmpty() ? -1 : ofEmitter[emitter];
   }
 
   /** Returns the number of the group of a primitive's emission, or -1. */
   public int ofPrimitive(int primitive) {
-    return ofPrimitive[primitive];
+    return names.isEmpty() ? -1 : ofPrimitive[primitive];
   }
 }

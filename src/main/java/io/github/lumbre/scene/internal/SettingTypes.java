@@ -38,6 +38,24 @@ public final class SettingTypes {
     }
   }
 
+  /** Powers of two from 1 to the highest one. */
+  public record PowerType(int high) implements SettingType<Integer> {
+    @Override
+    public Integer parse(String text) {
+      return number(text, Integer::valueOf, expected());
+    }
+
+    @Override
+    public boolean accepts(Integer value) {
+      return value >= 1 && value <= high && Integer.bitCount(value) == 1;
+    }
+
+    @Override
+    public String expected() {
+      return "a power of two from 1 to " + high;
+    }
+  }
+
   /** All 64-bit integers. */
   public record LongType() implements SettingType<Long> {
     @Override
