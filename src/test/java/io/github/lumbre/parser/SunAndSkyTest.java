@@ -137,6 +137,7 @@ class SunAndSkyTest {
     View east = Sky.sunAt(0, 0, morning);
     assertThat(Math.abs(east.elevation())).isLessThan(2);
     View place = new View(east.azimuth(), 0);
+    assertThat(Sky.sunAt(80, 0, morning.plusSeconds(6 * 3600)).azimuth()).isBetween(-2., 2.);
     for (int turn : new int[] {0, 90}) {
       Stage stage = Stage.DEFAULT.under(new Sky("sun", 1, turn, place));
       EnvironmentLight light = new SceneParser().parse(MODEL, stage).scene().environments().get(1);
