@@ -25,7 +25,7 @@ public final class BuiltInDenoiser {
   private static final int LARGEST_TILE = 2200 * 1200;
 
   /** The result stays within this many standard deviations of the noisy picture. */
-  private static final double FARTHEST = 4;
+  static final double FARTHEST = 4;
 
   /**
    * How much larger the squared error is than the filtered noise, since kernels also mix different
@@ -36,6 +36,7 @@ public final class BuiltInDenoiser {
   private final NoisyPicture noisy;
   private final Features features;
   private final Workers workers;
+  private final FilteredUnits filtered;
   private final float[] result;
 
   /** Sums of relative squared errors, by row and {@link TileFilter#UNIT} columns. */
@@ -43,10 +44,11 @@ public final class BuiltInDenoiser {
 
   private final int errorsInRow;
 
-  private BuiltInDenoiser(NoisyPicture noisy, Workers workers) {
+  private BuiltInDenoiser(NoisyPicture noisy, Workers workers) throws InterruptedException {
     this.noisy = noisy;
     this.workers = workers;
     features = new Features(noisy);
+    filtered = FilteredUnits.of(features, workers);
     result = new float[noisy.light().mean().length];
     errorsInRow = units(features.right());
     errors = new double[Math.multiplyExact(features.bottom(), errorsInRow)];
@@ -83,7 +85,7 @@ public final class BuiltInDenoiser {
   }
 
   private static int units(int pixels) {
-    return (pixels + TileFilter.UNIT - 1) / TileFilter.UNIT;
+    return FilteredUnits.count(pixels);
   }
 
   private Denoised denoise(int tile) throws InterruptedException {
@@ -108,25 +110,37 @@ public final class BuiltInDenoiser {
 
   /** Returns the result with its light given back, and not farther than the noise allows. */
   private float[] corrected() throws InterruptedException {
-    float[] corrected = new float[result.length];
-    int values = 3 * noisy.width();
+    float[] corrected = result.clone();
+    int width = units(features.right()) * TileFilter.UNIT;
+    FilteredPart whole = new FilteredPart(filtered, 0, 0, width, 0);
+    LostLight lost = new LostLight(features, result);
     workers.compute(
         noisy.height(),
         (first, end, convolution) -> {
-          LostLight lost = new LostLight(features, noisy.light().noise(), result);
-          double[] variances = new double[values];
-          float[] row = new float[values];
+          double[] variances = new double[3 * noisy.width()];
           for (int y = first; y < end; y++) {
+            int row = y;
             features.writeVariances(y, variances);
-            lost.write(y, row);
-            for (int i = 0; i < values; i++) {
-              double most = FARTHEST * Math.sqrt(variances[i]);
-              float value = near(row[i], features.light(y * values + i), most);
-              corrected[y * values + i] = Math.max(0, value);
-            }
+            whole.forEach(
+                features.top() + y,
+                (x, right) -> correct(lost, row, x, right, variances, corrected));
           }
         });
     return corrected;
+  }
+
+  /** Corrects pixels from a column to another. */
+  private void correct(
+      LostLight lost, int y, int left, int right, double[] variances, float[] corrected) {
+    int first = Math.max(features.left(), left) - features.left();
+    int end = Math.min(features.right(), right) - features.left();
+    float[] row = new float[3 * noisy.width()];
+    lost.write(y, first, end, row);
+    int start = y * row.length;
+    for (int i = 3 * first; i < 3 * end; i++) {
+      double most = FARTHEST * Math.sqrt(variances[i]);
+      corrected[start + i] = Math.max(0, near(row[i], features.light(start + i), most));
+    }
   }
 
   /** Returns the numbers of tiles beside and below each other with the least work. */
@@ -159,7 +173,7 @@ public final class BuiltInDenoiser {
     int y = Math.max(0, top - MARGIN);
     int width = Math.min(allAcross, left + across + MARGIN) - x;
     int height = Math.min(allDown, top + down + MARGIN) - y;
-    FilterLevel level = new TileFilter(features, workers, x, y, width, height).filtered();
+    FilterLevel level = new TileFilter(features, filtered, workers, x, y, width, height).filtered();
     int start = Math.max(features.left(), left);
     int end = Math.min(features.right(), left + across);
     int upper = Math.max(features.top(), top);
@@ -180,11 +194,18 @@ public final class BuiltInDenoiser {
     for (int column = start; column < end; column++) {
       int at = zero + column;
       int pixel = (row - features.top()) * noisy.width() + column - features.left();
+      boolean isFiltered = filtered.contains(column, row);
       for (int c = 0; c < 3; c++) {
         int i = 3 * pixel + c;
-        float value = features.mixed(i, level.mix[at], planes[c][at], planes[3 + c][at]);
+        float value = features.light(i);
+        if (isFiltered) {
+          value = features.mixed(i, level.mix[at], planes[c][at], planes[3 + c][at]);
+        }
         if (isNoiseKnown) {
-          double noise = features.mixed(i, level.mix[at], planes[6 + c][at], planes[9 + c][at]);
+          double noise =
+              isFiltered
+                  ? features.mixed(i, level.mix[at], planes[6 + c][at], planes[9 + c][at])
+                  : features.noise(i);
           errors[row * errorsInRow + column / TileFilter.UNIT] +=
               noise * noise / ((double) value * value + Denoised.FLOOR);
         }

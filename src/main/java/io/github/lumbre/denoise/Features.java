@@ -25,7 +25,11 @@ final class Features {
   private final int height;
   private final int left;
   private final int top;
+
+  /** Between 0 and {@link #BRIGHTEST}. */
   private final float[] light;
+
+  private final float[] alpha;
   private final float[] noise;
   private final float[] albedo;
   private final float[] albedoNoise;
@@ -41,7 +45,8 @@ final class Features {
     height = picture.height();
     left = picture.left() % TileFilter.UNIT;
     top = picture.top() % TileFilter.UNIT;
-    light = picture.light().mean();
+    light = limited(picture.light().mean());
+    alpha = picture.alpha();
     noise = picture.light().noise();
     albedo = picture.albedo().orElse(none).mean();
     albedoNoise = picture.albedo().orElse(none).noise();
@@ -106,10 +111,26 @@ final class Features {
     double sum = 0;
     for (int y = upper; y < upper + down; y++) {
       for (int i = 3 * (y * width + first); i < 3 * (y * width + first + across); i++) {
-        sum += limited(light[i]);
+        sum += light[i];
       }
     }
     return sum;
+  }
+
+  /** Returns the values themselves if all are within the limits. */
+  private static float[] limited(float[] light) {
+    float[] limited = light;
+    for (int i = 0; i < light.length; i++) {
+      float value = limited(light[i]);
+      // Compared like this, -0 differs from 0.
+      if (limited == light && Float.compare(value, light[i]) != 0) {
+        limited = light.clone();
+      }
+      if (limited != light) {
+        limited[i] = value;
+      }
+    }
+    return limited;
   }
 
   private static float limited(float light) {
@@ -131,20 +152,22 @@ final class Features {
   }
 
   /**
-   * Writes the features of a row of a tile.
+   * Writes the features of some pixels of a row of a tile.
    *
    * @param first the tile's first column
    * @param y the tile's row
    * @param row the row in the maps
+   * @param left the first column in the maps
+   * @param right after the last column
    */
-  void write(int first, int y, Maps maps, int row) {
+  void write(int first, int y, Maps maps, int row, int left, int right) {
     int at = maps.at(row);
-    for (int x = 0; x < maps.width(); x++) {
+    for (int x = left; x < right; x++) {
       int i = index(first + x, y);
       float deviation = 0;
       float brightness = 0;
       for (int c = 0; c < 3; c++) {
-        float value = limited(light[i + c]) * scale;
+        float value = light[i + c] * scale;
         float divided = value / divisor(i + c);
         maps.plane(c)[at + x] = tone(value);
         maps.plane(3 + c)[at + x] = tone(divided);
@@ -189,7 +212,7 @@ final class Features {
       int i = index(first + x, y);
       for (int c = 0; c < 3; c++) {
         float divisor = divisor(i + c);
-        float value = limited(light[i + c]) * scale;
+        float value = light[i + c] * scale;
         rows[c][x] = value;
         rows[3 + c][x] = value / divisor;
         if (noise.length != 0) {
@@ -212,7 +235,35 @@ final class Features {
 
   /** Returns the light of a value of the picture. */
   float light(int index) {
-    return limited(light[index]);
+    return light[index];
+  }
+
+  /** Returns the noise of a value of the picture; call it only if that is known. */
+  float noise(int index) {
+    return noise[index];
+  }
+
+  /**
+   * Writes which pixels of a row have a standard deviation of more than a part of their light, or
+   * no light and so nothing to compare with. Pixels that are transparent have neither.
+   *
+   * @param y the picture's row
+   */
+  void writeNoisy(int y, double part, boolean[] noisy) {
+    if (noise.length == 0) {
+      Arrays.fill(noisy, true);
+      return;
+    }
+    double[] variances = new double[3 * width];
+    writeVariances(y, variances);
+    for (int x = 0; x < width; x++) {
+      boolean isNoisy = false;
+      for (int c = 0; c < 3; c++) {
+        double most = part * light[3 * (y * width + x) + c];
+        isNoisy |= most == 0 || variances[3 * x + c] > most * most;
+      }
+      noisy[x] = isNoisy && (alpha.length == 0 || alpha[y * width + x] != 0);
+    }
   }
 
   /**

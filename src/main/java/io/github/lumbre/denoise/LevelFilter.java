@@ -45,26 +45,46 @@ final class LevelFilter {
    * @param decoded the inputs of the head
    * @param first an even number
    */
-  void apply(Maps decoded, int first, int end) {
-    for (int x = 0; x < level.width; x += CHUNK) {
-      int count = Math.min(CHUNK, level.width - x);
-      for (int y = first - RADIUS; y < first + RADIUS; y++) {
-        shift(x, y, count);
-      }
-      for (int y = first; y < end; y++) {
-        shift(x, y + RADIUS, count);
-        predict(decoded, x, y, count);
-        filter(x, y, count);
-        int at = y * level.width + x;
-        System.arraycopy(outputs[Network.SHARE], 0, level.share, at, count);
-        if (level.mix.length != 0) {
-          Loops.sigmoids(outputs[Network.MIX], count);
-          System.arraycopy(outputs[Network.MIX], 0, level.mix, at, count);
-        }
-        if (next != null) {
-          pool(x, y, count);
+  void apply(Maps decoded, int first, int end, FilteredPart part) {
+    for (int y = first, bottom; y < end; y = bottom) {
+      bottom = part.bottom(y, end);
+      for (int x = 0, right; x < level.width; x = right) {
+        right = Math.min(part.end(x, y), x + CHUNK);
+        if (part.contains(x, y)) {
+          apply(decoded, x, y, bottom, right - x);
+        } else if (next != null) {
+          poolEvenly(x, y, bottom, right - x);
         }
       }
+    }
+  }
+
+  private void apply(Maps decoded, int x, int first, int end, int count) {
+    for (int y = first - RADIUS; y < first + RADIUS; y++) {
+      shift(x, y, count);
+    }
+    for (int y = first; y < end; y++) {
+      shift(x, y + RADIUS, count);
+      predict(decoded, x, y, count);
+      filter(x, y, count);
+      int at = y * level.width + x;
+      System.arraycopy(outputs[Network.SHARE], 0, level.share, at, count);
+      if (level.mix.length != 0) {
+        Loops.sigmoids(outputs[Network.MIX], count);
+        System.arraycopy(outputs[Network.MIX], 0, level.mix, at, count);
+      }
+      if (next != null) {
+        pool(x, y, count);
+      }
+    }
+  }
+
+  /** Pools pixels that are not filtered, as if the network predicted equal weights. */
+  private void poolEvenly(int x, int first, int end, int count) {
+    Arrays.fill(outputs[Network.WEIGHT], 0);
+    for (int y = first; y < end; y++) {
+      shift(x, y, count);
+      pool(x, y, count);
     }
   }
 

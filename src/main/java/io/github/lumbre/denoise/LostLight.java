@@ -1,12 +1,10 @@
 package io.github.lumbre.denoise;
 
-import java.util.Arrays;
-
 /**
  * Gives back light that filtering lost: kernels that spare few bright pixels among many dark ones
  * make sparse light too dark. The mean of a neighborhood shows this where it differs from the mean
  * of the result by more than its noise explains; how much of the difference is given back follows
- * from both (James &amp; Stein 1961). Mutable; rows that follow each other share work.
+ * from both (James &amp; Stein 1961). Immutable.
  */
 final class LostLight {
   private static final int RADIUS = 12;
@@ -21,37 +19,35 @@ final class LostLight {
 
   private final Features picture;
   private final float[] filtered;
-  private final float[] noise;
   private final int width;
 
-  /** The light of the rows of a neighborhood, each at its number modulo their count. */
-  private final float[][] lights;
-
-  /** The numbers of these rows; -1 for none. */
-  private final int[] lightRows = new int[2 * RADIUS + 1];
-
-  LostLight(Features picture, float[] noise, float[] filtered) {
+  LostLight(Features picture, float[] filtered) {
     this.picture = picture;
-    this.noise = noise;
     this.filtered = filtered;
     width = picture.width();
-    lights = new float[lightRows.length][3 * width];
-    Arrays.fill(lightRows, -1);
   }
 
-  /** Writes a row of the result with its light given back, three values for each pixel. */
-  void write(int y, float[] row) {
+  /**
+   * Writes pixels of a row of the result with their light given back.
+   *
+   * @param start the first column
+   * @param stop after the last column
+   * @param row three values for each pixel of the row
+   */
+  void write(int y, int start, int stop, float[] row) {
     int first = Math.max(0, y - RADIUS);
     int end = Math.min(picture.height(), y + RADIUS + 1);
+    int from = 3 * Math.max(0, start - RADIUS);
+    int to = 3 * Math.min(width, stop + RADIUS);
     double[] differences = new double[3 * width];
     double[] variances = new double[3 * width];
     double[] means = new double[3 * width];
     for (int near = first; near < end; near++) {
-      addRow(light(near), 3 * near * width, differences, variances, means);
+      addRow(3 * near * width, from, to, differences, variances, means);
     }
     double[] difference = new double[3];
     double[] mean = new double[3];
-    for (int x = 0; x < width; x++) {
+    for (int x = start; x < stop; x++) {
       int left = Math.max(0, x - RADIUS);
       int right = Math.min(width, x + RADIUS + 1);
       int pixels = (right - left) * (end - first);
@@ -72,26 +68,14 @@ final class LostLight {
     }
   }
 
-  /** Returns the light of a row of the picture. */
-  private float[] light(int y) {
-    int slot = y % lights.length;
-    if (lightRows[slot] != y) {
-      lightRows[slot] = y;
-      for (int i = 0; i < 3 * width; i++) {
-        lights[slot][i] = picture.light(3 * y * width + i);
-      }
-    }
-    return lights[slot];
-  }
-
-  /** Adds a row to the sums of its columns; its noise and its result begin at an index. */
+  /** Adds values of a row to the sums of its columns; its result begins at an index. */
   private void addRow(
-      float[] light, int start, double[] differences, double[] variances, double[] means) {
-    for (int i = 0; i < light.length; i++) {
-      double error = noise[start + i];
-      differences[i] += light[i] - (double) filtered[start + i];
+      int row, int from, int to, double[] differences, double[] variances, double[] means) {
+    for (int i = from; i < to; i++) {
+      double error = picture.noise(row + i);
+      differences[i] += picture.light(row + i) - (double) filtered[row + i];
       variances[i] += error * error;
-      means[i] += filtered[start + i];
+      means[i] += filtered[row + i];
     }
   }
 

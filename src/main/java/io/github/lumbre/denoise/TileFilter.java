@@ -9,6 +9,7 @@ final class TileFilter {
 
   private final Network network = Network.get();
   private final Features picture;
+  private final FilteredUnits units;
   private final Workers workers;
   private final int left;
   private final int top;
@@ -22,8 +23,16 @@ final class TileFilter {
    * @param width a multiple of {@link #UNIT}; beyond the picture, its border is repeated
    * @param height a multiple of {@link #UNIT}
    */
-  TileFilter(Features picture, Workers workers, int left, int top, int width, int height) {
+  TileFilter(
+      Features picture,
+      FilteredUnits units,
+      Workers workers,
+      int left,
+      int top,
+      int width,
+      int height) {
     this.picture = picture;
+    this.units = units;
     this.workers = workers;
     this.left = left;
     this.top = top;
@@ -53,6 +62,10 @@ final class TileFilter {
     return levels[0];
   }
 
+  private FilteredPart part(int level) {
+    return new FilteredPart(units, left, top, width >> level, level);
+  }
+
   private Maps maps(int level, int planes) {
     return new Maps(width >> level, 0, height >> level, planes);
   }
@@ -66,13 +79,15 @@ final class TileFilter {
       Maps out = maps(level, network.down(level)[1].outputs());
       Maps next = level + 1 < Network.LEVELS ? maps(level + 1, out.count()) : null;
       Layer[] layers = network.down(level);
+      FilteredPart part = part(level);
+      FilteredPart coarse = part(level + 1);
       workers.compute(
           height >> level,
           (first, end, convolution) -> {
             Maps from = in == null ? features(first, end) : in;
-            pair(layers, new Maps[] {from}, first, end, convolution, out);
+            pair(layers, new Maps[] {from}, first, end, part, convolution, out);
             if (next != null) {
-              pool(out, next, first / 2, end / 2);
+              pool(out, next, first / 2, end / 2, coarse);
             }
           });
       encoded[level] = out;
@@ -85,34 +100,46 @@ final class TileFilter {
   private Maps features(int first, int end) {
     Maps features = new Maps(width, first - 2, end - first + 4, Network.FEATURES);
     for (int y = Math.max(0, first - 2); y < Math.min(height, end + 2); y++) {
-      picture.write(left, top + y, features, y);
+      int row = y;
+      part(0).forEach(y, (x, right) -> picture.write(left, top + row, features, row, x, right));
     }
     return features;
   }
 
   /** Computes two layers of a strip, without keeping the features between them. */
   private void pair(
-      Layer[] layers, Maps[] inputs, int first, int end, Convolution convolution, Maps out) {
-    // All levels have the tile's form.
-    int rows = (int) ((long) out.width() * height / width);
+      Layer[] layers,
+      Maps[] inputs,
+      int first,
+      int end,
+      FilteredPart part,
+      Convolution convolution,
+      Maps out) {
+    int rows = height >> part.level();
     Layer before = layers[0];
     Maps between = new Maps(out.width(), first - 1, end - first + 2, before.outputs());
-    convolution.apply(before, inputs, Math.max(0, first - 1), Math.min(rows, end + 1), between);
-    convolution.apply(layers[1], new Maps[] {between}, first, end, out);
+    convolution.apply(
+        before, inputs, Math.max(0, first - 1), Math.min(rows, end + 1), part, between);
+    convolution.apply(layers[1], new Maps[] {between}, first, end, part, out);
   }
 
-  private static void pool(Maps fine, Maps coarse, int first, int end) {
+  private static void pool(Maps fine, Maps coarse, int first, int end, FilteredPart part) {
     int below = fine.stride();
-    for (int c = 0; c < fine.count(); c++) {
-      float[] from = fine.plane(c);
-      for (int y = first; y < end; y++) {
-        for (int x = 0; x < coarse.width(); x++) {
-          int i = fine.at(2 * y) + 2 * x;
-          float upper = Math.max(from[i], from[i + 1]);
-          float lower = Math.max(from[i + below], from[i + below + 1]);
-          coarse.plane(c)[coarse.at(y) + x] = Math.max(upper, lower);
-        }
-      }
+    for (int y = first; y < end; y++) {
+      int row = y;
+      part.forEach(
+          y,
+          (left, right) -> {
+            for (int c = 0; c < fine.count(); c++) {
+              float[] from = fine.plane(c);
+              for (int x = left; x < right; x++) {
+                int i = fine.at(2 * row) + 2 * x;
+                float upper = Math.max(from[i], from[i + 1]);
+                float lower = Math.max(from[i + below], from[i + below + 1]);
+                coarse.plane(c)[coarse.at(row) + x] = Math.max(upper, lower);
+              }
+            }
+          });
     }
   }
 
@@ -123,7 +150,13 @@ final class TileFilter {
         height >> level,
         (first, end, convolution) ->
             pair(
-                layers, joined(level, coarser, encoded, first, end), first, end, convolution, out));
+                layers,
+                joined(level, coarser, encoded, first, end),
+                first,
+                end,
+                part(level),
+                convolution,
+                out));
     return out;
   }
 
@@ -131,13 +164,18 @@ final class TileFilter {
   private Maps[] joined(int level, Maps coarser, Maps encoded, int first, int end) {
     Maps doubled = new Maps(encoded.width(), first - 2, end - first + 4, coarser.count());
     for (int y = Math.max(0, first - 2); y < Math.min(height >> level, end + 2); y++) {
-      for (int c = 0; c < coarser.count(); c++) {
-        int from = coarser.at(y / 2);
-        int to = doubled.at(y);
-        for (int x = 0; x < encoded.width(); x++) {
-          doubled.plane(c)[to + x] = coarser.plane(c)[from + x / 2];
-        }
-      }
+      int from = coarser.at(y / 2);
+      int to = doubled.at(y);
+      part(level)
+          .forEach(
+              y,
+              (left, right) -> {
+                for (int c = 0; c < coarser.count(); c++) {
+                  for (int x = left; x < right; x++) {
+                    doubled.plane(c)[to + x] = coarser.plane(c)[from + x / 2];
+                  }
+                }
+              });
     }
     return new Maps[] {doubled, encoded};
   }
@@ -152,8 +190,9 @@ final class TileFilter {
         (first, end, convolution) -> {
           Maps decoded = new Maps(width, first, end - first, layers[1].outputs());
           Maps[] inputs = joined(0, coarser, encoded, first, end);
-          pair(layers, inputs, first, end, convolution, decoded);
-          new LevelFilter(network.head(0), levels[0], levels[1], light).apply(decoded, first, end);
+          pair(layers, inputs, first, end, part(0), convolution, decoded);
+          new LevelFilter(network.head(0), levels[0], levels[1], light)
+              .apply(decoded, first, end, part(0));
         });
   }
 
@@ -164,7 +203,7 @@ final class TileFilter {
         level.height,
         (first, end, convolution) ->
             new LevelFilter(network.head(index), level, next, level.light())
-                .apply(decoded, first, end));
+                .apply(decoded, first, end, part(index)));
   }
 
   private void combine(FilterLevel level, FilterLevel coarser) throws InterruptedException {
