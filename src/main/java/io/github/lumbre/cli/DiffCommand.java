@@ -41,7 +41,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -114,7 +113,7 @@ final class DiffCommand extends Subcommand {
             require(
                 length > 0 && length < Double.POSITIVE_INFINITY,
                 "--tolerance: expected a finite number > 0, found " + length));
-    Stage stage = flags.stage(OptionalDouble.empty());
+    Stage stage = flags.stage();
     OutputGuard guard = overwrite.guard().reads(old, "a model").reads(now, "a model");
     page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));
     guard.check();

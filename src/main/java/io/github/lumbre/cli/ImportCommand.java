@@ -22,7 +22,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -71,7 +70,7 @@ final class ImportCommand extends Subcommand {
     require(
         !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
         "--labels: cannot be used; a scene file holds no labels");
-    Stage stage = flags.stage(OptionalDouble.empty());
+    Stage stage = flags.stage();
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : stage.files(model)) {
       require(

@@ -54,7 +54,6 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -196,7 +195,7 @@ final class ViewsCommand extends Subcommand {
     samples.ifPresent(n -> requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
     threads.ifPresent(n -> requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
     size.ifPresent(checks()::requireSize);
-    return flags.stage(OptionalDouble.empty());
+    return flags.stage();
   }
 
   private OutputGuard guard() {

@@ -112,6 +112,22 @@ public record ModelOptions(
         false);
   }
 
+  /** Returns these options with a pose. */
+  public ModelOptions posed(Pose newPose) {
+    return new ModelOptions(
+        Optional.of(newPose),
+        variant,
+        up,
+        unit,
+        pointRadius,
+        hidden,
+        highlighted,
+        sections,
+        look,
+        limits,
+        lenient);
+  }
+
   private ModelOptions with(OptionalDouble radius, Limits newLimits, boolean isLenient) {
     return new ModelOptions(
         pose, variant, up, unit, radius, hidden, highlighted, sections, look, newLimits, isLenient);

@@ -10,6 +10,7 @@ import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.ShownLabels;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
@@ -60,6 +61,18 @@ final class Framing {
       return new Vertices(toWorld, positions, used, isPoints ? pointRadius : 0);
     }
 
+    /** Returns whether the vertices are those of another part, perhaps at another place. */
+    boolean isMoved(Vertices other) {
+      return radius == other.radius
+          && used.equals(other.used)
+          && Arrays.equals(positions, other.positions);
+    }
+
+    /** Returns these vertices at the place of others. */
+    Vertices at(Vertices other) {
+      return new Vertices(other.toWorld, positions, used, radius);
+    }
+
     /** Calls the visitor with each vertex in world space. */
     void forEach(Visitor visitor) {
       for (int v = used.nextSetBit(0); v >= 0; v = used.nextSetBit(v + 1)) {
@@ -95,10 +108,17 @@ final class Framing {
         : new Framing(parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
   }
 
-  /** Returns where a camera must stand so that two models are in the frame. */
+  /**
+   * Returns where a camera must stand so that two models are in the frame. If the other one is this
+   * one in another pose, they share the vertices of parts that keep their shape.
+   */
   Framing with(Framing other) {
     List<Vertices> all = new ArrayList<>(parts);
-    all.addAll(other.parts);
+    for (int i = 0; i < other.parts.size(); i++) {
+      Vertices part = other.parts.get(i);
+      boolean isMoved = i < parts.size() && part.isMoved(parts.get(i));
+      all.add(isMoved ? parts.get(i).at(part) : part);
+    }
     Bounds3 box = new Bounds3(min, max).union(new Bounds3(other.min, other.max));
     return new Framing(List.copyOf(all), box.min(), box.max());
   }

@@ -9,7 +9,7 @@ import java.util.List;
 
 /**
  * The SHA-256 over a scene's text and then each file that is read for it. The text may be known
- * after some of the files. Mutable.
+ * after some of the files, and there may be several texts. Mutable.
  */
 final class SceneHash {
   /** Bytes between two checks for an interrupt; a power of two, so that sums do not overflow. */
@@ -17,25 +17,42 @@ final class SceneHash {
 
   private final MessageDigest digest = Sha256.digest();
   private final List<byte[]> waiting = new ArrayList<>();
+  private boolean keepsFiles;
   private boolean hasText;
+
+  /** Keeps the files in memory, for {@link #over}. Call it before the text is set. */
+  void keepFiles() {
+    keepsFiles = true;
+  }
 
   /** Sets the text of the scene, once. */
   void text(byte[] text) {
     hasText = true;
-    update(text);
-    waiting.forEach(this::update);
-    waiting.clear();
+    update(digest, text);
+    waiting.forEach(file -> update(digest, file));
+    if (!keepsFiles) {
+      waiting.clear();
+    }
   }
 
   void add(byte[] file) {
     if (hasText) {
-      update(file);
-    } else {
+      update(digest, file);
+    }
+    if (!hasText || keepsFiles) {
       waiting.add(file);
     }
   }
 
-  private void update(byte[] bytes) {
+  /** Returns the hash of the files that were kept with another text, in hexadecimal. */
+  String over(byte[] text) {
+    MessageDigest other = Sha256.digest();
+    update(other, text);
+    waiting.forEach(file -> update(other, file));
+    return HexFormat.of().formatHex(other.digest());
+  }
+
+  private static void update(MessageDigest digest, byte[] bytes) {
     for (int at = 0; at < bytes.length; at += BLOCK) {
       Interrupts.check();
       digest.update(bytes, at, Math.min(BLOCK, bytes.length - at));

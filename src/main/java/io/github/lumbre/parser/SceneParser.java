@@ -11,6 +11,7 @@ import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.parser.internal.FileHashes;
+import io.github.lumbre.parser.internal.ModelSequence;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -45,6 +46,7 @@ public final class SceneParser {
 
   static {
     CountingParser.madeBy(SceneParser::counting);
+    ModelSequence.madeBy(SceneParser::sequence);
   }
 
   private final boolean lenient;
@@ -234,6 +236,24 @@ public final class SceneParser {
         problemsOf(file),
         () ->
             new ModelViews(staged(file, model, files, stage.seenFrom(views.get(0))), views, this));
+  }
+
+  private ModelSequence sequence(
+      Path model, Optional<byte[]> content, Stage stage, ModelSequence.Motion motion)
+      throws SceneFormatException, IOException {
+    Path file = content.isPresent() ? inNoFolder(model.toString()) : model;
+    String name = String.valueOf(file.getFileName());
+    StagedFrames.Source source =
+        content.isPresent()
+            ? of -> staged(file, content.get(), ModelFolder.NONE, of)
+            : of -> staged(file, of);
+    return TimedReading.of(
+        limits(),
+        problemsOf(file),
+        () ->
+            motion.turns() > 0
+                ? new StagedTurntable(this, source, name, stage, motion.turns())
+                : new StagedAnimation(this, source, name, stage, motion.animation(), motion.fps()));
   }
 
   private static Problems problemsOf(Path model) {

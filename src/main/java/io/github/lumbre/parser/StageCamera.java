@@ -46,7 +46,12 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
     return new StageCamera("", Lens.pinhole(stage.fov()), pose, OptionalDouble.empty());
   }
 
-  private static Optional<ModelCamera> own(Stage stage, Model model) throws ModelFormatException {
+  /**
+   * Returns the camera of the model that a stage uses; empty if the whole model is framed.
+   *
+   * @throws ModelFormatException if the model lacks the camera that the stage names
+   */
+  static Optional<ModelCamera> own(Stage stage, Model model) throws ModelFormatException {
     if (stage.camera().isEmpty()) {
       return stage.view().isPresent() ? Optional.empty() : model.cameras().stream().findFirst();
     }

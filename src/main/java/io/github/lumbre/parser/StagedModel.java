@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import com.google.gson.JsonObject;
 import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
@@ -16,6 +17,7 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -70,8 +72,8 @@ final class StagedModel {
   private final ModelPlace place;
   private final Model model;
 
-  /** Of the whole model, so that a cut one is seen from the same place. */
-  private final Framing framing;
+  /** Of the whole model, so that a cut one is seen from the same place, or of an animation. */
+  private Framing framing;
 
   /**
    * Reads a model.
@@ -109,6 +111,19 @@ final class StagedModel {
     ShapeReader.isMeasurable(place.spot(), new Bounds3(framing.min(), framing.max()));
     problems.throwIfAny();
     model = cut(whole);
+  }
+
+  /** Makes cameras have something else in their frames, on whose lowest point the ground is. */
+  void frame(Framing other) {
+    framing = other;
+  }
+
+  /**
+   * Keeps the files in memory, for {@link #hashOf} and {@link #seenFrom(Stage, SceneFile,
+   * SceneParser)}.
+   */
+  void keepFiles() {
+    hash.keepFiles();
   }
 
   private Model cut(Model whole) throws SceneFormatException {
@@ -149,10 +164,8 @@ final class StagedModel {
   /** Returns the scene. Call it once. */
   SceneFile scene(SceneParser parser) throws SceneFormatException {
     StageCamera camera = camera(stage, parser.settings().frameAspect(), framing);
-    RenderSettings inFile = settings(camera, parser);
-    RenderSettings settings = parser.settings().changed(inFile, "size", problems);
-    WrittenStage written = new WrittenStage(stage, camera, framing.min().y());
-    byte[] text = written.scene(folder, file, inFile).toString().getBytes(StandardCharsets.UTF_8);
+    RenderSettings settings = parser.settings().changed(settings(camera, parser), "size", problems);
+    byte[] text = text(stage, camera, parser);
     hash.text(text);
     SceneParts parts = new SceneParts();
     if (stage.ground()) {
@@ -177,8 +190,7 @@ final class StagedModel {
         new FileHashes(Sha256.of(text), data.hashes()),
         contents(camera, models),
         parts.origins(List.of(), List.of()),
-        // One line, which the header of a checkpoint file can hold.
-        Optional.of(new SceneText(text, folder.resolve(file.getFileName()))),
+        Optional.of(sceneText(text)),
         Optional.of(
             ModelContents.of(
                 model,
@@ -186,6 +198,51 @@ final class StagedModel {
                 ShownLabels.of(stage, model),
                 framing.min(),
                 framing.max())));
+  }
+
+  /** Returns the text of the scene: one line, which the header of a checkpoint file can hold. */
+  private byte[] text(Stage of, StageCamera camera, SceneParser parser) {
+    WrittenStage written = new WrittenStage(of, camera, framing.min().y());
+    JsonObject scene = written.scene(folder, file, settings(camera, parser));
+    return scene.toString().getBytes(StandardCharsets.UTF_8);
+  }
+
+  private SceneText sceneText(byte[] text) {
+    return new SceneText(text, folder.resolve(file.getFileName()));
+  }
+
+  /** Returns the text of the scene on another stage, whose model has the same pose. */
+  byte[] textOf(Stage of, SceneParser parser) throws SceneFormatException {
+    return text(of, camera(of, parser.settings().frameAspect(), framing), parser);
+  }
+
+  /**
+   * Returns the hash of a scene around this model, once one has been built with the files kept.
+   *
+   * @param text of the scene
+   */
+  String hashOf(byte[] text) {
+    return hash.over(text);
+  }
+
+  /**
+   * Returns the scene on a stage that differs in its view alone, once one has been built with the
+   * files kept. The scenes share everything but the camera.
+   */
+  SceneFile seenFrom(Stage of, SceneFile built, SceneParser parser) throws SceneFormatException {
+    ParsedScene first = ParsedScene.of(built);
+    StageCamera camera = camera(of, parser.settings().frameAspect(), framing);
+    byte[] text = text(of, camera, parser);
+    return new ParsedScene(
+        first.scene().seenBy(camera.placed(first.settings().aspect())),
+        first.settings(),
+        first.warnings(),
+        hashOf(text),
+        new FileHashes(Sha256.of(text), first.files().assets()),
+        first.contents(),
+        first.origins(),
+        Optional.of(sceneText(text)),
+        first.model().map(contents -> contents.labeled(ShownLabels.of(of, model))));
   }
 
   /**
@@ -220,6 +277,27 @@ final class StagedModel {
   /** Returns what the model's cameras have in their frames. */
   Framing framing() {
     return framing;
+  }
+
+  /** Returns whether the camera is one of the model's, so that it needs no framing. */
+  boolean hasOwnCamera() throws SceneFormatException {
+    try {
+      return StageCamera.own(stage, model).isPresent();
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
+  }
+
+  /** Returns the animations of the model. */
+  List<ModelAnimation> animations() {
+    return model.animations();
+  }
+
+  /** Returns the exception for the model, which cannot be used. */
+  SceneFormatException failure(Kind kind, String place, String message) {
+    problems.error(kind, () -> place, message);
+    return problems.exception();
   }
 
   private StageCamera camera(Stage of, double frameAspect, Framing framed)

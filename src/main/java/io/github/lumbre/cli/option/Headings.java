@@ -4,6 +4,7 @@ package io.github.lumbre.cli.option;
 final class Headings {
   static final String SCENE = "Scene";
   static final String MODEL = "Model";
+  static final String SEQUENCE = "Frames of a turntable or an animation";
   static final String FRAME = "Frame";
   static final String TRANSPORT = "Light transport";
   static final String SAMPLES = "Samples";

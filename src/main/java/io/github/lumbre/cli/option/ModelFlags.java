@@ -9,6 +9,7 @@ import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.Look;
+import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import io.github.lumbre.scene.Setting;
 import java.lang.reflect.Field;
 import java.time.OffsetDateTime;
@@ -17,7 +18,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.OptionSpec;
@@ -171,18 +171,10 @@ public final class ModelFlags extends Flags {
   /**
    * Returns the camera, sky, ground and background of the model.
    *
-   * @param turn degrees by which the view is turned about the vertical axis; empty without a
-   *     turntable
    * @throws ParameterException that names the flag, if a value is wrong
    */
-  public Stage stage(OptionalDouble turn) {
-    require(
-        camera.isEmpty() || turn.isEmpty(),
-        "--turntable: cannot be combined with --camera; --view sets the first view");
+  public Stage stage() {
     Optional<View> from = view.map(this::view);
-    if (turn.isPresent()) {
-      from = Optional.of(from.orElse(View.DEFAULT).turned(turn.getAsDouble()));
-    }
     double angle = fov.orElse(Stage.DEFAULT_FOV);
     require(
         angle > 0 && angle < 180, "--fov: expected more than 0 and less than 180, found " + angle);
@@ -369,6 +361,20 @@ public final class ModelFlags extends Flags {
       throw failure(flag + ": expected a number, found " + text);
     }
     throw failure(flag + ": expected a finite number, found " + text);
+  }
+
+  /**
+   * Requires that no flag is given which a motion sets.
+   *
+   * @throws ParameterException that names the flag
+   */
+  void requireSuits(Motion motion) {
+    require(
+        motion.turns() == 0 || camera.isEmpty(),
+        "--turntable: cannot be combined with --camera; --view sets the first view");
+    require(
+        motion.turns() > 0 || pose.isEmpty(),
+        "--animation: cannot be combined with --pose, which is one picture of an animation");
   }
 
   /**

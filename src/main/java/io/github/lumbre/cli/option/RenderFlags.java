@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.image.Exposure;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
@@ -82,6 +83,11 @@ public final class RenderFlags extends Flags {
   /** Returns whether the scene is rendered in ray mode, if it is in path mode without flags. */
   public boolean isRayMode() {
     return mode.equals(Optional.of(Mode.RAY));
+  }
+
+  /** Returns whether the flags ask for an automatic exposure. */
+  public boolean isExposureAutomatic() {
+    return settings.valueOr(Setting.EXPOSURE, Exposure.NONE).equals(Exposure.AUTO);
   }
 
   /** Returns whether bright samples are clamped. */

@@ -10,6 +10,7 @@ import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.lab.TaskException;
@@ -56,6 +57,7 @@ public final class RunFlags extends Flags {
 
   private String title = "";
   private List<String> names = List.of();
+  private boolean isBrief;
 
   /** Names the current one of several scenes in its messages and on its progress bar. */
   public void about(Frames frames, Path scene) {
@@ -64,10 +66,21 @@ public final class RunFlags extends Flags {
     names = List.of(scene.toString(), String.valueOf(scene.getFileName()), picture.toString());
   }
 
+  /**
+   * Names the current one of the frames of a sequence in its messages, which are warnings alone
+   * unless statistics are wanted.
+   */
+  public void about(Frames frames) {
+    title = frames.place();
+    names = List.of(String.valueOf(frames.target().getFileName()));
+    isBrief = !stats;
+  }
+
   /** Prints the summary of several pictures, unless there shall be none. */
   public void summarize(String summary, Duration time) {
     if (!quiet) {
       names = List.of();
+      isBrief = false;
       errors().line(String.format(Locale.ROOT, "%s; %.2f s", summary, 1e-9 * time.toNanos()));
     }
   }
@@ -89,7 +102,8 @@ public final class RunFlags extends Flags {
 
   /** Returns the printer of everything else, standard error. */
   public Messages errors() {
-    return new Messages(spec.commandLine().getErr(), names);
+    Messages all = new Messages(spec.commandLine().getErr(), names);
+    return isBrief ? all.warningsAlone() : all;
   }
 
   public RenderMonitor monitor(Interruption interruption, Deadline deadline) {
@@ -118,15 +132,20 @@ public final class RunFlags extends Flags {
    */
   public RenderJob.How how(
       int bits, int jpegQuality, boolean strict, Optional<Denoising> denoising, Set<Layer> layers) {
-    return new RenderJob.How(bits, jpegQuality, quiet, stats, strict, denoising, layers);
+    return new RenderJob.How(
+        bits, jpegQuality, quiet, stats, strict, denoising, layers, PictureExposure.ofEach());
   }
 
   /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */
   public int summarized(JsonSummary report, JsonSummary.Action action)
       throws SceneFormatException, TaskException {
-    return json
-        ? report.around(() -> printed(report, action.run()), out(), Interruption::exitCode)
-        : action.run();
+    return json ? failing(report, () -> printed(report, action.run())) : action.run();
+  }
+
+  /** Runs a part of a command, prints a JSON summary if it fails, and returns its exit code. */
+  public int failing(JsonSummary report, JsonSummary.Action action)
+      throws SceneFormatException, TaskException {
+    return json ? report.around(action, out(), Interruption::exitCode) : action.run();
   }
 
   private int printed(JsonSummary report, int ofCommand) {

@@ -94,7 +94,7 @@ public final class SampleFlags extends Flags {
   private void select(Share part, RenderSettings.Builder builder) {
     int all = builder.build().samples();
     try {
-      firstOfShare = part.first(all);
+      firstOfShare = part.first(all, "sample");
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), "--share: " + e.getMessage(), e);
     }

@@ -3,6 +3,7 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -12,13 +13,15 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.internal.ModelSequence;
+import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine.ArgGroup;
@@ -33,7 +36,10 @@ import picocli.CommandLine.Parameters;
 public final class SceneOptions {
   private Optional<byte[]> text = Optional.empty();
   private Optional<OutputGuard> guard = Optional.empty();
-  private OptionalDouble turn = OptionalDouble.empty();
+  private Optional<Motion> motion = Optional.empty();
+  private Optional<ModelSequence> sequence = Optional.empty();
+  private int frame;
+  private final Set<String> warned = new HashSet<>();
 
   @Mixin ModelFlags model = new ModelFlags();
 
@@ -85,6 +91,7 @@ public final class SceneOptions {
   /** Chooses one of several scenes. */
   public void choose(Path chosen) {
     scene = chosen;
+    warned.clear();
   }
 
   /**
@@ -101,7 +108,7 @@ public final class SceneOptions {
       guardedBy(given);
       try {
         if (isModel()) {
-          model.stage(turn);
+          model.stage();
           given.readsAssets(one, () -> modelFiles(one));
         } else {
           model.requireNone();
@@ -114,7 +121,7 @@ public final class SceneOptions {
   }
 
   private Set<Path> modelFiles(Path file) throws SceneFormatException, IOException {
-    SceneFile read = parser().parse(file, model.stage(turn));
+    SceneFile read = parser().parse(file, model.stage());
     return read.assetPaths(read.text().orElseThrow().path());
   }
 
@@ -160,15 +167,56 @@ public final class SceneOptions {
     return files;
   }
 
-  /** Turns the view of a model about the vertical axis, by an angle in degrees. */
-  public void turn(double degrees) {
-    turn = OptionalDouble.of(degrees);
+  /**
+   * Makes the scene one frame of a sequence.
+   *
+   * @throws ParameterException that names the flag, if a flag does not suit it
+   */
+  public void move(Motion newMotion) {
+    model.requireSuits(newMotion);
+    motion = Optional.of(newMotion);
+  }
+
+  /** Chooses one of the frames of the sequence. */
+  public void choose(int index) {
+    frame = index;
+  }
+
+  /**
+   * Returns the frames of the sequence; reads the model if it has not been read.
+   *
+   * @throws TaskException if the model cannot be read
+   */
+  public ModelSequence sequence(SceneParser parser) throws SceneFormatException, TaskException {
+    return reading(() -> frames(parser));
+  }
+
+  /**
+   * Returns the hash of the scene of a frame of the sequence that has been read.
+   *
+   * @throws TaskException if the model cannot be read
+   */
+  public String hash(int index) throws SceneFormatException, TaskException {
+    return reading(() -> sequence.orElseThrow().hash(index));
+  }
+
+  private ModelSequence frames(SceneParser parser)
+      throws SceneFormatException, TaskException, IOException {
+    if (sequence.isEmpty()) {
+      Optional<byte[]> content =
+          isStandardInput() ? Optional.of(standardInput()) : Optional.empty();
+      Path named = isStandardInput() ? PictureOutput.STDIN : scene;
+      sequence =
+          Optional.of(
+              ModelSequence.of(parser, named, content, model.stage(), motion.orElseThrow()));
+    }
+    return sequence.get();
   }
 
   private SceneFile parsed(byte[] content, SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     return isModel()
-        ? parser.parse(PictureOutput.STDIN.toString(), content, model.stage(turn))
+        ? parser.parse(PictureOutput.STDIN.toString(), content, model.stage())
         : parser.parse(content, PictureOutput.STDIN);
   }
 
@@ -199,7 +247,7 @@ public final class SceneOptions {
   }
 
   /**
-   * Reads the scene and prints its warnings.
+   * Reads the scene and prints its warnings, each once.
    *
    * @throws TaskException if there are warnings under {@code --strict}, or if the scene cannot be
    *     read
@@ -210,7 +258,7 @@ public final class SceneOptions {
     if (guard.isPresent() && isModel()) {
       guard.get().checkAssets(scene, file.assetPaths(file.text().orElseThrow().path()));
     }
-    messages.warnings(file.warnings());
+    file.warnings().stream().map(ProblemText::of).filter(warned::add).forEach(messages::warning);
     if (isStrict() && !file.warnings().isEmpty()) {
       int count = file.warnings().size();
       String warnings = count == 1 ? "1 warning" : count + " warnings";
@@ -226,16 +274,34 @@ public final class SceneOptions {
    * @throws TaskException if the scene cannot be read
    */
   public SceneFile read(SceneParser parser) throws SceneFormatException, TaskException {
+    return reading(() -> parsed(parser));
+  }
+
+  private SceneFile parsed(SceneParser parser)
+      throws SceneFormatException, TaskException, IOException {
+    if (motion.isPresent()) {
+      return frames(parser).frame(frame);
+    }
+    if (isStandardInput()) {
+      return parsed(standardInput(), parser);
+    }
+    if (isModel()) {
+      return parser.parse(scene, model.stage());
+    }
+    SceneParser.requireScene(scene);
+    model.requireNone();
+    return parser.parse(scene);
+  }
+
+  /** Reads something of a scene. */
+  @FunctionalInterface
+  private interface Reading<T> {
+    T read() throws SceneFormatException, TaskException, IOException;
+  }
+
+  private <T> T reading(Reading<T> action) throws SceneFormatException, TaskException {
     try {
-      if (isStandardInput()) {
-        return parsed(standardInput(), parser);
-      }
-      if (isModel()) {
-        return parser.parse(scene, model.stage(turn));
-      }
-      SceneParser.requireScene(scene);
-      model.requireNone();
-      return parser.parse(scene);
+      return action.read();
     } catch (CancellationException e) {
       InterruptedIOException interrupted = new InterruptedIOException("reading was interrupted");
       interrupted.initCause(e);

@@ -1,9 +1,10 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.lab.Numbers;
 import java.util.Map;
 
 /**
- * One of the equal shares into which a job array divides the samples of a render.
+ * One of the equal shares into which a job array divides the samples or the frames of a render.
  *
  * @param index of the share, from 0
  * @param count number of shares, at least 1
@@ -85,25 +86,28 @@ record Share(int index, int count) {
   }
 
   /**
-   * Returns the number of samples before this share.
+   * Returns the number of things before this share.
    *
-   * @param samples of all shares together, per pixel
-   * @throws IllegalArgumentException if there are fewer samples than shares
+   * @param all number of the things of all shares together
+   * @param thing their name, such as "sample"
+   * @throws IllegalArgumentException if there are fewer things than shares
    */
-  int first(int samples) {
-    if (samples < count) {
+  int first(int all, String thing) {
+    if (all < count) {
       throw new IllegalArgumentException(
-          "expected at least one sample for each share, found "
-              + samples
-              + " samples and "
+          "expected at least one "
+              + thing
+              + " for each share, found "
+              + Numbers.count(all, thing)
+              + " and "
               + count
               + " shares");
     }
-    return (int) ((long) samples * index / count);
+    return (int) ((long) all * index / count);
   }
 
-  /** Returns the number of samples before the next share. */
-  int end(int samples) {
-    return (int) ((long) samples * (index + 1) / count);
+  /** Returns the number of things before the next share; see {@link #first}. */
+  int end(int all) {
+    return (int) ((long) all * (index + 1) / count);
   }
 }

@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 public final class TargetFlags extends Flags {
   /** The flags that cannot be combined with several scenes. */
   private static final Set<String> FOR_ONE_SCENE =
-      Set.of("--checkpoint", "--dry-run", "--turntable");
+      Set.of("--checkpoint", "--dry-run", "--turntable", "--animation");
 
   @Option(
       names = {"-o", "--output"},

@@ -14,11 +14,15 @@ public final class Messages {
   /** Prints nothing. */
   public static final Messages NONE = new Messages(new PrintWriter(Writer.nullWriter()));
 
+  private static final String ERROR = "lumbre: ";
+  private static final String WARNING = "warning: ";
+
   /** The starts of lines that stay in front of a scene's name. */
-  private static final List<String> STARTS = List.of("lumbre: ", "warning: ", "hint: ");
+  private static final List<String> STARTS = List.of(ERROR, WARNING, "hint: ");
 
   private final PrintWriter out;
   private final List<String> names;
+  private final boolean hasWarningsAlone;
 
   public Messages(PrintWriter out) {
     this(out, List.of());
@@ -29,8 +33,18 @@ public final class Messages {
    *     If empty, lines are printed as they are
    */
   public Messages(PrintWriter out, List<String> names) {
+    this(out, names, false);
+  }
+
+  private Messages(PrintWriter out, List<String> names, boolean hasWarningsAlone) {
     this.out = out;
     this.names = names;
+    this.hasWarningsAlone = hasWarningsAlone;
+  }
+
+  /** Returns a printer of the same lines that leaves out those that are not warnings or errors. */
+  public Messages warningsAlone() {
+    return new Messages(out, names, true);
   }
 
   private String named(String text) {
@@ -43,6 +57,9 @@ public final class Messages {
 
   /** Prints a line. */
   public void line(String text) {
+    if (hasWarningsAlone && !text.startsWith(WARNING) && !text.startsWith(ERROR)) {
+      return;
+    }
     ProgressBar.aside(
         () -> {
           out.println(printable(named(text)));
@@ -52,7 +69,7 @@ public final class Messages {
 
   /** Prints a line that begins with the program's name. */
   public void error(String text) {
-    line("lumbre: " + text);
+    line(ERROR + text);
   }
 
   /** Prints a line for each warning. */
@@ -62,7 +79,7 @@ public final class Messages {
 
   /** Prints a line that begins with {@code warning:}. */
   public void warning(String text) {
-    line("warning: " + text);
+    line(WARNING + text);
   }
 
   /** Returns a text with its control and formatting characters written as escapes. */

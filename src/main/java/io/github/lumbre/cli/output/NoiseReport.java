@@ -91,7 +91,8 @@ public record NoiseReport(
 
   /** Adds the metadata for the picture's file. */
   public void putInto(Map<String, String> metadata) {
-    metadata.put("Samples", samples());
+    metadata.put(PictureMetadata.SAMPLES, samples());
+    target.ifPresent(t -> metadata.put(PictureMetadata.TARGET_ERROR, Numbers.percent(t)));
     noise.ifPresent(
         n -> {
           metadata.put("Noise", Numbers.percent(n.relativeRmse()));

@@ -1,20 +1,52 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.lab.Release;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /** The metadata of a picture file. */
 public final class PictureMetadata {
   /** With this environment variable, files state nothing that differs between equal renders. */
   private static final String REPRODUCIBLE = "SOURCE_DATE_EPOCH";
+
+  /** The keyword of the hash of the scene. */
+  public static final String SCENE_HASH = "SceneHash";
+
+  /** The keyword of the number of samples per pixel. */
+  public static final String SAMPLES = "Samples";
+
+  /** The keyword of the target error. */
+  public static final String TARGET_ERROR = "TargetError";
+
+  /** The keyword of the stops that an automatic exposure has chosen. */
+  public static final String CHOSEN_EXPOSURE = "ChosenExposure";
+
+  /** The keyword of the denoiser. */
+  public static final String DENOISED = "Denoised";
+
+  /** The keyword that marks a picture whose render was stopped. */
+  public static final String PARTIAL = "Partial";
+
+  private static final Set<Setting<?>> HAVE_OTHER_NAMES =
+      Set.of(
+          Setting.WIDTH,
+          Setting.HEIGHT,
+          Setting.MODE,
+          Setting.SAMPLES,
+          Setting.SEED,
+          Setting.LAYERS);
 
   private PictureMetadata() {}
 
@@ -36,24 +68,63 @@ public final class PictureMetadata {
       RenderSettings settings,
       double seconds,
       Map<String, String> environment) {
-    Map<String, String> metadata = new LinkedHashMap<>();
-    metadata.put("Software", "Lumbre " + Release.number());
-    metadata.put("Scene", Messages.printable(String.valueOf(scene.getFileName())));
-    metadata.put("SceneHash", file.hash());
-    metadata.put("Mode", SettingType.nameOf(settings.mode()));
-    metadata.put("Samples", String.valueOf(settings.samples()));
-    for (Setting<?> setting : FilmHeader.named()) {
-      if (settings.isSet(setting)) {
-        metadata.put(keyword(setting), settings.text(setting));
-      }
-    }
-    metadata.put("Seed", String.valueOf(settings.seed()));
-    metadata.put("Size", settings.width() + "x" + settings.height());
-    settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
+    Map<String, String> metadata = of(scene, file, settings);
     if (!environment.containsKey(REPRODUCIBLE)) {
       metadata.put("Time", String.format(Locale.ROOT, "%.2f", seconds));
     }
     return metadata;
+  }
+
+  /** Returns the metadata by keyword that say what is rendered, in a mutable map. */
+  public static Map<String, String> of(Path scene, SceneFile file, RenderSettings settings) {
+    Map<String, String> metadata = new LinkedHashMap<>();
+    metadata.put("Software", "Lumbre " + Release.number());
+    metadata.put("Scene", Messages.printable(String.valueOf(scene.getFileName())));
+    metadata.put(SCENE_HASH, file.hash());
+    metadata.put("Mode", SettingType.nameOf(settings.mode()));
+    metadata.put(SAMPLES, String.valueOf(settings.samples()));
+    settings()
+        .filter(settings::isSet)
+        .forEach(setting -> metadata.put(keyword(setting), settings.text(setting)));
+    metadata.put("Seed", String.valueOf(settings.seed()));
+    metadata.put("Size", settings.width() + "x" + settings.height());
+    settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
+    labels(file).ifPresent(labels -> metadata.put("Labels", labels));
+    return metadata;
+  }
+
+  /** Returns the keywords of metadata that differ between pictures of other scenes or settings. */
+  public static Set<String> identifying() {
+    Set<String> keywords =
+        new HashSet<>(
+            Set.of(
+                "Software",
+                SCENE_HASH,
+                "Mode",
+                SAMPLES,
+                "Seed",
+                "Size",
+                "Crop",
+                "Labels",
+                TARGET_ERROR,
+                DENOISED));
+    settings().map(PictureMetadata::keyword).forEach(keywords::add);
+    return keywords;
+  }
+
+  /** Returns the settings that metadata contain under their own names. */
+  private static Stream<Setting<?>> settings() {
+    return Setting.all().stream()
+        .filter(setting -> setting.group() != Setting.Group.EXECUTION)
+        .filter(setting -> !HAVE_OTHER_NAMES.contains(setting));
+  }
+
+  private static Optional<String> labels(SceneFile file) {
+    return ParsedScene.of(file)
+        .model()
+        .map(model -> new TreeSet<>(model.labels().kinds()))
+        .filter(kinds -> !kinds.isEmpty())
+        .map(kinds -> String.join(",", kinds));
   }
 
   /** Returns the keyword of a setting: its name with a capital letter. */

@@ -273,7 +273,7 @@ public final class ProgressBar implements ProgressDisplay {
   }
 
   /** Returns {@code 1:02:03}. */
-  static String clock(double seconds) {
+  public static String clock(double seconds) {
     Duration time = Duration.ofSeconds(Math.round(seconds));
     return "%d:%02d:%02d".formatted(time.toHours(), time.toMinutesPart(), time.toSecondsPart());
   }

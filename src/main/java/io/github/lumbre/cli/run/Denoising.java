@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.denoise.DenoiseException;
 import io.github.lumbre.denoise.Denoised;
@@ -85,7 +86,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
   /** Returns how to write a denoised picture: the metadata of the denoiser are added. */
   public static ImageWriter.Options noting(Denoised denoised, ImageWriter.Options options) {
     Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
-    metadata.put("Denoised", denoised.engine());
+    metadata.put(PictureMetadata.DENOISED, denoised.engine());
     metadata.put("DenoisedChange", percent(denoised.change()));
     denoised
         .relativeNoise()

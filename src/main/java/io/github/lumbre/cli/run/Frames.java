@@ -3,6 +3,7 @@ package io.github.lumbre.cli.run;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -26,6 +27,7 @@ public final class Frames implements AutoCloseable {
   private final Deadline deadline;
   private final List<PictureOutput> pictures = new ArrayList<>();
   private final List<Path> failed = new ArrayList<>();
+  private final long start = System.nanoTime();
   private int current;
   private boolean reserved;
   private boolean ended;
@@ -108,6 +110,19 @@ public final class Frames implements AutoCloseable {
   /** Returns whether a signal or the deadline has ended the sequence. */
   public boolean haveEnded() {
     return ended;
+  }
+
+  /**
+   * Returns the place of the current frame and the time until the last one is complete, {@code
+   * 3/36, all in 0:01:20}; the time is that of the complete frames for each that is left.
+   */
+  public String place() {
+    String place = "%d/%d".formatted(current + 1, targets.size());
+    return current == 0
+        ? place
+        : place
+            + ", all in "
+            + ProgressBar.clock(1e-9 * (System.nanoTime() - start) / current * left());
   }
 
   /** Returns the place and name of the current frame, {@code 3/12 c.png}; empty if it is single. */

@@ -14,8 +14,8 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
-import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.drawing.DisplayLight;
+import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
@@ -71,6 +71,7 @@ public record RenderJob(
    * @param strict whether rejected samples and invalid texture coordinates are errors
    * @param denoising removes the noise from the picture; if empty, it stays
    * @param layers the layers to write if the picture's format holds layers
+   * @param exposing chooses the exposure
    */
   public record How(
       int bits,
@@ -79,7 +80,13 @@ public record RenderJob(
       boolean stats,
       boolean strict,
       Optional<Denoising> denoising,
-      Set<Layer> layers) {}
+      Set<Layer> layers,
+      PictureExposure exposing) {
+    /** Returns these options with another choice of the exposure. */
+    public How exposedBy(PictureExposure other) {
+      return new How(bits, jpegQuality, quiet, stats, strict, denoising, layers, other);
+    }
+  }
 
   /** Renders a new film. */
   public int run(int firstSample) throws TaskException {
@@ -266,7 +273,7 @@ public record RenderJob(
     Summary summary = new Summary(settings, result, seconds, film.totalSamples());
     Map<String, String> metadata = PictureMetadata.of(scene, file, settings, seconds);
     if (!result.complete()) {
-      metadata.put("Partial", summary.progress());
+      metadata.put(PictureMetadata.PARTIAL, summary.progress());
       report.put("stopped_by", stoppedBy());
     }
     noise.putInto(metadata);
@@ -278,13 +285,15 @@ public record RenderJob(
       layers = developed.layers();
       metadata.putAll(developed.metadata());
     }
+    Exposure exposure = how.exposing().of(file, result.image());
+    if (settings.exposure().stops().isEmpty()) {
+      exposure
+          .stops()
+          .ifPresent(stops -> metadata.put(PictureMetadata.CHOSEN_EXPOSURE, "" + stops));
+    }
     ImageWriter.Options options =
         new ImageWriter.Options(
-            Visible.exposure(settings.exposure(), file, result.image()),
-            settings.toneCurve(),
-            how.bits(),
-            how.jpegQuality(),
-            metadata);
+            exposure, settings.toneCurve(), how.bits(), how.jpegQuality(), metadata);
     DenoisedPicture denoised = denoised(film);
     write(denoised.image(result.image()), layers, denoised.noting(options));
     tell(summary, noise, light);

@@ -7,8 +7,11 @@ import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.zip.CRC32;
 import java.util.zip.Inflater;
 
@@ -39,6 +42,8 @@ public record PngFile(
   static final int IDAT = 0x49444154;
   static final int IEND = 0x49454e44;
   private static final int TRNS = 0x74524e53;
+  private static final int TEXT = 0x74455874;
+  private static final int UNICODE_TEXT = 0x69545874;
   static final int PALETTE = 3;
   private static final int HEADER_BYTES = 13;
 
@@ -124,6 +129,38 @@ public record PngFile(
       throw malformed("PNG data are too short for " + width + "x" + height + " pixels");
     }
     return png;
+  }
+
+  /**
+   * Returns the texts in a file that {@link #startsIn} recognizes by their keywords, without
+   * compressed ones.
+   *
+   * @throws ImageFormatException if the file is damaged
+   */
+  public static Map<String, String> texts(byte[] file) throws ImageFormatException {
+    read(file);
+    ByteBuffer in = ByteBuffer.wrap(file).position(Long.BYTES);
+    Map<String, String> texts = new LinkedHashMap<>();
+    while (in.getInt(in.position() + 4) != IEND) {
+      int start = in.position();
+      int length = chunkLength(in);
+      int type = in.getInt(start + 4);
+      if (type == TEXT || type == UNICODE_TEXT) {
+        checkSum(file, start, length);
+        String chunk = new String(file, start + 8, length, StandardCharsets.ISO_8859_1);
+        int end = chunk.indexOf('\0');
+        if (end >= 0 && type == TEXT) {
+          texts.put(chunk.substring(0, end), chunk.substring(end + 1));
+        } else if (end >= 0 && chunk.startsWith("\0\0\0\0", end + 1)) {
+          int from = start + 8 + end + 5;
+          texts.put(
+              chunk.substring(0, end),
+              new String(file, from, start + 8 + length - from, StandardCharsets.UTF_8));
+        }
+      }
+      in.position(start + length + FRAME_BYTES);
+    }
+    return texts;
   }
 
   private static ByteBuffer header(byte[] file) throws ImageFormatException {

@@ -72,6 +72,12 @@ public record ModelContents(
         new Vec3(high.x(), high.y(), 0 - low.z()));
   }
 
+  /** Returns these contents with other labels. */
+  public ModelContents labeled(ShownLabels newLabels) {
+    return new ModelContents(
+        cameras, animations, variants, materials, unit, surfaces, newLabels, fromFile, min, max);
+  }
+
   /** Returns the parts of the model; finding connected pieces takes time. */
   public PartTable parts(Scene scene) {
     return PartTable.of(scene, surfaces);

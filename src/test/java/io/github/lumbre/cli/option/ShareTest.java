@@ -15,9 +15,10 @@ class ShareTest {
         int end = 0;
         for (int i = 0; i < count; i++) {
           Share share = new Share(i, count);
-          assertThat(share.first(samples)).isEqualTo(end);
+          assertThat(share.first(samples, "sample")).isEqualTo(end);
           end = share.end(samples);
-          assertThat(end - share.first(samples)).isBetween(samples / count, samples / count + 1);
+          assertThat(end - share.first(samples, "sample"))
+              .isBetween(samples / count, samples / count + 1);
         }
         assertThat(end).isEqualTo(samples);
       }
@@ -33,7 +34,7 @@ class ShareTest {
     assertFails("0/0", Map.of(), "expected 1 to 1048576 shares, found 0");
     assertFails("half", Map.of(), "expected I/N, such as 0/8, or auto, found half");
     assertFails("a/8", Map.of(), "I/N: expected an integer, found a");
-    assertThatThrownBy(() -> new Share(0, 9).first(8))
+    assertThatThrownBy(() -> new Share(0, 9).first(8, "sample"))
         .hasMessage("expected at least one sample for each share, found 8 samples and 9 shares");
   }
 

@@ -103,7 +103,9 @@ class RunBudgetTest {
           new RunBudget(
               new Budget(MANY, OptionalDouble.empty(), .95),
               Deadline.after(Optional.of(time), clock.nanos()::get));
-      RenderJob.How how = new RenderJob.How(8, 90, false, false, false, Optional.empty(), Set.of());
+      RenderJob.How how =
+          new RenderJob.How(
+              8, 90, false, false, false, Optional.empty(), Set.of(), PictureExposure.ofEach());
       JsonSummary report = new JsonSummary("render", target);
       int code =
           new RenderJob(

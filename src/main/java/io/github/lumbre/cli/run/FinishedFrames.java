@@ -1,0 +1,137 @@
+package io.github.lumbre.cli.run;
+
+import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.internal.PictureTexts;
+import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.lab.TaskException.Kind;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * The frames of a sequence that an earlier run has completed, recognized by the metadata in their
+ * files. Mutable, for one thread.
+ */
+public final class FinishedFrames {
+  private static final String NOTHING = "nothing";
+
+  private final List<String> keywords;
+  private final Set<Path> complete = new HashSet<>();
+  private Optional<String> exposure = Optional.empty();
+
+  /**
+   * @param keywords of the metadata that must be the same
+   */
+  public FinishedFrames(Set<String> keywords) {
+    List<String> ordered = new ArrayList<>(new TreeSet<>(keywords));
+    // Whatever changes a setting often changes the scene around a model, too.
+    if (ordered.remove(PictureMetadata.SCENE_HASH)) {
+      ordered.add(PictureMetadata.SCENE_HASH);
+    }
+    this.keywords = List.copyOf(ordered);
+  }
+
+  /**
+   * Adds a frame if its file is there and complete. A partial picture is as good as none.
+   *
+   * @param picture path of the file
+   * @param expected metadata of the frame as it would be rendered now
+   * @throws TaskException with {@link Kind#USAGE} if the file is something else
+   */
+  public void add(Path picture, Map<String, String> expected) throws TaskException {
+    if (!Files.exists(picture)) {
+      return;
+    }
+    Map<String, String> found = read(picture);
+    if (found.containsKey(PictureMetadata.PARTIAL)) {
+      return;
+    }
+    for (String keyword : keywords) {
+      boolean isAny = keyword.equals(PictureMetadata.DENOISED) && found.containsKey(keyword);
+      String wanted = expected.get(keyword);
+      requireSame(
+          picture,
+          keyword,
+          isAny && wanted != null ? found.get(keyword) : wanted,
+          found.get(keyword));
+    }
+    Optional<String> chosen = Optional.ofNullable(found.get(PictureMetadata.CHOSEN_EXPOSURE));
+    if (exposure.isPresent()) {
+      requireSame(picture, PictureMetadata.CHOSEN_EXPOSURE, exposure.get(), chosen.orElse(NOTHING));
+    }
+    exposure = exposure.or(() -> chosen);
+    complete.add(picture);
+  }
+
+  private static Map<String, String> read(Path picture) throws TaskException {
+    try {
+      return PictureTexts.read(picture);
+    } catch (ImageFormatException e) {
+      throw refused(picture, e.getMessage());
+    } catch (IOException e) {
+      throw refused(picture, "cannot be read: " + FileFailure.reason(e));
+    }
+  }
+
+  private static void requireSame(Path picture, String keyword, String expected, String found)
+      throws TaskException {
+    if (!Objects.equals(expected, found)) {
+      boolean isOfDenoiser = keyword.equals(PictureMetadata.DENOISED);
+      String what =
+          isOfDenoiser
+              ? (found == null ? "it is not denoised" : "it is denoised")
+              : keyword.equals(PictureMetadata.SCENE_HASH)
+                  ? "its scene is another one: the model, one of its files or a flag of the model,"
+                      + " such as --view, has changed"
+                  : "its metadata have "
+                      + keyword
+                      + " "
+                      + Objects.requireNonNullElse(found, NOTHING)
+                      + ", expected "
+                      + Objects.requireNonNullElse(expected, NOTHING);
+      throw refused(picture, what);
+    }
+  }
+
+  private static TaskException refused(Path picture, String reason) {
+    return new TaskException(
+        Kind.USAGE,
+        picture
+            + ": cannot be continued: "
+            + reason
+            + "; choose another path with -o, or leave out --continue to replace it");
+  }
+
+  /** Returns whether a frame is complete. */
+  public boolean contains(Path picture) {
+    return complete.contains(picture);
+  }
+
+  /** Returns the number of complete frames. */
+  public int size() {
+    return complete.size();
+  }
+
+  /** Returns the automatic exposure of the complete frames; empty if they have none. */
+  public Optional<Exposure> exposure() throws TaskException {
+    try {
+      return exposure.map(stops -> Exposure.of(Double.parseDouble(stops)));
+    } catch (IllegalArgumentException e) {
+      throw new TaskException(
+          Kind.USAGE,
+          "--continue: the frames have a damaged " + PictureMetadata.CHOSEN_EXPOSURE,
+          e);
+    }
+  }
+}

@@ -1,0 +1,146 @@
+package io.github.lumbre.parser;
+
+import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.internal.ModelAnimation;
+import io.github.lumbre.parser.SceneFormatException.Kind;
+import io.github.lumbre.text.PrintableText;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * An animation of a model from its start to before its end, where a loop begins again. The model is
+ * read anew for each pose.
+ *
+ * <p>A camera that is not the model's stands still. It has in its frame the poses at 0, 1/16, 2/16
+ * and so on of the animation, whatever the number of frames, and the ground is below them all.
+ * Mutable.
+ */
+final class StagedAnimation extends StagedFrames {
+  /** The number of equal parts of the animation, at whose ends its poses are framed. */
+  private static final int FRAMED_PARTS = 16;
+
+  /** A last frame that is nearer to the end than this share of a frame is at the end. */
+  private static final double AT_END = 1e-3;
+
+  private final Stage stage;
+  private final String animation;
+  private final double fps;
+  private final double seconds;
+  private final int count;
+  private final boolean hasOwnCamera;
+  private final boolean isFramed;
+  private Optional<StagedModel> built = Optional.empty();
+  private Optional<StagedModel> framed = Optional.empty();
+
+  /**
+   * @param animation name or index of the animation
+   * @param fps frames per second, &gt; 0
+   * @throws SceneFormatException if the model cannot be used, lacks the animation, or has too many
+   *     frames
+   */
+  StagedAnimation(
+      SceneParser parser, Source source, String name, Stage stage, String animation, double fps)
+      throws SceneFormatException, IOException {
+    super(parser, source, name);
+    this.stage = stage;
+    this.animation = animation;
+    this.fps = fps;
+    StagedModel atStart = read(at(0));
+    seconds = seconds(atStart);
+    count = frames(atStart);
+    hasOwnCamera = atStart.hasOwnCamera();
+    isFramed = stage.ground() || !stage.labels().isEmpty() || !hasOwnCamera;
+  }
+
+  private double seconds(StagedModel model) throws SceneFormatException {
+    List<ModelAnimation> all = model.animations();
+    for (int i = 0; i < all.size(); i++) {
+      boolean isNamed = all.get(i).name().equals(animation);
+      if (isNamed || hasNone(all) && Integer.toString(i).equals(animation)) {
+        return all.get(i).seconds().orElseThrow(() -> endless(model, "states no length"));
+      }
+    }
+    throw endless(model, "found none in the model");
+  }
+
+  private boolean hasNone(List<ModelAnimation> all) {
+    return all.stream().noneMatch(each -> each.name().equals(animation));
+  }
+
+  private SceneFormatException endless(StagedModel model, String found) {
+    return model.failure(
+        Kind.ASSET, "animations", "animation " + PrintableText.quoted(animation) + ": " + found);
+  }
+
+  private int frames(StagedModel model) throws SceneFormatException {
+    double frames = Math.max(1, Math.ceil(seconds * fps - AT_END));
+    Optional<String> excess =
+        Limits.excess("frames of the animation", MAX_FRAMES, (long) Math.min(frames, 1e15));
+    if (excess.isPresent()) {
+      throw model.failure(Kind.LIMIT, "animations", excess.get());
+    }
+    return (int) frames;
+  }
+
+  @Override
+  public int count() {
+    return count;
+  }
+
+  @Override
+  Stage stage(int index) {
+    return at(index / fps);
+  }
+
+  private Stage at(double time) {
+    return stage.reading(stage.options().posed(new Pose(animation, time)));
+  }
+
+  @Override
+  Optional<StagedModel> first() {
+    return built;
+  }
+
+  /** Returns the model at a frame, with the frame's camera. */
+  private StagedModel posed(int index) throws SceneFormatException, IOException {
+    StagedModel model = read(stage(index));
+    if (isFramed) {
+      model.frame(framed().framing());
+    }
+    return model;
+  }
+
+  /** Returns a model that has all poses in its frame. */
+  private StagedModel framed() throws SceneFormatException, IOException {
+    if (framed.isEmpty()) {
+      StagedModel model = read(at(0));
+      for (int i = 1; i <= FRAMED_PARTS; i++) {
+        model.frame(model.framing().with(read(at(seconds * i / FRAMED_PARTS)).framing()));
+      }
+      framed = Optional.of(model);
+    }
+    return framed.get();
+  }
+
+  @Override
+  SceneFile built(int index) throws SceneFormatException, IOException {
+    StagedModel model = posed(index);
+    if (built.isEmpty()) {
+      model.keepFiles();
+    }
+    SceneFile scene = model.scene(parser);
+    if (built.isEmpty()) {
+      built = Optional.of(model);
+    }
+    return scene;
+  }
+
+  @Override
+  byte[] text(int index) throws SceneFormatException, IOException {
+    Stage of = stage(index);
+    StagedModel model = hasOwnCamera ? posed(index) : framed();
+    return model.textOf(of, parser);
+  }
+}

@@ -1,0 +1,231 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.image.internal.PictureTexts;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Animations and turntables: their frames, parts of them, and those that are continued. */
+class AnimationCommandsTest {
+  private static final String SMALL = " --size 16x12 -s 2";
+  private static final String LIFT = "render T/sample.glb --animation lift --fps 4";
+
+  @TempDir private Path directory;
+
+  @BeforeEach
+  void writeModel() throws IOException {
+    ModelSample.write(directory);
+  }
+
+  private Outcome run(String line) {
+    return Outcome.in(directory, line);
+  }
+
+  private String runs(String line) {
+    Outcome outcome = run(line);
+    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
+    return outcome.err().replace(directory + "/", "");
+  }
+
+  private List<String> files(String start) throws IOException {
+    try (Stream<Path> files = Files.list(directory)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.startsWith(start))
+          .sorted()
+          .toList();
+    }
+  }
+
+  private void assertSame(String one, String other) {
+    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
+  }
+
+  private Map<String, String> texts(String picture) throws IOException {
+    return PictureTexts.read(directory.resolve(picture));
+  }
+
+  /** The animation lasts 1 s: the frame at its end is the first one of the next loop. */
+  @Test
+  void framesAreThePosesFromTheStartToBeforeTheEnd() throws IOException {
+    String printed = runs(LIFT + " -o T/a.pfm" + SMALL);
+    assertThat(printed)
+        .containsPattern("4 of 4 pictures written: a-000.pfm to a-003.pfm; [0-9.]+ s\n");
+    assertThat(files("a-")).containsExactly("a-000.pfm", "a-001.pfm", "a-002.pfm", "a-003.pfm");
+    for (String pose : List.of("000@0", "001@0.25", "003@0.75")) {
+      runs("render T/sample.glb --pose lift" + pose.substring(3) + " -o T/b.pfm" + SMALL);
+      assertSame("a-" + pose.substring(0, 3) + ".pfm", "b.pfm");
+    }
+  }
+
+  @Test
+  void oneCameraHasAllPosesInItsFrame() throws IOException {
+    String view = " --view front --no-denoise --background #000000";
+    runs(LIFT + view + " -o T/a.pfm" + SMALL);
+    runs(LIFT + view + " --frames 2 -o T/b.pfm" + SMALL);
+    assertSame("a-002.pfm", "b-002.pfm");
+    assertThat(files("b-")).containsExactly("b-002.pfm");
+    // Twice the frames, the same poses at every second one.
+    runs(LIFT.replace("4", "8") + view + " --frames 4 -o T/c.pfm" + SMALL);
+    assertSame("a-002.pfm", "c-004.pfm");
+    runs("render T/sample.glb --pose lift@0.5 -o T/d.pfm" + view + SMALL);
+    assertThat(Files.mismatch(directory.resolve("a-002.pfm"), directory.resolve("d.pfm")))
+        .isNotNegative();
+  }
+
+  @Test
+  void framesStateTheHashesOfSinglePictures() throws IOException {
+    runs("render T/sample.glb --turntable 3 --labels view --ground -o T/a.png" + SMALL);
+    runs(
+        "render T/sample.glb --turntable 1 --view 150,20 --labels view --ground -o T/b.png"
+            + SMALL);
+    assertThat(texts("a-001.png")).containsEntry("SceneHash", texts("b-000.png").get("SceneHash"));
+    assertThat(texts("a-001.png").get("SceneHash"))
+        .isNotEqualTo(texts("a-002.png").get("SceneHash"));
+    assertThat(texts("a-001.png")).containsEntry("Labels", "view");
+    runs(LIFT + " -o T/c.png" + SMALL);
+    runs("render T/sample.glb --pose lift@0.25 -o T/d.png" + SMALL);
+    assertThat(texts("c-001.png")).containsEntry("SceneHash", texts("d.png").get("SceneHash"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--turntable 3", "--animation lift --fps 3 --view front"})
+  void missingFramesAreContinued(String what) throws IOException {
+    String line = "render T/sample.glb " + what + " --continue -o T/a.png" + SMALL;
+    assertThat(runs(line)).contains("3 of 3 pictures written: a-000.png");
+    byte[] second = Files.readAllBytes(directory.resolve("a-001.png"));
+    Files.delete(directory.resolve("a-001.png"));
+    Object before = Files.getLastModifiedTime(directory.resolve("a-000.png"));
+    assertThat(runs(line)).contains("1 of 3 pictures written, 2 were complete: a-000.png to");
+    assertThat(Files.getLastModifiedTime(directory.resolve("a-000.png"))).isEqualTo(before);
+    assertThat(PictureTexts.read(directory.resolve("a-001.png"))).containsKey("SceneHash");
+    assertThat(Files.size(directory.resolve("a-001.png")))
+        .isBetween(second.length - 9L, second.length + 9L);
+    assertThat(runs(line)).contains("0 of 3 pictures written, 3 were complete");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "-s 3                   | its metadata have Samples 2, expected 3",
+        "--seed 5               | its metadata have Seed 0, expected 5",
+        "--depth 3              | its metadata have MaxTraceDepth 12, expected 3",
+        "--exposure 1           | its metadata have Exposure nothing, expected 1.0",
+        "--labels view          | its metadata have Labels nothing, expected view",
+        "--size 12x16           | its metadata have Size 16x12, expected 12x16",
+        "--no-denoise           | it is denoised",
+        "--target-error 50%     | its metadata have TargetError nothing, expected 50 %",
+        "--view top             | its scene is another one: the model, one of its files or a flag",
+        "--ground               | its scene is another one"
+      })
+  void framesOfAnotherRenderAreRefused(String flags, String message) throws IOException {
+    String line = "render T/sample.glb --turntable 2 --continue -o T/a.png --size 16x12 ";
+    runs(line + "-s 2");
+    Files.delete(directory.resolve("a-000.png"));
+    byte[] before = Files.readAllBytes(directory.resolve("a-001.png"));
+    String other = flags.startsWith("-s") ? flags : "-s 2 " + flags;
+    run(line.replace("--size 16x12 ", flags.startsWith("--size") ? "" : "--size 16x12 ") + other)
+        .assertFailed(
+            ExitCodes.USAGE, "a-001.png: cannot be continued: " + message, "choose another path");
+    assertThat(directory.resolve("a-000.png")).doesNotExist();
+    assertThat(Files.readAllBytes(directory.resolve("a-001.png"))).isEqualTo(before);
+  }
+
+  @Test
+  void partialFramesAreRenderedAnew() throws IOException {
+    String line = "render T/sample.glb --turntable 2 --size 16x12 -o T/a.png";
+    run(line + " -s 100000000 --timeout 1s");
+    assertThat(texts("a-000.png")).containsKey("Partial");
+    assertThat(runs(line + " -s 2 --continue")).contains("2 of 2 pictures written");
+    assertThat(texts("a-000.png")).doesNotContainKey("Partial");
+  }
+
+  @Test
+  void partsOfASequenceMakeTheWhole() throws IOException {
+    runs(LIFT + " -o T/a.pfm" + SMALL);
+    for (String part : List.of("0..1", "2", "3/4")) {
+      runs(LIFT + " -o T/b.pfm --frames " + part + SMALL);
+    }
+    assertThat(files("b-")).hasSize(4);
+    for (int i = 0; i < 4; i++) {
+      assertSame("a-00" + i + ".pfm", "b-00" + i + ".pfm");
+    }
+  }
+
+  @Test
+  void automaticExposureIsThatOfTheFirstFrame() throws IOException {
+    String line = "render T/sample.glb --turntable 3 --exposure auto --sky sun -o T/a.png" + SMALL;
+    runs(line);
+    String chosen = texts("a-000.png").get("ChosenExposure");
+    assertThat(chosen).isNotNull();
+    assertThat(texts("a-002.png")).containsEntry("ChosenExposure", chosen);
+    Files.delete(directory.resolve("a-000.png"));
+    Files.delete(directory.resolve("a-002.png"));
+    runs(line + " --continue --frames 2");
+    assertThat(texts("a-002.png")).containsEntry("ChosenExposure", chosen);
+    run(line.replace("a.png", "b.png") + " --frames 1..2")
+        .assertFailed(ExitCodes.USAGE, "--exposure auto: is chosen from the first frame");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--animation wave            | 4 | expected \"lift\", found \"wave\"",
+        "--animation lift --fps 0    | 2 | --fps: expected more than 0 to 1000",
+        "--fps 5                     | 2 | --fps: requires --animation",
+        "--animation lift --pose lift@1 | 2 | --animation: cannot be combined with --pose",
+        "--animation lift --turntable 3 | 2 | --turntable and --animation: expected only one",
+        "--animation lift --checkpoint T/a.film | 2 | --animation: requires a model file",
+        "--animation lift --frames 20..30 | 2 | --frames: expected frames from 0 to 24",
+        "--animation lift --frames 3..2 | 2 | --frames: expected frames from 0 to 24",
+        "--animation lift --frames x | 2 | --frames: expected I/N",
+        "--animation lift --frames 1..x | 2 | --frames: expected A..B, A, I/N or auto",
+        "--animation lift --frames 0/99 | 2 | --frames: expected at least one frame for each",
+        "--turntable 2 --continue -o T/a.jpg | 2 | --continue: expected PNG or OpenEXR",
+        "--frames 1                  | 2 | --frames: requires --turntable or --animation",
+        "--continue                  | 2 | --continue: requires --turntable or --animation"
+      })
+  void wrongRequestsAreRefused(String flags, int code, String message) {
+    String output = flags.contains(" -o ") ? "" : " -o T/a.png";
+    Outcome outcome = run("render T/sample.glb " + flags + output + SMALL);
+    assertThat(outcome.err()).contains(message);
+    assertThat(outcome.exitCode()).isEqualTo(code);
+  }
+
+  @Test
+  void animationsThatAreTooLongOrMissingAreRefused() throws IOException {
+    ModelSample.writeWith(directory, "\"max\": [1]}", "\"max\": [1e30]}");
+    run(LIFT + " -o T/a.png" + SMALL).assertFailed(ExitCodes.LIMIT, "frames of the animation");
+    ModelSample.writeWith(directory, "\"min\": [0], \"max\": [1]", "\"min\": [0]");
+    run(LIFT + " -o T/a.png" + SMALL).assertFailed(ExitCodes.ASSET, "lift", "states no length");
+    Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Outcome outcome = run("render T/a.obj --animation lift -o T/a.png" + SMALL);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.ASSET);
+    assertThat(outcome.err()).contains("lift", "none");
+    assertThat(Arrays.asList(directory.toFile().list())).noneMatch(name -> name.endsWith("a.png"));
+  }
+
+  @Test
+  void otherFilesAmongTheFramesAreRefused() throws IOException {
+    Files.writeString(directory.resolve("a-001.png"), "a letter");
+    String line = "render T/sample.glb --turntable 2 -o T/a.png" + SMALL;
+    run(line).assertFailed(ExitCodes.OUTPUT, "a-001.png: exists and is not a PNG");
+    run(line + " --continue").assertFailed(ExitCodes.USAGE, "a-001.png: cannot be continued");
+    assertThat(directory.resolve("a-001.png")).hasContent("a letter");
+  }
+}
