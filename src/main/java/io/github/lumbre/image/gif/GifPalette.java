@@ -8,9 +8,9 @@ import java.util.Arrays;
  * it does not flicker. Colors that the palette has are exact. Mutable.
  *
  * <p>For each color, {@value #LEVELS} palette colors are chosen in turn, each the nearest to the
- * color plus the error so far, and sorted by brightness; the pixel's place in the pattern chooses
- * one of them (T. Knoll, "Pattern dithering", US patent 6606166, expired 2019). The mean is taken
- * of sRGB values, which is good enough for colors as near to each other as here.
+ * color plus a part of the error so far, and sorted by brightness; the pixel's place in the pattern
+ * chooses one of them (T. Knoll, "Pattern dithering", US patent 6606166, expired 2019). The mean is
+ * taken of sRGB values, which is good enough for colors as near to each other as here.
  */
 final class GifPalette {
   private static final int MOST = 256;
@@ -19,6 +19,13 @@ final class GifPalette {
   private static final int LEVELS = 16;
 
   private static final int SIDE = 4;
+
+  /**
+   * The divisor of the error so far. With 1, a small error calls for one pixel of a color far away,
+   * which is seen as a speck; with 4, the mean of the pattern is off by at most a quarter of the
+   * distance to the nearest color.
+   */
+  private static final int DAMPING = 4;
 
   /** The number of colors whose mixture is remembered; a power of two. */
   private static final int SLOTS = 1 << 16;
@@ -113,13 +120,15 @@ final class GifPalette {
     int blue = 0;
     int[] chosen = new int[LEVELS];
     for (int i = 0; i < LEVELS; i++) {
-      red += rgb >> 16;
-      green += rgb >> 8 & 0xff;
-      blue += rgb & 0xff;
-      int index = nearest.index(clamp(red), clamp(green), clamp(blue));
-      red -= nearest.red(index);
-      green -= nearest.green(index);
-      blue -= nearest.blue(index);
+      int r = rgb >> 16;
+      int g = rgb >> 8 & 0xff;
+      int b = rgb & 0xff;
+      int index =
+          nearest.index(
+              clamp(r + red / DAMPING), clamp(g + green / DAMPING), clamp(b + blue / DAMPING));
+      red += r - nearest.red(index);
+      green += g - nearest.green(index);
+      blue += b - nearest.blue(index);
       chosen[i] = index;
     }
     Arrays.sort(chosen);
