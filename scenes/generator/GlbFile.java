@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A binary glTF 2.0 file of one scene: a node for each part, each with a material of its own.
- * Mutable while it is built.
+ * A binary glTF 2.0 file of one scene: a node for each part, some of which turn about axes. Mutable
+ * while it is built.
  */
 final class GlbFile {
   private static final int MAGIC = 0x46546C67;
@@ -27,7 +27,10 @@ final class GlbFile {
   private final List<Object> views = new ArrayList<>();
   private final List<Object> accessors = new ArrayList<>();
   private final List<Object> meshes = new ArrayList<>();
-  private final List<Object> nodes = new ArrayList<>();
+  private final List<Map<String, Object>> nodes = new ArrayList<>();
+  private final List<Object> roots = new ArrayList<>();
+  private final List<Object> channels = new ArrayList<>();
+  private final List<Object> samplers = new ArrayList<>();
   private final List<Object> materials = new ArrayList<>();
   private final List<Object> images = new ArrayList<>();
   private final List<Object> textures = new ArrayList<>();
@@ -51,6 +54,10 @@ final class GlbFile {
     @Override
     public void face(Integer a, Integer b, Integer c) {
       faces.addAll(List.of(a, b, c));
+    }
+
+    boolean isEmpty() {
+      return faces.isEmpty();
     }
 
     /** Replaces the texture coordinates by x and z, scaled. */
@@ -77,13 +84,67 @@ final class GlbFile {
     return textures.size() - 1;
   }
 
-  /** Adds a part. The material has the keys of glTF; its extensions are listed by themselves. */
-  void add(String name, Part part, Map<String, Object> material) {
+  /** Returns the index of a material with the keys of glTF; its extensions are listed. */
+  int material(String name, Map<String, Object> material) {
     material.put("name", name);
     if (material.get("extensions") instanceof Map<?, ?> used) {
       used.keySet().forEach(key -> extensions.put((String) key, key));
     }
     materials.add(material);
+    return materials.size() - 1;
+  }
+
+  /** Adds a part that stands still, with a material of its own. */
+  void add(String name, Part part, Map<String, Object> material) {
+    add(name, part, material(name, material));
+  }
+
+  /** Adds a part that stands still. */
+  void add(String name, Part part, int material) {
+    roots.add(node(name, part, material));
+  }
+
+  /**
+   * Adds parts that turn about an upright axis, around which they lie in the scene's space: at rest
+   * the two translations cancel exactly.
+   *
+   * @param parts by the index of their material
+   * @param times in seconds
+   * @param turns at these times, from x to z
+   */
+  void addTurning(String name, Vec axis, Map<Integer, Part> parts, float[] times, double[] turns) {
+    List<Object> inner = new ArrayList<>();
+    parts.forEach(
+        (material, part) ->
+            inner.add(
+                node(
+                    name + " " + ((Map<?, ?>) materials.get(material)).get("name"),
+                    part,
+                    material)));
+    int back = node(map("translation", numbers(axis.times(-1)), "children", inner));
+    int turning = node(map("name", name, "children", List.of(back)));
+    roots.add(node(map("translation", numbers(axis), "children", List.of(turning))));
+    float[] quaternions = new float[4 * times.length];
+    for (int i = 0; i < times.length; i++) {
+      quaternions[4 * i + 1] = (float) -StrictMath.sin(Math.PI * turns[i]);
+      quaternions[4 * i + 3] = (float) StrictMath.cos(Math.PI * turns[i]);
+    }
+    samplers.add(
+        map("input", bounded(times, accessor(times, 1), 1), "output", accessor(quaternions, 4)));
+    channels.add(
+        map("sampler", samplers.size() - 1, "target", map("node", turning, "path", "rotation")));
+  }
+
+  private int node(Map<String, Object> node) {
+    nodes.add(node);
+    return nodes.size() - 1;
+  }
+
+  private static List<Object> numbers(Vec v) {
+    return List.of(v.x(), v.y(), v.z());
+  }
+
+  private int node(String name, Part part, int material) {
     int count = part.corners.size();
     float[][] columns = new float[3][];
     int[] firsts = {0, 3, 6};
@@ -99,19 +160,13 @@ final class GlbFile {
     }
     Map<String, Object> attributes =
         map(
-            "POSITION", bounded(columns[0], accessor(columns[0], 3)),
+            "POSITION", bounded(columns[0], accessor(columns[0], 3), 3),
             "NORMAL", accessor(columns[1], 3),
             "TEXCOORD_0", accessor(columns[2], 2));
     Map<String, Object> primitive =
-        map(
-            "attributes",
-            attributes,
-            "indices",
-            indices(part.faces),
-            "material",
-            materials.size() - 1);
+        map("attributes", attributes, "indices", indices(part.faces), "material", material);
     meshes.add(map("name", name, "primitives", List.of(primitive)));
-    nodes.add(map("name", name, "mesh", meshes.size() - 1));
+    return node(map("name", name, "mesh", meshes.size() - 1));
   }
 
   private int accessor(float[] numbers, int size) {
@@ -122,20 +177,28 @@ final class GlbFile {
     int view = view(bytes.array());
     int count = numbers.length / size;
     accessors.add(
-        map("bufferView", view, "componentType", FLOAT, "type", "VEC" + size, "count", count));
+        map(
+            "bufferView",
+            view,
+            "componentType",
+            FLOAT,
+            "type",
+            size == 1 ? "SCALAR" : "VEC" + size,
+            "count",
+            count));
     return accessors.size() - 1;
   }
 
-  /** Positions must state their bounds. */
-  private int bounded(float[] positions, int accessor) {
+  /** Positions and times must state their bounds. */
+  private int bounded(float[] values, int accessor, int size) {
     List<Object> min = new ArrayList<>();
     List<Object> max = new ArrayList<>();
-    for (int axis = 0; axis < 3; axis++) {
+    for (int axis = 0; axis < size; axis++) {
       float least = Float.POSITIVE_INFINITY;
       float most = Float.NEGATIVE_INFINITY;
-      for (int i = axis; i < positions.length; i += 3) {
-        least = Math.min(least, positions[i]);
-        most = Math.max(most, positions[i]);
+      for (int i = axis; i < values.length; i += size) {
+        least = Math.min(least, values[i]);
+        most = Math.max(most, values[i]);
       }
       min.add(new Exact(least));
       max.add(new Exact(most));
@@ -180,16 +243,16 @@ final class GlbFile {
   }
 
   void write(Path file, String title) throws IOException {
-    List<Object> all = new ArrayList<>();
-    for (int i = 0; i < nodes.size(); i++) {
-      all.add(i);
-    }
     Map<String, Object> root =
         map("asset", map("version", "2.0", "generator", "Lumbre", "title", title));
     root.put("extensionsUsed", List.copyOf(extensions.keySet()));
     root.put("scene", 0);
-    root.put("scenes", List.of(map("nodes", all)));
+    root.put("scenes", List.of(map("nodes", roots)));
     root.put("nodes", nodes);
+    if (!channels.isEmpty()) {
+      root.put(
+          "animations", List.of(map("name", "run", "channels", channels, "samplers", samplers)));
+    }
     root.put("meshes", meshes);
     root.put("materials", materials);
     root.put("textures", textures);
