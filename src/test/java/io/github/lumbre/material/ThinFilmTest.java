@@ -24,7 +24,9 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.InParallel;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -198,28 +200,30 @@ class ThinFilmTest {
   /** As much as without films may be in excess: 0.3 %, and 0.002 for the noise of the samples. */
   @Test
   void whiteFurnaceGainsNoEnergy() {
-    for (double ior : INDICES) {
-      for (double thickness : THICKNESSES) {
-        for (MetallicRoughness.Builder each : everything(ior, thickness)) {
-          Bsdf bsdf = each.build().at(0, 0);
-          for (double cosine : new double[] {.95, .5, .15}) {
-            Rgb sum = Rgb.BLACK;
-            int samples = 1500;
-            Vec3 wo = BsdfLaws.direction(cosine);
-            for (int i = 0; i < samples; i++) {
-              double lobe = i * .41421356237309503 % 1;
-              double x = i * .7548776662466927 % 1;
-              double y = i * .5698402909980532 % 1;
-              BsdfSample s = bsdf.sample(wo, lobe, new Point2(x, y));
-              sum = sum.plus(s.weight().times(1. / samples));
+    InParallel.forEach(
+        Arrays.stream(INDICES).boxed().toList(),
+        ior -> {
+          for (double thickness : THICKNESSES) {
+            for (MetallicRoughness.Builder each : everything(ior, thickness)) {
+              Bsdf bsdf = each.build().at(0, 0);
+              for (double cosine : new double[] {.95, .5, .15}) {
+                Rgb sum = Rgb.BLACK;
+                int samples = 1500;
+                Vec3 wo = BsdfLaws.direction(cosine);
+                for (int i = 0; i < samples; i++) {
+                  double lobe = i * .41421356237309503 % 1;
+                  double x = i * .7548776662466927 % 1;
+                  double y = i * .5698402909980532 % 1;
+                  BsdfSample s = bsdf.sample(wo, lobe, new Point2(x, y));
+                  sum = sum.plus(s.weight().times(1. / samples));
+                }
+                assertThat(sum.max())
+                    .as("%s %s %s", bsdf, thickness, cosine)
+                    .isLessThan(1 + 3e-3 + 2e-3);
+              }
             }
-            assertThat(sum.max())
-                .as("%s %s %s", bsdf, thickness, cosine)
-                .isLessThan(1 + 3e-3 + 2e-3);
           }
-        }
-      }
-    }
+        });
   }
 
   /** Smooth volumes reflect and refract all light of each color. */

@@ -12,6 +12,7 @@ import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion.VersionFlag;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.InParallel;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -131,9 +132,9 @@ class SceneSchemaTest {
     UNKNOWN
   }
 
-  private Verdict verdict(String scene) {
+  private Verdict verdict(String scene, String name) {
     try {
-      SceneFile file = new SceneParser().parse(Files.writeString(folder.resolve("s.json"), scene));
+      SceneFile file = new SceneParser().parse(Files.writeString(folder.resolve(name), scene));
       boolean known = file.warnings().stream().noneMatch(w -> w.message().contains("unknown key"));
       return known ? Verdict.SOUND : Verdict.WRONG;
     } catch (SceneFormatException e) {
@@ -164,18 +165,22 @@ class SceneSchemaTest {
     for (String name : List.of("thin-lens", "pinhole", "fish-eye", "cylindrical", "orthographic")) {
       String scene = sound(name);
       assertThat(isValid(scene)).as(name).isTrue();
-      assertThat(verdict(scene)).as(name).isEqualTo(Verdict.SOUND);
+      assertThat(verdict(scene, "s.json")).as(name).isEqualTo(Verdict.SOUND);
       JsonObject tree = JsonParser.parseString(scene).getAsJsonObject();
       collect(tree, tree, "", seen, places);
     }
     int step = Effort.isExhaustive() ? 1 : 9;
-    List<String> disagreements = new ArrayList<>();
-    for (int i = 0; i < places.size(); i++) {
-      for (int k = i % step; k < PROBES.size(); k += step) {
-        compare(places.get(i), PROBES.get(k), disagreements);
-      }
-    }
-    assertThat(disagreements).isEmpty();
+    List<List<String>> disagreements =
+        InParallel.measured(
+            places.size(),
+            i -> {
+              List<String> found = new ArrayList<>();
+              for (int k = i % step; k < PROBES.size(); k += step) {
+                compare(places.get(i), PROBES.get(k), "s" + i + ".json", found);
+              }
+              return found;
+            });
+    assertThat(disagreements).allSatisfy(found -> assertThat(found).isEmpty());
   }
 
   private String sound(String name) throws IOException {
@@ -185,10 +190,10 @@ class SceneSchemaTest {
     }
   }
 
-  private void compare(String withHole, String probe, List<String> disagreements) {
+  private void compare(String withHole, String probe, String file, List<String> disagreements) {
     String changed = withHole.replace('"' + HOLE + '"', probe);
     boolean valid = isValid(changed);
-    if (verdict(changed) == (valid ? Verdict.WRONG : Verdict.SOUND)) {
+    if (verdict(changed, file) == (valid ? Verdict.WRONG : Verdict.SOUND)) {
       int at = withHole.indexOf(HOLE);
       disagreements.add(
           withHole.substring(Math.max(0, at - 60), at) + probe + (valid ? ": valid" : ": invalid"));
@@ -279,7 +284,7 @@ class SceneSchemaTest {
             + " 1}]}"
       })
   void whatTheParserComplainsOfIsNotValid(String scene) {
-    assertThat(verdict(scene)).isEqualTo(Verdict.WRONG);
+    assertThat(verdict(scene, "s.json")).isEqualTo(Verdict.WRONG);
     assertThat(isValid(scene)).isFalse();
   }
 
@@ -288,7 +293,7 @@ class SceneSchemaTest {
     String scene =
         "{\"$schema\": \"scene.schema.json\", \"mainCameraId\": 1, \"objects\": [{\"type\":"
             + " \"Camera\", \"id\": 1}]}";
-    assertThat(verdict(scene)).isEqualTo(Verdict.SOUND);
+    assertThat(verdict(scene, "s.json")).isEqualTo(Verdict.SOUND);
     assertThat(isValid(scene)).isTrue();
   }
 }

@@ -13,12 +13,19 @@ import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.InParallel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,24 +74,11 @@ class NoiseCoverageTest {
                     .build())
             .render(file.scene());
     int seeds = Effort.count(12, 200);
-    int failures = 0;
-    double ratios = 0;
-    double samples = 0;
-    for (int i = 0; i < seeds; i++) {
-      RenderSettings own = settings.toBuilder().seed(Effort.seed(1000 + i)).build();
-      FilmRenderer renderer = new FilmRenderer(own, file.scene());
-      Film film = renderer.newFilm();
-      Budget budget = new Budget(1 << 14, OptionalDouble.of(target), CONFIDENCE);
-      BudgetWatch watch = new BudgetWatch(budget);
-      new PassLoop(renderer, film, renderer.schedule(budget.samples()))
-          .run(watch, PassListener.NONE, Progress.NONE);
-      NoiseEstimate noise = watch.estimate(film).orElseThrow();
-      double error = PictureError.of(film.develop(), reference).relativeMse();
-      failures += error > noise.upperRelativeMse() ? 1 : 0;
-      ratios += Math.sqrt(noise.relativeMse() / error) / seeds;
-      samples += film.meanSamples() / seeds;
-      assertThat(watch.isMet()).isTrue();
-    }
+    List<Stopped> all =
+        InParallel.measured(seeds, i -> stopped(file.scene(), settings, i, target, reference));
+    long failures = all.stream().filter(Stopped::isBeyondBound).count();
+    double ratios = all.stream().mapToDouble(Stopped::ratio).average().orElseThrow();
+    double samples = all.stream().mapToDouble(Stopped::samples).average().orElseThrow();
     String told =
         String.format(
             Locale.ROOT,
@@ -98,7 +92,29 @@ class NoiseCoverageTest {
     if (Effort.isExhaustive()) {
       System.out.println(told);
     }
-    assertThat(failures).as(told).isLessThan(Effort.count(8, 25));
+    assertThat(failures).as(told).isLessThan((long) Effort.count(8, 25));
+  }
+
+  /** A render that has stopped: its estimate over its error, and its samples per pixel. */
+  private record Stopped(boolean isBeyondBound, double ratio, double samples) {}
+
+  private static Stopped stopped(
+      Scene scene, RenderSettings settings, int number, double target, Image reference)
+      throws InterruptedException {
+    RenderSettings own = settings.toBuilder().seed(Effort.seed(1000 + number)).build();
+    FilmRenderer renderer = new FilmRenderer(own, scene);
+    Film film = renderer.newFilm();
+    Budget budget = new Budget(1 << 14, OptionalDouble.of(target), CONFIDENCE);
+    BudgetWatch watch = new BudgetWatch(budget);
+    new PassLoop(renderer, film, renderer.schedule(budget.samples()))
+        .run(watch, PassListener.NONE, Progress.NONE);
+    assertThat(watch.isMet()).isTrue();
+    NoiseEstimate noise = watch.estimate(film).orElseThrow();
+    double error = PictureError.of(film.develop(), reference).relativeMse();
+    return new Stopped(
+        error > noise.upperRelativeMse(),
+        Math.sqrt(noise.relativeMse() / error),
+        film.meanSamples());
   }
 
   /**
@@ -127,19 +143,14 @@ class NoiseCoverageTest {
         new PictureRenderer(most.toBuilder().threads(0).seed(Effort.seed(-1)).build())
             .render(file.scene());
     int seeds = Effort.count(12, 100);
-    int[] failures = new int[EARLY.length];
-    for (int i = 0; i < seeds; i++) {
-      RenderSettings own = settings.toBuilder().seed(Effort.seed(3000 + i)).build();
-      FilmRenderer renderer = new FilmRenderer(own, file.scene());
-      Film film = renderer.newFilm();
-      for (int j = 0; j < EARLY.length; j++) {
-        renderer.addSamples(film, EARLY[j], Progress.NONE);
-        double bound =
-            NoiseEstimator.ofFewSamples(film, CONFIDENCE).orElseThrow().upperRelativeMse();
-        double error = PictureError.of(film.develop(), reference).relativeMse();
-        failures[j] += error > bound ? 1 : 0;
-      }
-    }
+    int[] failures =
+        failures(
+            seeds,
+            EARLY,
+            i -> settings.toBuilder().seed(Effort.seed(3000 + i)).build(),
+            file.scene(),
+            reference,
+            film -> NoiseEstimator.ofFewSamples(film, CONFIDENCE));
     if (Effort.isExhaustive()) {
       System.out.println(name + ": bounds exceeded of " + seeds + ": " + Arrays.toString(failures));
     }
@@ -159,23 +170,47 @@ class NoiseCoverageTest {
     RenderSettings settings = file.settings().toBuilder().size(24, 24).threads(1).build();
     RenderSettings most = settings.toBuilder().samples(4096).threads(0).seed(-1).build();
     Image reference = new PictureRenderer(most).render(file.scene());
-    int[] failures = new int[2];
-    for (int i = 0; i < Effort.count(12, 100); i++) {
-      RenderSettings own = settings.toBuilder().seed(5000 + i).build();
-      FilmRenderer renderer = new FilmRenderer(own, file.scene());
-      Film film = renderer.newFilm();
-      for (int j = 0; j < failures.length; j++) {
-        renderer.addSamples(film, 32 << j, Progress.NONE);
-        double bound = NoiseEstimator.of(film, CONFIDENCE).orElseThrow().upperRelativeMse();
-        double error = PictureError.of(film.develop(), reference).relativeMse();
-        failures[j] += error > bound ? 1 : 0;
-      }
-    }
+    int[] failures =
+        failures(
+            Effort.count(12, 100),
+            new int[] {32, 64},
+            i -> settings.toBuilder().seed(5000 + i).build(),
+            file.scene(),
+            reference,
+            film -> NoiseEstimator.of(film, CONFIDENCE));
     if (Effort.isExhaustive()) {
       System.out.println("rare bright paths: bounds exceeded: " + Arrays.toString(failures));
     }
     assertThat(failures[0]).isLessThan(Effort.count(3, 14));
     assertThat(failures[1]).isLessThan(Effort.count(3, 14));
+  }
+
+  /** Returns how often errors exceed their bounds, for each number of samples. */
+  private static int[] failures(
+      int seeds,
+      int[] samples,
+      IntFunction<RenderSettings> settings,
+      Scene scene,
+      Image reference,
+      Function<Film, Optional<NoiseEstimate>> estimate) {
+    List<int[]> all =
+        InParallel.measured(
+            seeds,
+            i -> {
+              FilmRenderer renderer = new FilmRenderer(settings.apply(i), scene);
+              Film film = renderer.newFilm();
+              int[] failures = new int[samples.length];
+              for (int j = 0; j < samples.length; j++) {
+                renderer.addSamples(film, samples[j], Progress.NONE);
+                double bound = estimate.apply(film).orElseThrow().upperRelativeMse();
+                double error = PictureError.of(film.develop(), reference).relativeMse();
+                failures[j] = error > bound ? 1 : 0;
+              }
+              return failures;
+            });
+    return IntStream.range(0, samples.length)
+        .map(j -> all.stream().mapToInt(failures -> failures[j]).sum())
+        .toArray();
   }
 
   private static SceneFile scene(String name) throws Exception {

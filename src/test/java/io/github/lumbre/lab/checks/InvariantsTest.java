@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.InParallel;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.nio.file.Files;
@@ -13,21 +14,16 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** The checks of {@code lumbre selftest} pass on this machine. */
 class InvariantsTest {
   private static final Tries TRIES = new Tries(Effort.count(1, 10), Effort.seed(0));
 
-  static Stream<Invariant> laws() {
-    return Invariants.all().stream();
-  }
-
-  @ParameterizedTest
-  @MethodSource("laws")
-  void lawHolds(Invariant law) throws InterruptedException {
-    assertThat(law.measure(TRIES).worst()).as(law.name()).isBetween(0.0, law.limit());
+  @Test
+  void lawsHold() {
+    InParallel.forEach(
+        Invariants.all(),
+        law -> assertThat(law.measure(TRIES).worst()).as(law.name()).isBetween(0.0, law.limit()));
   }
 
   /**
@@ -70,7 +66,7 @@ class InvariantsTest {
 
   @Test
   void namesAreDistinct() {
-    List<String> names = laws().map(Invariant::name).toList();
+    List<String> names = Invariants.all().stream().map(Invariant::name).toList();
     assertThat(names).doesNotHaveDuplicates().allMatch(name -> name.matches("[a-z0-9-]+"));
   }
 
