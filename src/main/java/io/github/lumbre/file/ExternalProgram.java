@@ -29,7 +29,8 @@ import java.util.stream.Stream;
 public record ExternalProgram(Path path, Duration limit) {
   private static final Duration USUAL_LIMIT = Duration.ofMinutes(10);
   private static final int MAX_LOG = 1 << 16;
-  private static final int SHOWN = 200;
+  private static final int LINES = 3;
+  private static final int SHOWN = 300;
 
   /** Writes the input of a program. */
   @FunctionalInterface
@@ -120,7 +121,7 @@ public record ExternalProgram(Path path, Duration limit) {
     }
     String text = text(said);
     if (process.exitValue() != 0) {
-      throw new IOException(path + ": failed with code " + process.exitValue() + lastLine(text));
+      throw new IOException(path + ": failed with code " + process.exitValue() + lastLines(text));
     }
     requireDone(fed, text);
     return text;
@@ -173,14 +174,16 @@ public record ExternalProgram(Path path, Duration limit) {
     try {
       fed.get(1, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
-      throw new IOException(path + ": ended before it had read its input" + lastLine(said), e);
+      throw new IOException(path + ": ended before it had read its input" + lastLines(said), e);
     } catch (ExecutionException e) {
       throw new IOException(e.getCause().getMessage(), e);
     }
   }
 
-  private static String lastLine(String said) {
-    String last = said.lines().filter(line -> !line.isBlank()).reduce("", (a, b) -> b).strip();
+  /** Returns the last lines of the output as one line; the first of them is often the reason. */
+  private static String lastLines(String said) {
+    List<String> lines = said.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
+    String last = String.join("; ", lines.subList(Math.max(0, lines.size() - LINES), lines.size()));
     String shown = last.substring(0, Math.min(SHOWN, last.length())).replaceAll("\\p{Cntrl}", " ");
     return shown.isEmpty() ? "" : ": " + shown;
   }

@@ -102,9 +102,10 @@ record VideoWriter(ExternalProgram program, AnimationFormat format, Encoder enco
 
   private List<String> arguments(AnimationFrames frames, Path video) {
     String size = even(frames.width()) + "x" + even(frames.height());
-    List<String> arguments =
-        new ArrayList<>(List.of("-hide_banner", "-nostdin", "-v", "error", "-f", "rawvideo"));
-    arguments.addAll(List.of("-pix_fmt", "rgb24", "-video_size", size));
+    List<String> arguments = new ArrayList<>(List.of("-hide_banner", "-nostdin", "-v", "error"));
+    // Without it, the program reports success when the disk is full.
+    arguments.add("-xerror");
+    arguments.addAll(List.of("-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size", size));
     FrameRate rate = frames.rate();
     arguments.addAll(List.of("-framerate", rate.frames() + "/" + rate.seconds(), "-i", "pipe:0"));
     arguments.addAll(List.of("-c:v", encoder.name));

@@ -79,6 +79,7 @@ class VideoWriterTest {
     }
     String arguments = Files.readString(folder.resolve("bin/arguments.txt"));
     assertThat(arguments)
+        .contains(" -xerror ")
         .contains("-video_size 4x2 -framerate 30000/1001 -i pipe:0 -c:v libx264")
         .endsWith("-f mp4 -y " + folder + "/.-a b.mp4.video\n");
     assertOnly(target);
