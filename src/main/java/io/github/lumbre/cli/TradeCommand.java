@@ -135,7 +135,7 @@ final class TradeCommand extends Subcommand {
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
       TradeRun run = new TradeRun(options, kernel, budget(), threads, messages);
       TradeResult result = run.run(knobs());
-      run.tellCommand(CommandText.of(spec));
+      run.tellCommand(commandLine());
       html.write(run.page());
       csv.write(TradeTables.csv(result));
       json.write(TradeTables.json(run.facts(), result));
@@ -173,6 +173,19 @@ final class TradeCommand extends Subcommand {
   private TradeBudget budget() {
     double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
     return new TradeBudget(wanted, samples, reference, seeds, size, quick);
+  }
+
+  /** Returns the command line that repeats this run, quoted for a shell. */
+  private String commandLine() {
+    return spec.commandLine().getParseResult().originalArgs().stream()
+        .map(TradeCommand::quoted)
+        .collect(Collectors.joining(" ", "lumbre ", ""));
+  }
+
+  /** Returns an argument, in quotes if a shell requires them. */
+  private static String quoted(String argument) {
+    String printable = Messages.printable(argument);
+    return printable.matches("[\\w%+,./:=@-]+") ? printable : "'" + printable + "'";
   }
 
   private static String baseName(Path scene) {

@@ -60,7 +60,10 @@ final class MeshSurface {
     } else {
       shade(surface, hit, e1, e2, normal);
     }
-    return hasAttributes ? surface.withAttributes(mesh, triangle, hit.b1, hit.b2) : surface;
+    if (hasAttributes) {
+      surface.addAttributes(mesh, triangle, hit.b1, hit.b2);
+    }
+    return surface;
   }
 
   /** Sets the shading frame around the interpolated normal, and where the smooth surface is. */
@@ -309,7 +312,7 @@ final class MeshSurface {
     double error = error(triangle, e1, e2, normal) + mappingError(reference, normal);
     result.set(position, normal, texture(triangle, b.x(), b.y()), error, pdf);
     if (hasAttributes) {
-      result.withAttributes(mesh, triangle, b.x(), b.y());
+      result.addAttributes(mesh, triangle, b.x(), b.y());
     }
   }
 

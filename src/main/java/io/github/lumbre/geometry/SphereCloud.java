@@ -148,11 +148,9 @@ final class SphereCloud implements Shape {
   @Override
   public SurfaceHit surfaceAt(NearestHit hit) {
     int index = hit.element >> 1;
-    return points
-        .sphere(index, toWorld)
-        .surfaceAt(hit)
-        .textureAt(points.texture(index))
-        .withAttributes(points.mesh, index, 0, 0);
+    SurfaceHit surface = points.sphere(index, toWorld).surfaceAt(hit);
+    surface.textureAt(points.texture(index)).addAttributes(points.mesh, index, 0, 0);
+    return surface;
   }
 
   @Override
@@ -194,7 +192,7 @@ final class SphereCloud implements Shape {
       error += place.mappingError(reference, normal);
     }
     result.set(position, normal, points.texture(index), error, pdf);
-    result.withAttributes(points.mesh, index, 0, 0);
+    result.addAttributes(points.mesh, index, 0, 0);
   }
 
   @Override

@@ -1,10 +1,8 @@
 package io.github.lumbre.geometry;
 
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.texture.SurfacePoint;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
@@ -14,13 +12,12 @@ import io.github.lumbre.texture.TexturePoint;
  * <p>Mutable; each {@link NearestHit} has one, which shapes overwrite at each hit. It stores plain
  * numbers to avoid allocation. The values that its methods return are immutable.
  */
-public final class SurfaceHit implements SurfacePoint {
+public final class SurfaceHit extends AttributedPoint {
   private double x, y, z;
   private double geometricX, geometricY, geometricZ;
   private double tangentX, tangentY, tangentZ;
   private double bitangentX, bitangentY, bitangentZ;
   private double normalX, normalY, normalZ;
-  private double u, v;
   private double outX, outY, outZ;
   private double error;
 
@@ -34,11 +31,6 @@ public final class SurfaceHit implements SurfacePoint {
 
   private boolean hasLift;
   private boolean isLifted;
-
-  /** Where further vertex attributes are; used only if {@link #hasAttributes}. */
-  private final MeshPoint meshPoint = new MeshPoint();
-
-  private boolean hasAttributes;
 
   /** Creates an empty hit; {@link #set} fills it. */
   public SurfaceHit() {}
@@ -104,13 +96,6 @@ public final class SurfaceHit implements SurfacePoint {
     smoothY = normalY;
     smoothZ = normalZ;
     hasLift = true;
-  }
-
-  /** Adds a mesh's further vertex attributes, at barycentric weights (1 − b1 − b2, b1, b2). */
-  SurfaceHit withAttributes(TriangleMesh mesh, int triangle, double b1, double b2) {
-    meshPoint.moveTo(mesh, triangle, b1, b2);
-    hasAttributes = true;
-    return this;
   }
 
   /** Replaces the texture coordinates. */
@@ -271,11 +256,6 @@ public final class SurfaceHit implements SurfacePoint {
     return tangentZ * dx + bitangentZ * dy + normalZ * dz;
   }
 
-  /** Returns the texture coordinates. */
-  public TexturePoint texture() {
-    return new TexturePoint(u, v);
-  }
-
   /** Returns the first texture coordinate. */
   public double u() {
     return u;
@@ -284,26 +264,6 @@ public final class SurfaceHit implements SurfacePoint {
   /** Returns the second texture coordinate. */
   public double v() {
     return v;
-  }
-
-  @Override
-  public double u(int set) {
-    return set == 1 && hasAttributes ? meshPoint.u(1) : u;
-  }
-
-  @Override
-  public double v(int set) {
-    return set == 1 && hasAttributes ? meshPoint.v(1) : v;
-  }
-
-  @Override
-  public Rgb vertexColor() {
-    return hasAttributes ? meshPoint.vertexColor() : Rgb.WHITE;
-  }
-
-  @Override
-  public double vertexAlpha() {
-    return hasAttributes ? meshPoint.vertexAlpha() : 1;
   }
 
   /** Returns whether the ray hit the side that the geometric normal points to. */

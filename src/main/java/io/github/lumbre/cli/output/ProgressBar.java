@@ -120,13 +120,11 @@ public final class ProgressBar implements ProgressDisplay {
       return;
     }
     ProgressBar bar = shown.get();
-    bar.lock.lock();
-    try {
-      bar.erase();
-      print.run();
-    } finally {
-      bar.lock.unlock();
-    }
+    bar.locked(
+        () -> {
+          bar.erase();
+          print.run();
+        });
   }
 
   /** Erases the bar permanently before the program exits, unless the terminal is blocked. */
@@ -143,49 +141,47 @@ public final class ProgressBar implements ProgressDisplay {
     }
   }
 
-  @Override
-  public void reading(String name) {
+  private void locked(Runnable action) {
     lock.lock();
     try {
-      activity = "reading " + Messages.printable(name);
-      start = clock.getAsDouble();
+      action.run();
     } finally {
       lock.unlock();
     }
+  }
+
+  @Override
+  public void reading(String name) {
+    locked(
+        () -> {
+          activity = "reading " + Messages.printable(name);
+          start = clock.getAsDouble();
+        });
   }
 
   @Override
   public void started(long totalSamples) {
-    lock.lock();
-    try {
-      activity = "";
-      done.reset();
-      total = totalSamples;
-      start = clock.getAsDouble();
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          activity = "";
+          done.reset();
+          total = totalSamples;
+          start = clock.getAsDouble();
+        });
   }
 
   @Override
   public void expected(long furtherSamples) {
-    lock.lock();
-    try {
-      total = done.sum() + furtherSamples;
-    } finally {
-      lock.unlock();
-    }
+    locked(() -> total = done.sum() + furtherSamples);
   }
 
   @Override
   public void limited(Supplier<OptionalDouble> newSecondsLeft, OptionalDouble newTargetError) {
-    lock.lock();
-    try {
-      secondsLeft = newSecondsLeft;
-      targetError = newTargetError;
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          secondsLeft = newSecondsLeft;
+          targetError = newTargetError;
+        });
   }
 
   @Override
@@ -197,12 +193,7 @@ public final class ProgressBar implements ProgressDisplay {
   public void estimable(Supplier<OptionalDouble> relativeError) {
     if (targetError.isPresent()) {
       OptionalDouble known = relativeError.get();
-      lock.lock();
-      try {
-        error = known;
-      } finally {
-        lock.unlock();
-      }
+      locked(() -> error = known);
     }
   }
 
@@ -210,13 +201,11 @@ public final class ProgressBar implements ProgressDisplay {
   @Override
   public void close() {
     timer.shutdownNow();
-    lock.lock();
-    try {
-      erase();
-      closed = true;
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          erase();
+          closed = true;
+        });
     width.close();
     SHOWN.updateAndGet(shown -> shown.filter(bar -> bar != this));
   }
@@ -224,19 +213,17 @@ public final class ProgressBar implements ProgressDisplay {
   /** Draws the current state of the bar. */
   void tick() {
     int columns = width.columns();
-    lock.lock();
-    try {
-      double now = clock.getAsDouble();
-      if (now - lastTick > SUSPENDED_SECONDS) {
-        start += now - lastTick;
-      }
-      lastTick = now;
-      if (!closed) {
-        draw(now - start, columns);
-      }
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          double now = clock.getAsDouble();
+          if (now - lastTick > SUSPENDED_SECONDS) {
+            start += now - lastTick;
+          }
+          lastTick = now;
+          if (!closed) {
+            draw(now - start, columns);
+          }
+        });
   }
 
   private void draw(double seconds, int columns) {

@@ -67,7 +67,7 @@ final class EdgebreakerConnectivity {
     splits = TopologySplits.read(input, symbolCount);
     Optional<Symbols> standard =
         traversal == STANDARD
-            ? Optional.of(StandardSymbols.read(input, symbolCount))
+            ? Optional.of(Symbols.standard(input, symbolCount))
             : Optional.empty();
     startFaces = RansBitDecoder.read(input);
     for (int i = 0; i < attributes; i++) {

@@ -3,6 +3,7 @@ package io.github.lumbre.model.draco;
 import io.github.lumbre.model.ModelFormatException;
 
 /** The symbols of an edgebreaker traversal, which say how each face meets those before it. */
+@FunctionalInterface
 interface Symbols {
   /** A face between two open edges, which closes a vertex. */
   int CENTER = 0;
@@ -18,6 +19,17 @@ interface Symbols {
 
   /** A face with three new vertices. */
   int END = 4;
+
+  /** Reads the bytes of all symbols, which have one or three bits. */
+  static Symbols standard(DracoInput input, int count) throws ModelFormatException {
+    int size = input.count("bytes of symbols", input.remaining());
+    if (count > (long) Byte.SIZE * size) {
+      throw input.malformed("expected " + count + " symbols, found " + size + " bytes of them");
+    }
+    int from = input.skip(size);
+    BitReader bits = new BitReader(input.bytes(), from, from + size);
+    return () -> bits.read(1) == 0 ? CENTER : SPLIT + bits.read(2);
+  }
 
   int next() throws ModelFormatException;
 

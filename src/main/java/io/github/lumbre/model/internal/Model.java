@@ -53,7 +53,11 @@ public record Model(
     warnings = List.copyOf(warnings);
   }
 
-  private Model with(List<ModelPart> newParts, double radius, List<String> newWarnings) {
+  private Model with(
+      List<ModelPart> newParts,
+      List<ModelLight> newLights,
+      double radius,
+      List<String> newWarnings) {
     return new Model(
         fromFile,
         unit,
@@ -61,7 +65,7 @@ public record Model(
         newParts,
         radius,
         cameras,
-        lights,
+        newLights,
         variants,
         animations,
         newWarnings);
@@ -84,28 +88,18 @@ public record Model(
 
   /** Returns this model with other parts, and without lights. */
   public Model unlit(List<ModelPart> newParts) {
-    return new Model(
-        fromFile,
-        unit,
-        front,
-        newParts,
-        pointRadius,
-        cameras,
-        List.of(),
-        variants,
-        animations,
-        warnings);
+    return with(newParts, List.of(), pointRadius, warnings);
   }
 
   /** Returns this model with other parts. */
   public Model with(List<ModelPart> newParts) {
-    return with(newParts, pointRadius, warnings);
+    return with(newParts, lights, pointRadius, warnings);
   }
 
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return with(parts, pointRadius, all);
+    return with(parts, lights, pointRadius, all);
   }
 
   /**
@@ -115,7 +109,7 @@ public record Model(
    */
   public Model withPointRadius(double radius) {
     double possible = Math.max(Double.MIN_NORMAL, Math.min(radius, MAX_RADIUS));
-    return with(parts, possible, warnings);
+    return with(parts, lights, possible, warnings);
   }
 
   /**
