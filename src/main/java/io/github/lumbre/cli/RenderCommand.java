@@ -17,6 +17,7 @@ import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
@@ -115,12 +116,14 @@ final class RenderCommand extends Subcommand {
     List<Path> scenes = new ArrayList<>(List.of(options.scene.scene()));
     scenes.addAll(others);
     List<Path> targets = options.to.targets(scenes);
-    options.validate();
+    options.validate(scenes);
     try (Interruption interruption = Interruption.listen()) {
       Course course = new Course(start, startup, deadline, interruption, scenes);
-      if (options.sequence.areGiven() && !dryRun) {
-        boolean isDenoised = options.denoising(targets.get(0), engine).isPresent();
-        return new RenderSequence(options, isDenoised, this::frame).run(course, targets.get(0));
+      if (!dryRun && (options.sequence.areGiven() || options.to.animation().isPresent())) {
+        return new RenderSequence(options, engine, this::frame, course, targets.get(0)).run();
+      }
+      if (options.to.animation().isPresent()) {
+        targets = List.of(JoinedFrames.picture(targets.get(0)));
       }
       try (Frames frames = new Frames(targets, interruption, deadline)) {
         return others.isEmpty() ? frame(course, frames) : batch(course, frames);

@@ -77,16 +77,17 @@ final class RenderOptions {
   /**
    * Checks all flags before anything is read.
    *
+   * @param scenes all scenes of the command
    * @throws ParameterException that names the first one that is wrong
    * @throws TaskException if standard input cannot be read
    */
-  void validate() throws TaskException {
+  void validate(List<Path> scenes) throws TaskException {
     flags.validate();
     budgets.validate();
     checkpoints.validate();
     kernel.validate();
     stored.validate();
-    sequence.validate();
+    sequence.validate(to.animation(), scenes.size());
     validateCheckpoint();
     require(
         !flags.samples().haveShare() || !budgets.areGiven() && quality.targetError().isEmpty(),
@@ -192,7 +193,12 @@ final class RenderOptions {
     }
   }
 
-  private void checkOutputs(List<Path> scenes, List<Path> targets) throws TaskException {
+  /**
+   * Checks that the command may write its files.
+   *
+   * @param targets paths of the pictures
+   */
+  void checkOutputs(List<Path> scenes, List<Path> targets) throws TaskException {
     OutputGuard guard = overwrite.guard();
     if (scenes.size() > 1) {
       scene.guardAll(scenes, guard);
@@ -202,6 +208,7 @@ final class RenderOptions {
     if (!to.isStandardOutput()) {
       targets.forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
     }
+    to.animation().ifPresent(file -> guard.writes("-o", file, OutputContent.ANIMATION));
     // An existing checkpoint file is rejected later, with the advice to resume it.
     checkpoint.ifPresent(film -> guard.updatesFilm("--checkpoint", film));
     guard.check();

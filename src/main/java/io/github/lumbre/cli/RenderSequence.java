@@ -4,8 +4,10 @@ import io.github.lumbre.cli.RenderCommand.Course;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FinishedFrames;
 import io.github.lumbre.cli.run.Frames;
+import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.image.internal.ImageFormat;
@@ -14,7 +16,6 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.internal.ModelSequence;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -25,14 +26,25 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-/** Renders the frames of a turntable or an animation in turn. Mutable, for one run. */
+/**
+ * Renders the frames of a turntable, of an animation or of several scenes in turn, and joins them
+ * if they belong into one file. Mutable, for one run.
+ */
 final class RenderSequence {
   private final RenderOptions options;
-  private final boolean isDenoised;
+  private final Engine engine;
   private final FrameRender render;
+  private final Course course;
+
+  /** The path of the one file, or of the pictures without their numbers. */
+  private final Path target;
+
+  private final boolean isJoined;
   private final FinishedFrames finished;
   private List<Path> all = List.of();
   private List<Integer> part = List.of();
+  private List<Integer> missing = List.of();
+  private int written;
 
   /** Renders the current frame and returns its exit code. */
   interface FrameRender {
@@ -41,12 +53,16 @@ final class RenderSequence {
   }
 
   /**
-   * @param isDenoised whether the pictures are denoised
+   * @param target path of the one file, or of the pictures without their numbers
    */
-  RenderSequence(RenderOptions options, boolean isDenoised, FrameRender render) {
+  RenderSequence(
+      RenderOptions options, Engine engine, FrameRender render, Course course, Path target) {
     this.options = options;
-    this.isDenoised = isDenoised;
+    this.engine = engine;
     this.render = render;
+    this.course = course;
+    this.target = target;
+    isJoined = options.to.animation().isPresent();
     Set<String> keywords = PictureMetadata.identifying();
     if (options.budgets.areGiven() || options.quality.isAdaptive()) {
       keywords.remove(PictureMetadata.SAMPLES);
@@ -57,77 +73,161 @@ final class RenderSequence {
   /**
    * Renders the frames that are wanted and not there.
    *
-   * @param target path of the pictures without their numbers
    * @return the highest of their exit codes
    */
-  int run(Course course, Path target) throws SceneFormatException, TaskException {
-    Path scene = options.scene.scene();
-    options.run.failing(new JsonSummary("render", scene), () -> plan(course, target));
-    List<Integer> missing =
-        part.stream().filter(index -> !finished.contains(all.get(index))).toList();
-    List<Path> targets = missing.stream().map(all::get).toList();
-    int code = ExitCodes.OK;
-    int written = 0;
-    if (!missing.isEmpty()) {
-      PictureExposure exposing = PictureExposure.ofAll(finished.exposure());
-      try (Frames frames = new Frames(targets, course.interruption(), course.deadline())) {
-        for (int i = 0; i < missing.size() && code <= ExitCodes.WARNINGS; i++) {
-          options.scene.choose(missing.get(i));
-          options.run.about(frames);
-          code = Math.max(code, render.run(course, frames, exposing));
-        }
-        written = missing.size() - frames.left();
-      }
+  int run() throws SceneFormatException, TaskException {
+    JsonSummary report = new JsonSummary("render", options.scene.scene());
+    options.run.failing(report, this::plan);
+    if (!isJoined || options.sequence.havePart()) {
+      int code = render();
+      options.run.summarize(summary(), sinceStart());
+      return code;
     }
-    Duration time = Duration.between(course.start(), Instant.now());
-    options.run.summarize(summary(written, targets), time);
+    return options.run.summarized(report, () -> join(report));
+  }
+
+  private Duration sinceStart() {
+    return Duration.between(course.start(), Instant.now());
+  }
+
+  private int render() throws SceneFormatException, TaskException {
+    int code = ExitCodes.OK;
+    if (missing.isEmpty()) {
+      return code;
+    }
+    PictureExposure exposing = PictureExposure.ofAll(finished.exposure());
+    List<Path> targets = missing.stream().map(all::get).toList();
+    try (Frames frames = new Frames(targets, course.interruption(), course.deadline())) {
+      for (int i = 0; i < missing.size() && code <= ExitCodes.WARNINGS; i++) {
+        choose(missing.get(i));
+        options.run.about(frames);
+        code = Math.max(code, render.run(course, frames, exposing));
+      }
+      written = missing.size() - frames.left();
+    }
     return code;
   }
 
+  /** Renders the frames and joins all into one file. */
+  private int join(JsonSummary report) throws SceneFormatException, TaskException {
+    try (RenderMonitor monitor = monitor();
+        JoinedFrames joined =
+            monitor.reading(
+                target,
+                () ->
+                    JoinedFrames.reserve(
+                        target, options.sequence.rate(), options.sequence.ffmpeg()))) {
+      int code = render();
+      if (written < missing.size()) {
+        if (code > ExitCodes.WARNINGS) {
+          return code;
+        }
+        throw joined.incomplete(course.deadline());
+      }
+      joined.join(all, monitor);
+      report.put("output", target.toString());
+      report.put("frames", all.size());
+      report.put("frames_kept", finished.size());
+      report.put("fps", options.sequence.rate().toString());
+      report.put("seconds", 1e-9 * sinceStart().toNanos());
+      options.run.summarize(
+          "%s: %s, %s frames per second%s"
+              .formatted(
+                  target,
+                  Numbers.count(all.size(), "frame"),
+                  options.sequence.rate(),
+                  kept() > 0 ? "; " + keptText() : ""),
+          sinceStart());
+      return code;
+    }
+  }
+
   /** Returns {@code 30 of 36 pictures written, 6 were complete: a-000.png to a-035.png}. */
-  private String summary(int written, List<Path> targets) {
-    int kept = part.size() - targets.size();
+  private String summary() {
     return written
         + " of "
         + Numbers.count(part.size(), "picture")
         + " written"
-        + (kept > 0 ? ", " + kept + (kept == 1 ? " was" : " were") + " complete" : "")
+        + (kept() > 0 ? ", " + keptText() : "")
         + ": "
         + all.get(part.get(0))
         + (part.size() > 1 ? " to " + all.get(part.get(part.size() - 1)) : "");
   }
 
+  private int kept() {
+    return part.size() - missing.size();
+  }
+
+  private String keptText() {
+    return kept() + (kept() == 1 ? " was" : " were") + " complete";
+  }
+
+  private RenderMonitor monitor() {
+    return options.run.monitor(course.interruption(), course.deadline());
+  }
+
+  /** Chooses the scene of a frame. */
+  private void choose(int index) {
+    if (options.sequence.areGiven()) {
+      options.scene.choose(index);
+    } else {
+      options.scene.choose(course.scenes().get(index));
+    }
+  }
+
   /** Finds out which frames there are, and which of them are complete. */
-  private int plan(Course course, Path target) throws SceneFormatException, TaskException {
-    int count = options.sequence.motion().orElseThrow().turns();
-    boolean isContinued = options.sequence.areContinued();
-    if (count == 0 || isContinued) {
-      Path scene = options.scene.scene();
-      try (RenderMonitor monitor = options.run.monitor(course.interruption(), course.deadline())) {
-        ModelSequence sequence =
-            monitor.reading(scene, () -> options.scene.sequence(options.parser()));
-        count = sequence.count();
-        all = Frames.numbered(target, count);
-        if (isContinued) {
-          requireMetadata(target);
-          monitor.reading(scene, () -> find(sequence));
-        }
+  private int plan() throws SceneFormatException, TaskException {
+    Path pictures = isJoined ? JoinedFrames.picture(target) : target;
+    options.denoising(pictures, engine);
+    if (isJoined) {
+      options.checkOutputs(course.scenes(), List.of());
+      requireNoFrames();
+    }
+    try (RenderMonitor monitor = monitor()) {
+      all = Frames.numbered(pictures, count(monitor));
+      part = options.sequence.part(all.size());
+      if (options.sequence.areContinued()) {
+        requireMetadata(pictures);
+        monitor.reading(options.scene.scene(), this::find);
       }
     }
-    all = Frames.numbered(target, count);
-    part = options.sequence.part(count);
     requireExposure();
+    missing = part.stream().filter(index -> !finished.contains(all.get(index))).toList();
     return ExitCodes.OK;
   }
 
-  private static void requireMetadata(Path target) throws TaskException {
-    Optional<ImageFormat> format = ImageFormat.of(target);
+  private int count(RenderMonitor monitor) throws SceneFormatException, TaskException {
+    if (!options.sequence.areGiven()) {
+      return course.scenes().size();
+    }
+    int turns = options.sequence.motion().orElseThrow().turns();
+    return turns > 0
+        ? turns
+        : monitor
+            .reading(options.scene.scene(), () -> options.scene.sequence(options.parser()))
+            .count();
+  }
+
+  /** Requires that there are no frames of an earlier run, unless they are continued. */
+  private void requireNoFrames() throws TaskException {
+    Path folder = JoinedFrames.folder(target);
+    if (!options.sequence.areContinued() && !options.sequence.havePart() && Files.exists(folder)) {
+      throw new TaskException(
+          Kind.OUTPUT,
+          folder
+              + ": exists, with frames of an earlier run; go on with them by --continue, or remove"
+              + " the folder");
+    }
+  }
+
+  private static void requireMetadata(Path pictures) throws TaskException {
+    Optional<ImageFormat> format = ImageFormat.of(pictures);
     if (!format.equals(Optional.of(ImageFormat.PNG))
         && !format.equals(Optional.of(ImageFormat.EXR))) {
       throw new TaskException(
           Kind.USAGE,
           "--continue: expected PNG or OpenEXR pictures (-o), which state their scene, found "
-              + target);
+              + pictures);
     }
   }
 
@@ -142,22 +242,35 @@ final class RenderSequence {
   }
 
   /** Finds the frames that are complete; also those that this run would not render. */
-  private FinishedFrames find(ModelSequence sequence) throws SceneFormatException, TaskException {
-    options.scene.choose(0);
-    SceneFile first = options.scene.read(options.parser());
-    Map<String, String> expected =
-        PictureMetadata.of(options.scene.scene(), first, first.settings());
-    OptionalDouble error = options.targetError();
-    error.ifPresent(e -> expected.put(PictureMetadata.TARGET_ERROR, Numbers.percent(e)));
-    if (isDenoised) {
-      expected.put(PictureMetadata.DENOISED, "");
-    }
+  private FinishedFrames find() throws SceneFormatException, TaskException {
+    Optional<SceneFile> first = Optional.empty();
     for (int i = 0; i < all.size(); i++) {
       if (Files.exists(all.get(i))) {
-        expected.put(PictureMetadata.SCENE_HASH, options.scene.hash(i));
-        finished.add(all.get(i), expected);
+        boolean isSame = first.isPresent() && options.sequence.areGiven();
+        choose(i);
+        first = isSame ? first : Optional.of(loaded());
+        finished.add(all.get(i), expected(i, first.get()));
       }
     }
     return finished;
+  }
+
+  private SceneFile loaded() throws SceneFormatException, TaskException {
+    return options.scene.load(options.parser(), options.run.errors());
+  }
+
+  /** Returns the metadata of a frame as it would be rendered now. */
+  private Map<String, String> expected(int index, SceneFile file)
+      throws SceneFormatException, TaskException {
+    Map<String, String> expected = PictureMetadata.of(options.scene.scene(), file, file.settings());
+    if (options.sequence.areGiven()) {
+      expected.put(PictureMetadata.SCENE_HASH, options.scene.hash(index));
+    }
+    OptionalDouble error = options.targetError();
+    error.ifPresent(e -> expected.put(PictureMetadata.TARGET_ERROR, Numbers.percent(e)));
+    options
+        .denoising(all.get(index), engine)
+        .ifPresent(denoising -> expected.put(PictureMetadata.DENOISED, ""));
+    return expected;
   }
 }

@@ -253,7 +253,8 @@ public final class SceneParser {
         () ->
             motion.turns() > 0
                 ? new StagedTurntable(this, source, name, stage, motion.turns())
-                : new StagedAnimation(this, source, name, stage, motion.animation(), motion.fps()));
+                : new StagedAnimation(
+                    this, source, name, stage, motion.animation(), motion.rate()));
   }
 
   private static Problems problemsOf(Path model) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.internal.ModelAnimation;
@@ -26,7 +27,7 @@ final class StagedAnimation extends StagedFrames {
 
   private final Stage stage;
   private final String animation;
-  private final double fps;
+  private final FrameRate rate;
   private final double seconds;
   private final int count;
   private final boolean hasOwnCamera;
@@ -36,17 +37,17 @@ final class StagedAnimation extends StagedFrames {
 
   /**
    * @param animation name or index of the animation
-   * @param fps frames per second, &gt; 0
+   * @param rate frames per second
    * @throws SceneFormatException if the model cannot be used, lacks the animation, or has too many
    *     frames
    */
   StagedAnimation(
-      SceneParser parser, Source source, String name, Stage stage, String animation, double fps)
+      SceneParser parser, Source source, String name, Stage stage, String animation, FrameRate rate)
       throws SceneFormatException, IOException {
     super(parser, source, name);
     this.stage = stage;
     this.animation = animation;
-    this.fps = fps;
+    this.rate = rate;
     StagedModel atStart = read(at(0));
     seconds = seconds(atStart);
     count = frames(atStart);
@@ -75,7 +76,7 @@ final class StagedAnimation extends StagedFrames {
   }
 
   private int frames(StagedModel model) throws SceneFormatException {
-    double frames = Math.max(1, Math.ceil(seconds * fps - AT_END));
+    double frames = Math.max(1, Math.ceil(seconds * rate.frames() / rate.seconds() - AT_END));
     Optional<String> excess =
         Limits.excess("frames of the animation", MAX_FRAMES, (long) Math.min(frames, 1e15));
     if (excess.isPresent()) {
@@ -91,7 +92,7 @@ final class StagedAnimation extends StagedFrames {
 
   @Override
   Stage stage(int index) {
-    return at(index / fps);
+    return at((double) ((long) index * rate.seconds()) / rate.frames());
   }
 
   private Stage at(double time) {

@@ -2,6 +2,8 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.PictureTexts;
 import java.io.IOException;
@@ -11,6 +13,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -186,7 +191,7 @@ class AnimationCommandsTest {
       delimiter = '|',
       value = {
         "--animation wave            | 4 | expected \"lift\", found \"wave\"",
-        "--animation lift --fps 0    | 2 | --fps: expected more than 0 to 1000",
+        "--animation lift --fps 0    | 2 | expected 1/600 to 65535 frames",
         "--fps 5                     | 2 | --fps: requires --animation",
         "--animation lift --pose lift@1 | 2 | --animation: cannot be combined with --pose",
         "--animation lift --turntable 3 | 2 | --turntable and --animation: expected only one",
@@ -227,5 +232,95 @@ class AnimationCommandsTest {
     run(line).assertFailed(ExitCodes.OUTPUT, "a-001.png: exists and is not a PNG");
     run(line + " --continue").assertFailed(ExitCodes.USAGE, "a-001.png: cannot be continued");
     assertThat(directory.resolve("a-001.png")).hasContent("a letter");
+  }
+
+  /** The pixels of the file are tested with its writer; here are its frames. */
+  @Test
+  void framesAreJoinedIntoOneFile() throws IOException {
+    String line = "render T/sample.glb --turntable 3 --fps 10 -o T/a.";
+    String printed = runs(line + "gif" + SMALL);
+    assertThat(printed).containsPattern("a.gif: 3 frames, 10 frames per second; [0-9.]+ s\n");
+    assertThat(files("a.")).containsExactly("a.gif");
+    ImageReader gif = ImageIO.getImageReadersByFormatName("gif").next();
+    try (ImageInputStream in =
+        ImageIO.createImageInputStream(directory.resolve("a.gif").toFile())) {
+      gif.setInput(in);
+      assertThat(gif.getNumImages(true)).isEqualTo(3);
+      assertThat(gif.read(0).getWidth()).isEqualTo(16);
+    } finally {
+      gif.dispose();
+    }
+    JsonObject json =
+        JsonParser.parseString(lastLine(run(line + "apng --json" + SMALL).out())).getAsJsonObject();
+    assertThat(json.get("output").getAsString()).endsWith("a.apng");
+    assertThat(json.get("frames").getAsInt()).isEqualTo(3);
+    assertThat(texts("a.apng")).containsEntry("Samples", "2").doesNotContainKey("SceneHash");
+  }
+
+  private static String lastLine(String text) {
+    return text.strip().substring(text.strip().lastIndexOf('\n') + 1);
+  }
+
+  @Test
+  void severalScenesAreFrames() throws IOException {
+    Files.writeString(directory.resolve("b.json"), TinyScene.JSON);
+    Files.writeString(
+        directory.resolve("c.json"), TinyScene.JSON.replace("\"name\": \"", "\"name\": \"x"));
+    String line = "render T/b.json T/c.json T/b.json -o T/a.gif -s 1 --size 8x6 ";
+    assertThat(runs(line + "--frames 0..1"))
+        .contains("2 of 2 pictures written: a.gif.frames/a-000.png");
+    assertThat(files("a.gif")).containsExactly("a.gif.frames");
+    assertThat(runs(line + "--continue"))
+        .contains("a.gif: 3 frames, 25 frames per second; 2 were complete");
+    assertThat(files("a.gif")).containsExactly("a.gif");
+    runs(line + "--frames 0..1");
+    run(line.replace("-s 1", "-s 2") + "--continue")
+        .assertFailed(ExitCodes.USAGE, "a-000.png: cannot be continued: its metadata have Samples");
+    run(line).assertFailed(ExitCodes.OUTPUT, "a.gif.frames: exists, with frames of an earlier run");
+  }
+
+  @Test
+  void stoppedSequencesKeepTheirFrames() throws IOException {
+    String line = "render T/sample.glb --turntable 2 --size 16x12 -o T/a.gif";
+    Outcome outcome = run(line + " -s 100000000 --timeout 1s");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
+    assertThat(outcome.err()).contains("a-000.png is partial");
+    assertThat(files("a.gif")).containsExactly("a.gif.frames");
+    Outcome last = run(line + " -s 100000000 --timeout 1s --continue");
+    assertThat(last.exitCode()).isEqualTo(ExitCodes.LIMIT);
+    runs(line + " -s 2 --continue");
+    assertThat(files("a.gif")).containsExactly("a.gif");
+  }
+
+  /** A deadline in the last frame leaves it partial: there is nothing to join. */
+  @Test
+  void partialLastFramesAreNotJoined() throws IOException {
+    String line = "render T/sample.glb --turntable 1 --size 16x12 -o T/a.gif";
+    run(line + " --quiet -s 100000000 --timeout 1s")
+        .assertFailed(
+            ExitCodes.LIMIT,
+            "--timeout: the time ended before " + directory.resolve("a.gif") + " was written",
+            "with --continue");
+    assertThat(texts("a.gif.frames/a-000.png")).containsKey("Partial");
+  }
+
+  @Test
+  void failingProgramsKeepTheFrames() throws IOException {
+    String line = "render T/sample.glb --turntable 2 -o T/a.mp4 --quiet" + SMALL;
+    run(line + " --ffmpeg T/none").assertFailed(ExitCodes.OUTPUT, "a.mp4: ", "ffmpeg");
+    assertThat(files("a.mp4")).isEmpty();
+    Path program = directory.resolve("ffmpeg");
+    Files.writeString(
+        program,
+        "#!/bin/sh\ncase \"$*\" in *-encoders*) echo ' V..... libx264 H.264';; *) exit 3;; esac\n");
+    assertThat(program.toFile().setExecutable(true)).isTrue();
+    run(line + " --ffmpeg T/ffmpeg")
+        .assertFailed(
+            ExitCodes.OUTPUT,
+            "a.mp4: cannot be written: ",
+            "its complete frames are in",
+            "--continue");
+    assertThat(files("a.mp4")).containsExactly("a.mp4.frames");
+    assertThat(directory.resolve("a.mp4.frames").toFile().list()).hasSize(2);
   }
 }

@@ -53,6 +53,7 @@ class OutputGuardTest {
           "layers FILE",
           "denoise FILE",
           "render --oidn",
+          "render --ffmpeg",
           "develop --oidn",
           "merge --oidn",
           "denoise --oidn",

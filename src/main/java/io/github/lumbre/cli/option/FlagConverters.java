@@ -2,6 +2,7 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
@@ -51,6 +52,7 @@ public final class FlagConverters {
     command.registerConverter(BigDecimal.class, text -> number(BigDecimal::new, "a number", text));
     command.registerConverter(Duration.class, FlagConverters::duration);
     command.registerConverter(Size.class, text -> explained(Size::of, text));
+    command.registerConverter(FrameRate.class, text -> explained(FrameRate::parse, text));
     command.registerConverter(Crop.class, FlagConverters::crop);
     command.registerConverter(PixelPlace.class, FlagConverters::pixel);
     CHOICES.forEach(choice -> choice.register(command));

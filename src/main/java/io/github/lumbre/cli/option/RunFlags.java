@@ -18,6 +18,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -58,6 +59,7 @@ public final class RunFlags extends Flags {
   private String title = "";
   private List<String> names = List.of();
   private boolean isBrief;
+  private final Set<String> warned = new HashSet<>();
 
   /** Names the current one of several scenes in its messages and on its progress bar. */
   public void about(Frames frames, Path scene) {
@@ -68,7 +70,7 @@ public final class RunFlags extends Flags {
 
   /**
    * Names the current one of the frames of a sequence in its messages, which are warnings alone
-   * unless statistics are wanted.
+   * unless statistics are wanted, each kind once.
    */
   public void about(Frames frames) {
     title = frames.place();
@@ -103,7 +105,7 @@ public final class RunFlags extends Flags {
   /** Returns the printer of everything else, standard error. */
   public Messages errors() {
     Messages all = new Messages(spec.commandLine().getErr(), names);
-    return isBrief ? all.warningsAlone() : all;
+    return isBrief ? all.ofNewWarnings(warned) : all;
   }
 
   public RenderMonitor monitor(Interruption interruption, Deadline deadline) {

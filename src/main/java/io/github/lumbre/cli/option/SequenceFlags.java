@@ -1,7 +1,11 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.image.animation.AnimationFormat;
+import io.github.lumbre.image.animation.FrameRate;
+import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.internal.ModelSequence;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -12,30 +16,30 @@ import picocli.CommandLine.ParameterException;
 /** The flags that render several frames of a model. */
 @Command(optionListHeading = Headings.SEQUENCE)
 public final class SequenceFlags extends Flags {
-  private static final double DEFAULT_FPS = 25;
-  private static final double MAX_FPS = 1000;
+  private static final FrameRate DEFAULT_RATE = new FrameRate(25, 1);
 
   @Option(
       names = "--turntable",
       paramLabel = "N",
       description =
-          "Write N pictures of a model from around it, numbered from 000: OUT with -000 before its"
-              + " ending.")
+          "Render N pictures of a model from around it, numbered from 000: OUT with -000 before its"
+              + " ending; or one file, if OUT ends in .gif, .apng, .mp4 or .webm.")
   private Optional<Integer> turntable;
 
   @Option(
       names = "--animation",
       paramLabel = "NAME",
       description =
-          "Write the pictures of a whole animation of a model, numbered as those of --turntable, to"
-              + " before its end, where a loop begins again.")
+          "Render a whole animation of a model, to before its end, where a loop begins again; OUT"
+              + " is as for --turntable.")
   private Optional<String> animation;
 
   @Option(
       names = "--fps",
       paramLabel = "N",
-      description = "Frames per second of an animation (25).")
-  private Optional<Double> fps;
+      description =
+          "Frames per second of an animation and of one file: 25, 12.5 or 30000/1001 (25).")
+  private Optional<FrameRate> fps;
 
   @Option(
       names = "--frames",
@@ -52,21 +56,41 @@ public final class SequenceFlags extends Flags {
               + " scene and settings, by the metadata in PNG and OpenEXR pictures.")
   private boolean continued;
 
+  @Option(
+      names = "--ffmpeg",
+      paramLabel = "PATH",
+      description =
+          "Program that writes .mp4 and .webm, or its folder (LUMBRE_FFMPEG, or ffmpeg in the"
+              + " PATH).")
+  private Optional<Path> ffmpeg;
+
   /**
    * Checks the values before anything is read.
    *
+   * @param joined path of the one file that is written, if it is one
+   * @param scenes number of scenes
    * @throws ParameterException that names the flag, if a value is wrong
    */
-  public void validate() {
+  public void validate(Optional<Path> joined, int scenes) {
     turntable.ifPresent(n -> checks().requireIn("--turntable", 1, ModelSequence.MAX_FRAMES, n));
     require(
         turntable.isEmpty() || animation.isEmpty(),
         "--turntable and --animation: expected only one of them");
-    require(fps.isEmpty() || animation.isPresent(), "--fps: requires --animation");
-    fps.ifPresent(
-        f -> require(f > 0 && f <= MAX_FPS, "--fps: expected more than 0 to 1000, found " + f));
-    require(frames.isEmpty() || areGiven(), "--frames: requires --turntable or --animation");
-    require(!continued || areGiven(), "--continue: requires --turntable or --animation");
+    boolean isSequence = areGiven() || joined.isPresent() && scenes > 1;
+    require(
+        joined.isEmpty() || isSequence,
+        joined.orElse(Path.of(""))
+            + ": requires --turntable, --animation or several scenes; a picture ends in one of "
+            + ImageFormat.endings());
+    require(
+        fps.isEmpty() || animation.isPresent() || joined.isPresent(),
+        "--fps: requires --animation or a file that ends in " + AnimationFormat.endings());
+    require(frames.isEmpty() || isSequence, "--frames: requires --turntable or --animation");
+    require(!continued || isSequence, "--continue: requires --turntable or --animation");
+    require(
+        ffmpeg.isEmpty()
+            || joined.flatMap(AnimationFormat::of).filter(f -> f.isVideo()).isPresent(),
+        "--ffmpeg: requires a file that ends in .mp4 or .webm");
   }
 
   /** Returns whether several frames of a model are rendered. */
@@ -83,7 +107,22 @@ public final class SequenceFlags extends Flags {
   public Optional<Motion> motion() {
     return turntable
         .map(Motion::turntable)
-        .or(() -> animation.map(name -> Motion.animation(name, fps.orElse(DEFAULT_FPS))));
+        .or(() -> animation.map(name -> Motion.animation(name, rate())));
+  }
+
+  /** Returns the frames per second. */
+  public FrameRate rate() {
+    return fps.orElse(DEFAULT_RATE);
+  }
+
+  /** Returns the path of the program that writes videos; empty if it is not given. */
+  public Optional<Path> ffmpeg() {
+    return ffmpeg;
+  }
+
+  /** Returns whether only a part of the frames is rendered. */
+  public boolean havePart() {
+    return frames.isPresent();
   }
 
   /** Returns whether frames that are complete are kept. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.cli.output.PictureOutput;
+import io.github.lumbre.image.animation.AnimationFormat;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -44,6 +45,11 @@ public final class TargetFlags extends Flags {
     return output.equals(Optional.of(PictureOutput.STANDARD));
   }
 
+  /** Returns the path of the one file that the pictures are joined to; empty if there is none. */
+  public Optional<Path> animation() {
+    return output.filter(out -> !isFolder() && AnimationFormat.of(out).isPresent());
+  }
+
   /** Returns the format of a picture that {@code -o} does not name. */
   public ImageFormat format() {
     return format.orElse(ImageFormat.PNG);
@@ -64,6 +70,9 @@ public final class TargetFlags extends Flags {
       return List.of(isFolder ? inFolder(scenes.get(0)) : single(scenes.get(0)));
     }
     requireBatch(scenes);
+    if (animation().isPresent()) {
+      return List.of(animation().get());
+    }
     List<Path> targets = new ArrayList<>();
     Map<String, Path> named = new HashMap<>();
     for (Path scene : scenes) {
@@ -92,9 +101,12 @@ public final class TargetFlags extends Flags {
         "-: standard input cannot be one of several scenes");
     require(
         output.isPresent(),
-        scenes.get(1) + ": several scenes require a folder for their pictures (-o FOLDER)");
+        scenes.get(1)
+            + ": several scenes require a folder for their pictures (-o FOLDER), or one file that"
+            + " ends in one of "
+            + AnimationFormat.endings());
     require(
-        isFolder(),
+        isFolder() || animation().isPresent(),
         "-o: expected a folder for the pictures of several scenes, which exists or has a name"
             + " without an ending, found "
             + output.get());
@@ -117,7 +129,7 @@ public final class TargetFlags extends Flags {
 
   private Path single(Path scene) {
     Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene, ImageFormat.PNG));
-    if (!isStandardOutput()) {
+    if (!isStandardOutput() && animation().isEmpty()) {
       checks().requirePicture(target);
     }
     return target;

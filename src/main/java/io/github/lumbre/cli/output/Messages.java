@@ -5,6 +5,8 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
 
 /**
  * Prints messages, one line each. Characters that could move the cursor, color the terminal or fake
@@ -22,7 +24,7 @@ public final class Messages {
 
   private final PrintWriter out;
   private final List<String> names;
-  private final boolean hasWarningsAlone;
+  private final Optional<Set<String>> warned;
 
   public Messages(PrintWriter out) {
     this(out, List.of());
@@ -33,18 +35,29 @@ public final class Messages {
    *     If empty, lines are printed as they are
    */
   public Messages(PrintWriter out, List<String> names) {
-    this(out, names, false);
+    this(out, names, Optional.empty());
   }
 
-  private Messages(PrintWriter out, List<String> names, boolean hasWarningsAlone) {
+  private Messages(PrintWriter out, List<String> names, Optional<Set<String>> warned) {
     this.out = out;
     this.names = names;
-    this.hasWarningsAlone = hasWarningsAlone;
+    this.warned = warned;
   }
 
-  /** Returns a printer of the same lines that leaves out those that are not warnings or errors. */
-  public Messages warningsAlone() {
-    return new Messages(out, names, true);
+  /**
+   * Returns a printer of errors and of warnings alone, which prints the first of warnings that
+   * differ in numbers alone.
+   *
+   * @param before texts without numbers of the warnings so far; they are added
+   */
+  public Messages ofNewWarnings(Set<String> before) {
+    return new Messages(out, names, Optional.of(before));
+  }
+
+  private boolean isLeftOut(String text) {
+    return warned.isPresent()
+        && !text.startsWith(ERROR)
+        && !(text.startsWith(WARNING) && warned.get().add(text.replaceAll("[0-9]+", "")));
   }
 
   private String named(String text) {
@@ -57,7 +70,7 @@ public final class Messages {
 
   /** Prints a line. */
   public void line(String text) {
-    if (hasWarningsAlone && !text.startsWith(WARNING) && !text.startsWith(ERROR)) {
+    if (isLeftOut(text)) {
       return;
     }
     ProgressBar.aside(

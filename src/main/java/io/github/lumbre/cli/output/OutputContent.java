@@ -2,6 +2,7 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.image.png.PngFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -12,6 +13,7 @@ import java.util.function.Predicate;
 /** The kinds of files that commands write, and tests that recognize existing ones. */
 public enum OutputContent {
   PICTURE("a PNG, JPEG, OpenEXR, PFM or HDR picture", ImageFormat::startsPicture),
+  ANIMATION("a GIF, PNG, MP4 or WebM file", OutputContent::startsAnimation),
   FILM("a checkpoint file", FilmFile::startsIn),
   SCENE("a JSON scene", text(start -> start.contains("\"mainCameraId\""))),
   TRADE_PAGE(
@@ -44,6 +46,14 @@ public enum OutputContent {
 
   private static Predicate<byte[]> text(Predicate<String> isStart) {
     return start -> isStart.test(new String(start, StandardCharsets.UTF_8));
+  }
+
+  private static boolean startsAnimation(byte[] start) {
+    String text = new String(start, StandardCharsets.ISO_8859_1);
+    return text.startsWith("GIF8")
+        || PngFile.startsIn(start)
+        || text.startsWith("ftyp", 4)
+        || text.startsWith("\u001aE\u00df\u00a3");
   }
 
   /** Returns the name of the kind for messages, with its article. */

@@ -21,6 +21,8 @@ public final class PictureMetadata {
   /** With this environment variable, files state nothing that differs between equal renders. */
   private static final String REPRODUCIBLE = "SOURCE_DATE_EPOCH";
 
+  private static final String SCENE = "Scene";
+
   /** The keyword of the hash of the scene. */
   public static final String SCENE_HASH = "SceneHash";
 
@@ -79,7 +81,7 @@ public final class PictureMetadata {
   public static Map<String, String> of(Path scene, SceneFile file, RenderSettings settings) {
     Map<String, String> metadata = new LinkedHashMap<>();
     metadata.put("Software", "Lumbre " + Release.number());
-    metadata.put("Scene", Messages.printable(String.valueOf(scene.getFileName())));
+    metadata.put(SCENE, Messages.printable(String.valueOf(scene.getFileName())));
     metadata.put(SCENE_HASH, file.hash());
     metadata.put("Mode", SettingType.nameOf(settings.mode()));
     metadata.put(SAMPLES, String.valueOf(settings.samples()));
@@ -109,6 +111,14 @@ public final class PictureMetadata {
                 TARGET_ERROR,
                 DENOISED));
     settings().map(PictureMetadata::keyword).forEach(keywords::add);
+    return keywords;
+  }
+
+  /** Returns the keywords of metadata that all frames of a sequence have in common. */
+  public static Set<String> ofAllFrames() {
+    Set<String> keywords = identifying();
+    keywords.add(SCENE);
+    keywords.remove(SCENE_HASH);
     return keywords;
   }
 

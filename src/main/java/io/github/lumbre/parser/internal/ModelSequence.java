@@ -1,5 +1,6 @@
 package io.github.lumbre.parser.internal;
 
+import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -24,24 +25,26 @@ public abstract class ModelSequence {
    *
    * @param turns number of frames of one turn around the model; 0 for an animation
    * @param animation name of the animation, or its index; empty for a turntable
-   * @param fps frames per second of an animation, &gt; 0
+   * @param rate frames per second of an animation
    */
-  public record Motion(int turns, String animation, double fps) {
+  public record Motion(int turns, String animation, FrameRate rate) {
     public Motion {
       Objects.requireNonNull(animation, "animation");
-      if (turns < 0 || turns > MAX_FRAMES || !(fps > 0 && Double.isFinite(fps))) {
-        throw new IllegalArgumentException("expected frames, found " + turns + " and " + fps);
+      Objects.requireNonNull(rate, "rate");
+      if (turns < 0 || turns > MAX_FRAMES) {
+        throw new IllegalArgumentException(
+            "turns: expected 0 to " + MAX_FRAMES + ", found " + turns);
       }
     }
 
     /** Returns one turn around a model. */
     public static Motion turntable(int turns) {
-      return new Motion(turns, "", 1);
+      return new Motion(turns, "", new FrameRate(1, 1));
     }
 
     /** Returns a whole animation. */
-    public static Motion animation(String name, double fps) {
-      return new Motion(0, name, fps);
+    public static Motion animation(String name, FrameRate rate) {
+      return new Motion(0, name, rate);
     }
   }
 
