@@ -112,7 +112,6 @@ final class Pilot {
     return (color.r() + color.g() + color.b()) / 3;
   }
 
-  /** Returns the number of paths. */
   int paths() {
     return paths;
   }

@@ -50,7 +50,6 @@ final class PointGrid {
     return (int) (hash >>> 32) & first.length - 1;
   }
 
-  /** Returns whether a point is near a place. */
   boolean isNear(double x, double y, double z) {
     for (long i = cell(x - tolerance); i <= cell(x + tolerance); i++) {
       for (long j = cell(y - tolerance); j <= cell(y + tolerance); j++) {

@@ -168,7 +168,6 @@ final class GlyphTable {
     return GLYPHS.getOrDefault(character, GLYPHS.get(MISSING));
   }
 
-  /** Returns the characters that have shapes. */
   static List<Integer> characters() {
     return GLYPHS.keySet().stream().filter(c -> c != MISSING).sorted().toList();
   }

@@ -4,11 +4,14 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -233,5 +236,47 @@ public final class OutputFile implements Closeable {
    */
   private static boolean isProtected(Path target) {
     return !Files.isWritable(target) && Files.exists(target) && !Files.isWritable(target);
+  }
+
+  /**
+   * The folders that were made for an output file.
+   *
+   * @param folders the innermost first
+   */
+  private record MadeFolders(List<Path> folders) {
+    static final MadeFolders NONE = new MadeFolders(List.of());
+
+    /**
+     * Makes the missing folders of a file.
+     *
+     * @throws IOException with a message for the user, if they cannot be made
+     */
+    static MadeFolders of(Path target) throws IOException {
+      Path folder = target.toAbsolutePath().getParent();
+      List<Path> missing = new ArrayList<>();
+      for (Path f = folder; f != null && !Files.isDirectory(f); f = f.getParent()) {
+        missing.add(f);
+      }
+      if (!missing.isEmpty()) {
+        try {
+          Files.createDirectories(folder);
+        } catch (IOException e) {
+          String reason = FileFailure.reason(e);
+          throw new IOException(
+              target + ": the directory " + folder + " cannot be created: " + reason, e);
+        }
+      }
+      return new MadeFolders(missing);
+    }
+
+    void deleteEmpty() throws IOException {
+      for (Path folder : folders) {
+        try {
+          Files.deleteIfExists(folder);
+        } catch (DirectoryNotEmptyException e) {
+          return;
+        }
+      }
+    }
   }
 }

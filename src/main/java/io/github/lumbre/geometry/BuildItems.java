@@ -48,7 +48,6 @@ final class BuildItems {
     return array;
   }
 
-  /** Returns the number of items. */
   int count() {
     return source.count();
   }

@@ -112,7 +112,6 @@ final class BvhItems {
     return count() == 0;
   }
 
-  /** Returns the number of items. */
   int count() {
     return triangleCount() + bounded.size();
   }

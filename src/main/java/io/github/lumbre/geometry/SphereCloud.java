@@ -29,7 +29,6 @@ final class SphereCloud implements Shape {
       return mesh.vertexCount();
     }
 
-    /** Returns a sphere after a transform. */
     Sphere sphere(int index, Transform toWorld) {
       return new Sphere(placed(index, toWorld), radius);
     }
@@ -39,7 +38,6 @@ final class SphereCloud implements Shape {
       return toWorld.times(Transform.translation(mesh.position(index)));
     }
 
-    /** Returns the texture coordinates of a sphere. */
     TexturePoint texture(int index) {
       return mesh.hasUvs() ? mesh.uv(index) : new TexturePoint(0, 0);
     }

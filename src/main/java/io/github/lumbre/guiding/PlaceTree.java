@@ -29,7 +29,6 @@ final class PlaceTree {
     root = order.size() < LEAST_RECORDS ? Guide.NO_CELL : place(0, order.size());
   }
 
-  /** Returns the records of the cells. */
   List<RecordRange> leaves() {
     return Collections.unmodifiableList(leaves);
   }

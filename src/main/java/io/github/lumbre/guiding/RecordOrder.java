@@ -43,7 +43,6 @@ final class RecordOrder {
     high = new int[order.length];
   }
 
-  /** Returns the number of records. */
   int size() {
     return order.length;
   }

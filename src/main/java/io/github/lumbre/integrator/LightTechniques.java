@@ -12,7 +12,6 @@ final class LightTechniques {
   /** Whether any light is sampled. */
   final boolean isOn;
 
-  /** The techniques of camera rays. */
   final LightTechnique[] ofCamera;
 
   /** The techniques of non-specular vertices, in the order in which they are used. */

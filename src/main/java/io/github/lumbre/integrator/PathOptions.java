@@ -51,7 +51,6 @@ public record PathOptions(
         maxDepth, MisHeuristic.BOTH, LightSamplerKind.PLACE, FIRST_ROULETTE, 1, false, true);
   }
 
-  /** Returns the options that a render with these settings uses. */
   public static PathOptions of(RenderSettings settings) {
     return toDepth(settings.maxTraceDepth())
         .splitInto(settings.split())

@@ -45,7 +45,6 @@ public final class Table<T> {
     return new Table<>(all);
   }
 
-  /** Returns the names of the columns. */
   public List<String> names() {
     return columns.stream().map(Column::name).toList();
   }

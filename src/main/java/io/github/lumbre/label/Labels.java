@@ -86,7 +86,6 @@ public final class Labels {
     return notes;
   }
 
-  /** Returns the sheet with all labels. */
   LabelSheet sheet() {
     return sheet;
   }

@@ -40,7 +40,6 @@ final class GgxAlbedo {
 
   private GgxAlbedo() {}
 
-  /** Returns the roughness of a row. */
   static double alpha(int row) {
     return fourthPower(FIRST_ROOT + (1 - FIRST_ROOT) * row / (SIDE - 1));
   }

@@ -43,7 +43,6 @@ record Matrix3(Vec3 row0, Vec3 row1, Vec3 row2) {
         new Vec3(row0.z(), row1.z(), row2.z()));
   }
 
-  /** Returns the matrix of the absolute values. */
   private Matrix3 absolute() {
     return new Matrix3(absolute(row0), absolute(row1), absolute(row2));
   }

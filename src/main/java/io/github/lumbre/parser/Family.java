@@ -40,7 +40,6 @@ final class Family<F> {
     return keys;
   }
 
-  /** Returns the names of the types. */
   Set<String> types() {
     return readers.keySet();
   }

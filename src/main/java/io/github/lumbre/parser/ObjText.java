@@ -9,7 +9,6 @@ import java.nio.charset.StandardCharsets;
 final class ObjText {
   private ObjText() {}
 
-  /** Returns the bytes of the file. */
   static byte[] of(TriangleMesh mesh) {
     if (mesh.triangleCount() == 0) {
       throw new Unwritable("a mesh with triangles", "one without");

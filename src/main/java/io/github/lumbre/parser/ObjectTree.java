@@ -116,7 +116,6 @@ final class ObjectTree {
     return objects;
   }
 
-  /** Returns the nodes of all objects of a type. */
   List<JsonNode> nodes(Type type) {
     return objects.stream().filter(object -> object.type() == type).map(Placed::node).toList();
   }

@@ -60,7 +60,6 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
     return Optional.of(model.cameras().get(index));
   }
 
-  /** Returns the camera for a film of an aspect ratio. */
   Camera placed(double filmAspect) {
     return lens.camera(pose.position(), pose.axes(), filmAspect);
   }

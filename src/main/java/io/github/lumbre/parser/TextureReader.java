@@ -36,7 +36,6 @@ final class TextureReader {
   /** The keys of the sun's place: its azimuth and its elevation. */
   static final List<String> SUN_KEYS = List.of("sunAzimuth", "sunElevation");
 
-  /** A computed sky. */
   private enum Sky {
     STUDIO,
     CLEAR,

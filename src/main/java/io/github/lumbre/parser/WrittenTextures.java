@@ -60,7 +60,6 @@ record WrittenTextures(WrittenAssets assets) {
     return new Parts(tint, UvMapping.IDENTITY, texture);
   }
 
-  /** Writes a color channel. */
   void color(JsonObject to, String channel, Texture<Rgb> texture) {
     Parts parts = parts(texture);
     to.add(channel, Written.color(parts.tint()));
@@ -94,7 +93,6 @@ record WrittenTextures(WrittenAssets assets) {
     picture(to, channel, parts, Role.DATA);
   }
 
-  /** Writes a normal map. */
   void normalMap(JsonObject to, String channel, NormalMap map) {
     Parts parts = parts(map.normals());
     to.addProperty(channel + "Strength", map.strength());

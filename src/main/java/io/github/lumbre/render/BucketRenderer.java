@@ -159,7 +159,6 @@ final class BucketRenderer implements Runnable {
     film.add(pixel, radiance, context.hitSomething() || !settings.transparent());
   }
 
-  /** Renders a sample with its layers. */
   private void renderLayers(
       Integrator integrator,
       int x,

@@ -40,12 +40,10 @@ interface Crew {
     }
   }
 
-  /** Returns the exception for the failure of a worker. */
   static RenderException failure(Throwable cause) {
     return new RenderException("rendering failed: " + cause, cause);
   }
 
-  /** Waits for something. */
   interface Wait {
     void await() throws InterruptedException;
   }

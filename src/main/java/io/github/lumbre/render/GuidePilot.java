@@ -146,7 +146,6 @@ final class GuidePilot {
     return new Learned(guide, GuideReport.used(guide, rays));
   }
 
-  /** Traces the paths of a pass. */
   private GuideRecords records(Guide guide, int paths, int pass) throws InterruptedException {
     Integrator integrator = Integrator.of(scene, settings, guide);
     Grid grid = Grid.of(settings, paths);

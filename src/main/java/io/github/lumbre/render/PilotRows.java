@@ -28,7 +28,6 @@ record PilotRows(int threads, BooleanSupplier isStopped) {
     return new PilotRows(threads(settings), () -> false);
   }
 
-  /** Returns the number of threads of a render. */
   static int threads(RenderSettings settings) {
     return settings.threads() == 0
         ? Runtime.getRuntime().availableProcessors()

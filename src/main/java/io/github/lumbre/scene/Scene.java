@@ -213,7 +213,6 @@ public final class Scene {
     return primitives.stream().map(Primitive::shape).toList();
   }
 
-  /** Returns whether the scene uses a specialization. */
   boolean takes(Specialization shortcut) {
     return shortcuts.contains(shortcut);
   }

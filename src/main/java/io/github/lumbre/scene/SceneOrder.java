@@ -29,7 +29,6 @@ final class SceneOrder {
     this.materialNames = new IdentityHashMap<>(materialNames);
   }
 
-  /** Adds all nodes of a scene. */
   void add(List<SceneNode> nodes) {
     addAll(nodes, Transform.IDENTITY, true);
     models.forEach(Runnable::run);

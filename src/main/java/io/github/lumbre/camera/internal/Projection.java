@@ -27,7 +27,6 @@ public final class Projection {
 
   private final List<Row> rows;
 
-  /** A row of the matrix. */
   private record Row(Vec3 factors, double constant) {
     double times(Vec3 point) {
       return factors.dot(point) + constant;

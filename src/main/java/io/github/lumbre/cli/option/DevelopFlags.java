@@ -30,7 +30,6 @@ public final class DevelopFlags extends Flags {
 
   @Mixin private final PictureFlags stored = new PictureFlags();
 
-  /** A source of a film. */
   public interface Source {
     FilmFile film() throws TaskException;
   }

@@ -56,7 +56,6 @@ public final class FrameFlags extends Flags {
     return maxPixels.map(parser::limitedTo).orElse(parser);
   }
 
-  /** Sets the frame and its window. */
   void override(RenderSettings.Builder builder, RenderSettings inScene) {
     size.ifPresent(s -> builder.size(s.width(), s.height()));
     if (size.isEmpty()) {

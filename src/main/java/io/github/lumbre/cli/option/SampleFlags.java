@@ -75,7 +75,6 @@ public final class SampleFlags extends Flags {
     return share.isPresent() ? firstOfShare : samplesFrom.orElse(0);
   }
 
-  /** Sets the number of samples. */
   void override(RenderSettings.Builder builder) {
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - first()));

@@ -45,7 +45,6 @@ record BarStatus(
     return cut(percent + bar + rest, columns);
   }
 
-  /** Returns a text cut to a number of columns. */
   static String cut(String text, int columns) {
     return text.substring(0, Math.min(text.length(), Math.max(columns, 0)));
   }

@@ -68,7 +68,6 @@ public final class Messages {
     return start + names.get(0) + ": " + text.substring(start.length());
   }
 
-  /** Prints a line. */
   public void line(String text) {
     if (isLeftOut(text)) {
       return;

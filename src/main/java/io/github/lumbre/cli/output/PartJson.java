@@ -45,7 +45,6 @@ final class PartJson {
     return List.of(v.x(), v.y(), v.z());
   }
 
-  /** Returns the numbers of a picture. */
   static Map<String, Object> view(RenderSettings settings, ViewNumbers numbers, PartTable table) {
     Map<String, Object> view = new LinkedHashMap<>();
     view.put("width", settings.window().width());

@@ -32,7 +32,7 @@ public final class ReplayCommand {
   private static String depth(RenderSettings settings) {
     return switch (settings.mode()) {
       case PATH -> " --depth " + settings.maxTraceDepth();
-        // Different depths can only come from the scene, and the command reads them from there.
+      // Different depths can only come from the scene, and the command reads them from there.
       case RAY ->
           settings.reflectionTraceDepth() == settings.refractionTraceDepth()
               ? " --depth " + settings.reflectionTraceDepth()
@@ -47,7 +47,6 @@ public final class ReplayCommand {
         .collect(Collectors.joining());
   }
 
-  /** Returns the command that resumes a render. */
   public static String resume(Path film) {
     return "lumbre resume " + quoted(film.toString());
   }

@@ -53,7 +53,6 @@ public record FilmNotes(Path film, FilmHeader header) {
   private static final String TARGET_ERROR = "target-error";
   private static final String CONFIDENCE = "confidence";
 
-  /** Returns the notes for the film of a render. */
   public static Map<String, String> of(
       Path scene, SceneFile file, Path output, int bits, boolean lenient, RunBudget budget) {
     RenderSettings settings = file.settings();

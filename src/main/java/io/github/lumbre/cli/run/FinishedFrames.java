@@ -113,7 +113,6 @@ public final class FinishedFrames {
             + "; choose another path with -o, or leave out --continue to replace it");
   }
 
-  /** Returns whether a frame is complete. */
   public boolean contains(Path picture) {
     return complete.contains(picture);
   }

@@ -112,7 +112,6 @@ public final class RunBudget {
     return watch.estimate(film).stream().mapToDouble(NoiseEstimate::relativeRmse).findAny();
   }
 
-  /** Returns the noise report for the finished run. */
   NoiseReport report(Film film) {
     Optional<NoiseEstimate> noise = watch.estimate(film);
     boolean reachedTarget = noise.filter(budget::isReachedBy).isPresent();

@@ -13,7 +13,6 @@ record Answer(int status, String type, Map<String, String> headers, byte[] body)
     return new Answer(200, "application/octet-stream", Map.of(), body);
   }
 
-  /** Returns this answer with one header. */
   Answer with(String header, String value) {
     return new Answer(status, type, Map.of(header, value), body);
   }

@@ -29,7 +29,6 @@ final class PictureBytes {
     return of(values, image.width(), image.height(), 4, isExact, version);
   }
 
-  /** Returns a layer with its channels. */
   static byte[] of(ImageLayer layer, boolean isExact, long version) {
     return of(
         layer.values(), layer.width(), layer.height(), layer.channels().size(), isExact, version);

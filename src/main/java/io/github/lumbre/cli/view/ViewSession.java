@@ -226,7 +226,6 @@ public final class ViewSession {
     changed();
   }
 
-  /** Moves the camera. */
   synchronized void move(Orbit next, boolean isStill) {
     if (camera.move(next)) {
       isDragging = !isStill;

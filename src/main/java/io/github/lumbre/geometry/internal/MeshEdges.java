@@ -197,7 +197,6 @@ public final class MeshEdges {
     return positions.clone();
   }
 
-  /** Returns the number of edges. */
   public int count() {
     return first.length - 1;
   }
@@ -217,7 +216,6 @@ public final class MeshEdges {
     return first[edge + 1] - first[edge];
   }
 
-  /** Returns one of the triangles that have an edge. */
   public int triangle(int edge, int index) {
     return sides[first[edge] + index] / 3;
   }

@@ -10,7 +10,6 @@ import java.util.List;
  * @param height in lines
  */
 record ExrBlock(List<ExrChannel> channels, int width, int height) {
-  /** Returns the number of bytes of a line. */
   int lineBytes() {
     return width * channels.stream().mapToInt(channel -> channel.type().bytes()).sum();
   }

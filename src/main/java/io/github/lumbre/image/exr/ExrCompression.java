@@ -41,7 +41,6 @@ enum ExrCompression {
     this.maxInflation = maxInflation;
   }
 
-  /** Returns the compression of a code in a file. */
   static ExrCompression of(byte code) throws ImageFormatException {
     int other = code - values().length;
     if (code < 0 || other >= 0) {

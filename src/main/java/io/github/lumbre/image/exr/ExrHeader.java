@@ -106,7 +106,6 @@ record ExrHeader(
     return texts;
   }
 
-  /** A value of a header with the name of its type. */
   record Attribute(String type, ByteBuffer value) {}
 
   /** Returns a header's attributes; none if there is no further header. */
@@ -192,7 +191,6 @@ record ExrHeader(
     return Math.multiplyExact(blocksAcross(), count(height(), blockHeight()));
   }
 
-  /** Returns the number of blocks of all levels. */
   long blocksOfAllLevels() {
     if (tiles.isEmpty() || tiles.get().levels() == 0) {
       return blocks();

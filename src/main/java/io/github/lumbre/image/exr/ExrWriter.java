@@ -57,7 +57,6 @@ public final class ExrWriter {
   private final SeekableByteChannel file;
   private final List<Channel> channels;
 
-  /** The values of a channel. */
   @FunctionalInterface
   private interface Values {
     float at(int x, int y);

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
+import javax.imageio.event.IIOReadProgressListener;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
@@ -105,5 +106,37 @@ public final class JdkDecoder {
     String reason = cause instanceof IOException ? reason(cause.getMessage()) : "";
     String damage = cause instanceof EOFException ? " ends too early" : " is damaged" + reason;
     return new ImageFormatException(ImageFormatException.Kind.MALFORMED, format + damage, thrown);
+  }
+
+  /** Ends the decoding of a picture, at the next row or tile, when its thread is interrupted. */
+  private static final class InterruptListener implements IIOReadProgressListener {
+    @Override
+    public void imageProgress(ImageReader source, float percentage) {
+      Interrupts.check();
+    }
+
+    @Override
+    public void sequenceStarted(ImageReader source, int minIndex) {}
+
+    @Override
+    public void sequenceComplete(ImageReader source) {}
+
+    @Override
+    public void imageStarted(ImageReader source, int index) {}
+
+    @Override
+    public void imageComplete(ImageReader source) {}
+
+    @Override
+    public void thumbnailStarted(ImageReader source, int index, int thumbnail) {}
+
+    @Override
+    public void thumbnailProgress(ImageReader source, float percentage) {}
+
+    @Override
+    public void thumbnailComplete(ImageReader source) {}
+
+    @Override
+    public void readAborted(ImageReader source) {}
   }
 }

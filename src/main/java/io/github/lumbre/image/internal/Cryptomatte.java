@@ -53,7 +53,6 @@ public record Cryptomatte(String type, List<ImageLayer> layers, Map<String, Inte
     Map<String, Float> of(int pixel);
   }
 
-  /** An item of a pixel. */
   private record Item(int id, float share) {}
 
   /**

@@ -12,7 +12,6 @@ import io.github.lumbre.image.Pixels;
  * @param bytesPerPixel memory that decoding takes, without a few megabytes
  */
 public record EncodedPicture(int width, int height, int bytesPerPixel, Decoder decoder) {
-  /** Decodes the picture. */
   @FunctionalInterface
   public interface Decoder {
     /**

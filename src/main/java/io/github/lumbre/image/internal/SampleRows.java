@@ -5,7 +5,6 @@ public interface SampleRows {
   /** The number of columns. */
   int width();
 
-  /** The number of rows. */
   int height();
 
   /** The number of values of a pixel: 1 for gray, 3 for RGB, 4 for RGB with straight alpha. */

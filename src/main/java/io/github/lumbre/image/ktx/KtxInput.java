@@ -14,7 +14,6 @@ import java.nio.ByteOrder;
  * @param name of the part, for messages
  */
 record KtxInput(byte[] file, int from, int size, String name) {
-  /** Returns a part of this one. */
   KtxInput part(long start, long length, String title) throws ImageFormatException {
     if (start < 0 || length < 0 || length > size || start > size - length) {
       throw malformed(

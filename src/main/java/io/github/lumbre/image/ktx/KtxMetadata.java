@@ -13,7 +13,6 @@ import java.nio.charset.StandardCharsets;
  * @param isUp whether the first row is the bottom row
  */
 record KtxMetadata(boolean isLeft, boolean isUp) {
-  /** Returns the metadata of a file. */
   static KtxMetadata of(KtxInput in) throws ImageFormatException {
     KtxMetadata found = new KtxMetadata(false, false);
     int at = 0;

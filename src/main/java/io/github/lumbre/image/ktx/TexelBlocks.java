@@ -28,17 +28,14 @@ final class TexelBlocks {
     return (texels + SIDE - 1) / SIDE;
   }
 
-  /** Returns the number of columns of blocks. */
   int columns() {
     return count(width);
   }
 
-  /** Returns the number of rows of blocks. */
   int rows() {
     return count(height);
   }
 
-  /** Returns whether the picture has alpha. */
   boolean hasAlpha() {
     return channels == 4;
   }

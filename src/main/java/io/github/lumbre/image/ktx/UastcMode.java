@@ -25,7 +25,6 @@ record UastcMode(
   /** The mode of blocks of one color; its other numbers have no meaning. */
   static final UastcMode SOLID = new UastcMode(0x17, 5, 0, 0, Quantization.BITS_8, 1, 1, 4);
 
-  /** The mode of three subsets. */
   private static final UastcMode THREE =
       new UastcMode(0x03, 5, 15, 2, Quantization.TRIT_2, 3, 1, 3);
 

@@ -96,7 +96,6 @@ record TgaHeader(
     return (depth + 7) / 8;
   }
 
-  /** Returns the bytes of a color of the palette. */
   int colorBytes() {
     return (colorDepth + 7) / 8;
   }

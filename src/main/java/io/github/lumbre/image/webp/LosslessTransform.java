@@ -34,7 +34,6 @@ record LosslessTransform(int kind, int width, int bits, int[] data) {
     }
   }
 
-  /** Returns the pixel for the block with a pixel. */
   int block(int x, int y) {
     return data[(y >> bits) * blocks(width, bits) + (x >> bits)];
   }

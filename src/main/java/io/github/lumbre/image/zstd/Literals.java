@@ -16,7 +16,6 @@ final class Literals {
   private int at;
   private Optional<LiteralCode> code = Optional.empty();
 
-  /** Reads the literals of a block. */
   void read(ZstdInput in) throws ImageFormatException {
     int first = in.unsignedByte();
     int type = first & 3;

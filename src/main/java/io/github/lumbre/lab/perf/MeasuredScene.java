@@ -61,7 +61,6 @@ public final class MeasuredScene {
     return name;
   }
 
-  /** Returns the scene with its settings. */
   SceneFile file() {
     return file;
   }
@@ -111,7 +110,6 @@ public final class MeasuredScene {
     return picture.orElseThrow();
   }
 
-  /** Renders once. */
   Trial.Outcome render(RenderSettings settings) throws InterruptedException {
     return Trial.render(file.scene(), settings, host);
   }

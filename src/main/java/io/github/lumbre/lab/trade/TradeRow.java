@@ -51,12 +51,10 @@ public record TradeRow(List<TradeShot> seeds, TradeWork work, Bias bias) {
     return seeds.get(0).picture();
   }
 
-  /** Returns a value of each seed. */
   List<Double> each(Function<TradeShot, Double> value) {
     return seeds.stream().map(value).toList();
   }
 
-  /** Returns the errors and times of the samples. */
   TimeToError.Cost cost() {
     return new TimeToError.Cost(
         samples(),

@@ -10,7 +10,6 @@ package io.github.lumbre.lab.trade;
  * @param lookUps texture look-ups
  */
 public record TradeWork(double rays, double shadowRays, double nodes, double lookUps) {
-  /** Returns the number of all rays. */
   double allRays() {
     return rays + shadowRays;
   }

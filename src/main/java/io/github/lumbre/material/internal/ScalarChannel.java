@@ -8,7 +8,6 @@ import java.util.Objects;
 /** A number that varies over a surface, and may depend on any vertex attribute. Immutable. */
 @FunctionalInterface
 public interface ScalarChannel extends Channel {
-  /** Returns the value at a point of a surface. */
   double at(SurfacePoint point);
 
   /** Returns the value at a point of a surface, clamped to [0,1]; NaN becomes 0. */

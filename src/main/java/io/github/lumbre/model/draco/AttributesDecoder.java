@@ -37,7 +37,6 @@ final class AttributesDecoder {
     this.mesh = mesh;
   }
 
-  /** Returns all attributes. */
   List<DracoAttribute> decode() throws ModelFormatException {
     List<Group> groups = new ArrayList<>();
     int count = input.unsignedByte();

@@ -27,7 +27,6 @@ final class ConstrainedMultiParallelogram implements Prediction {
     this.creaseCounts = creaseCounts;
   }
 
-  /** Reads the creases. */
   static ConstrainedMultiParallelogram read(
       DracoInput input, Entries entries, CornerTable table, int components)
       throws ModelFormatException {

@@ -11,7 +11,6 @@ import io.github.lumbre.model.ModelFormatException;
  * @param memory counts the bytes that are about to be allocated
  */
 public record DracoLimits(long faces, long points, Memory memory) {
-  /** Counts memory. */
   @FunctionalInterface
   public interface Memory {
     /**

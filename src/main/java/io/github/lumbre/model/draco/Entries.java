@@ -42,12 +42,10 @@ final class Entries {
     corners[count++] = corner;
   }
 
-  /** Returns whether a vertex has an entry. */
   boolean has(int vertex) {
     return ofVertices[vertex] != NOT_REACHED;
   }
 
-  /** Returns the number of entries. */
   int count() {
     return count;
   }

@@ -55,7 +55,6 @@ final class OpenMesh {
     return vertex;
   }
 
-  /** Adds a vertex with one corner. */
   void addVertex(int corner) throws ModelFormatException {
     if (vertexCount == first.length) {
       throw input.malformed("expected at most " + first.length + " vertices, found more");

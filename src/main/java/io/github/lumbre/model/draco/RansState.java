@@ -54,7 +54,6 @@ final class RansState {
     return state;
   }
 
-  /** Refills the state from the bytes. */
   void refill() {
     while (value < base && at > start) {
       value = value << Byte.SIZE | bytes[--at] & 0xff;

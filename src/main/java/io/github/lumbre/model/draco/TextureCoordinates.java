@@ -41,7 +41,6 @@ final class TextureCoordinates implements Prediction {
     correction = WrappedCorrection.read(input, 2);
   }
 
-  /** Reads the sides. */
   static TextureCoordinates read(
       DracoInput input, Entries entries, CornerTable table, Positions positions)
       throws ModelFormatException {

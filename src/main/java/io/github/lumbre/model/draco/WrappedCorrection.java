@@ -10,7 +10,6 @@ import io.github.lumbre.model.ModelFormatException;
  * @param max the highest number
  */
 record WrappedCorrection(int components, int min, int max) implements Correction {
-  /** Reads the range. */
   static WrappedCorrection read(DracoInput input, int components) throws ModelFormatException {
     int min = input.integer();
     int max = input.integer();

@@ -235,7 +235,6 @@ final class GltfAccessor {
     }
   }
 
-  /** Returns an error about a member of the accessor. */
   ModelFormatException error(String member, String message) {
     return new ModelFormatException(
         Kind.MALFORMED, member.isEmpty() ? location : location + '.' + member, message);

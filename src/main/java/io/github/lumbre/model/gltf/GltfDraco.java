@@ -80,7 +80,6 @@ final class GltfDraco {
         && accessor(primitive.requireObject("attributes"), "POSITION").has("bufferView");
   }
 
-  /** Returns the description of an accessor. */
   private GltfJson accessor(GltfJson object, String member) throws ModelFormatException {
     return document.section("accessors").get(document.requireIndex(object, member, "accessors"));
   }

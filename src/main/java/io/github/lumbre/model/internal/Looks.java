@@ -27,7 +27,6 @@ final class Looks {
     this.isWhite = isWhite;
   }
 
-  /** Returns a model in the look that its options name. */
   static Model of(Model model, ModelOptions options) {
     if (options.look().isEmpty()) {
       return model;

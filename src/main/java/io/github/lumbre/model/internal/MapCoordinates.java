@@ -35,7 +35,6 @@ record MapCoordinates(int uvSet, UvTransform transform) {
     return hasOwn || used.of(geometry).length == 0 ? Optional.empty() : Optional.of(used);
   }
 
-  /** Returns the normal maps of layers. */
   private static Stream<MaterialInput> layers(ModelMaterial material) {
     return MaterialParameter.all().stream()
         .filter(p -> p.kind() == MaterialParameter.Kind.NORMALS)

@@ -15,7 +15,6 @@ import java.util.OptionalDouble;
  */
 public record ModelCamera(String name, String location, Lens lens, Transform toWorld) {
 
-  /** The projection of a camera. */
   public sealed interface Lens {}
 
   /**

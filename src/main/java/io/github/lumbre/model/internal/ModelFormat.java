@@ -41,7 +41,6 @@ public enum ModelFormat {
           .map("."::concat)
           .collect(Collectors.joining(", "));
 
-  /** Recognizes a format. */
   private interface Start {
     /**
      * Returns whether a file may be of the format.
@@ -52,7 +51,6 @@ public enum ModelFormat {
     boolean isIn(byte[] start, long size);
   }
 
-  /** Reads a format. */
   private interface Reader {
     /**
      * Returns the content of a file.

@@ -133,7 +133,6 @@ public record ModelGeometry(
     return false;
   }
 
-  /** Returns the number of triangles. */
   public int triangleCount() {
     return indices.length / 3;
   }

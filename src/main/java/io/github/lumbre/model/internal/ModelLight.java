@@ -27,7 +27,6 @@ public record ModelLight(
     double outerCone,
     Transform toWorld) {
 
-  /** The kinds of punctual lights. */
   public enum Kind {
     DIRECTIONAL,
     POINT,

@@ -16,7 +16,6 @@ import java.util.Optional;
  * @param source finds the files by their normalized names
  */
 public record NamedFiles(String folder, Source source) implements ModelFolder {
-  /** Finds files. */
   @FunctionalInterface
   public interface Source {
     /**

@@ -12,7 +12,6 @@ public final class PieceModel {
   private final List<ModelPart> parts = new ArrayList<>();
   private final Map<Integer, ModelNode> nodes = new HashMap<>();
 
-  /** The triangles of a surface. */
   private record Triangles(ModelGeometry mesh) implements Pieces.Source {
     @Override
     public int triangles() {

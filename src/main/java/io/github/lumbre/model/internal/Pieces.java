@@ -22,12 +22,9 @@ public final class Pieces {
 
   private final int count;
 
-  /** A mesh. */
   public interface Source {
-    /** Returns the number of triangles. */
     int triangles();
 
-    /** Returns the number of vertices. */
     int vertices();
 
     /** Returns the vertex of a triangle and one of its corners, 0 to 2. */
@@ -118,7 +115,6 @@ public final class Pieces {
     return at;
   }
 
-  /** Returns the number of pieces. */
   public int count() {
     return count;
   }

@@ -93,7 +93,6 @@ public final class PlainModel {
     return of(points.isVisible() ? List.of(part) : List.of(), warnings.all());
   }
 
-  /** Returns a model that has parts only. */
   public static Model of(List<ModelPart> parts, List<String> warnings) {
     return new Model(
         Transform.IDENTITY,

@@ -66,7 +66,6 @@ public final class TriangleList {
     return indices[corner];
   }
 
-  /** Returns the number of triangles. */
   public int count() {
     return size / 3;
   }

@@ -26,7 +26,6 @@ final class ObjSmoothing {
     group = newGroup;
   }
 
-  /** Returns whether faces are flat. */
   boolean isFlat() {
     return group == 0;
   }

@@ -32,7 +32,6 @@ public final class ObjTextures {
     this.limits = limits;
   }
 
-  /** Returns the texture of a statement. */
   public ModelTexture texture(MtlMap map) throws ModelFormatException, IOException {
     return new ModelTexture(image(map), 0, map.wrap(), map.wrap(), false, map.uvTransform());
   }

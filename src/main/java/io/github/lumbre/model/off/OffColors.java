@@ -64,7 +64,6 @@ final class OffColors {
     }
   }
 
-  /** Returns whether an item has a color. */
   boolean isPresent() {
     return rgba.length > 0;
   }

@@ -40,7 +40,6 @@ final class OffVertices {
     colors = new OffColors(count);
   }
 
-  /** Reads all vertices. */
   void read(TextScanner scanner, Tally tally) throws ModelFormatException {
     double[] numbers = new double[MOST_NUMBERS];
     for (int i = 0; i < header.vertices(); i++) {
@@ -82,7 +81,6 @@ final class OffVertices {
     return positions;
   }
 
-  /** Returns whether a vertex has a color. */
   boolean hasColors() {
     return colors.isPresent();
   }

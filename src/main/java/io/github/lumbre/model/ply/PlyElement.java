@@ -9,7 +9,6 @@ import java.util.List;
  */
 record PlyElement(String name, int count, List<PlyProperty> properties) {
 
-  /** Returns whether these are the vertices. */
   boolean isVertex() {
     return name.equals("vertex");
   }

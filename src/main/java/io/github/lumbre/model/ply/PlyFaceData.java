@@ -75,7 +75,6 @@ final class PlyFaceData {
     return texcoord.isPresent() || texnumber.isPresent() || !colors.isEmpty();
   }
 
-  /** Reads a property of the current face. */
   void read(PlyProperty property, PlyBody body) throws ModelFormatException {
     if (property.isList()) {
       coordinates = new double[body.listLength(property)];
@@ -155,7 +154,6 @@ final class PlyFaceData {
     return colors.isEmpty() ? new float[0] : rgba;
   }
 
-  /** Returns the number of the texture of a triangle. */
   int texture(int triangle) {
     return triangle < triangles ? textures[triangle] : 0;
   }

@@ -76,7 +76,6 @@ public final class PlyReader {
     return FileContent.describe(start).equals(Optional.of("PLY"));
   }
 
-  /** Returns the triangles of a PLY file. */
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     return new PlyReader(file, options).read(folder);

@@ -50,7 +50,6 @@ final class PlyTextures {
     }
   }
 
-  /** Returns whether there is a picture. */
   boolean isPresent() {
     return textures.stream().anyMatch(Optional::isPresent);
   }

@@ -129,7 +129,6 @@ final class PlyVertices {
     PlyReader.warnIgnored(element, ignored, warnings);
   }
 
-  /** Reads all vertices. */
   void read(PlyBody body) throws ModelFormatException {
     List<PlyProperty> properties = element.properties();
     for (int i = 0; i < element.count(); i++) {

@@ -90,7 +90,6 @@ final class BodyCut {
    */
   record Surface(int number, ModelPart part, ModelGeometry shape) {}
 
-  /** Returns the surfaces in which a plane cuts the bodies. */
   List<Surface> surfaces(int plane) {
     Map<Integer, Cap> caps = new TreeMap<>();
     Map<Integer, ModelPart> owners = new HashMap<>();
@@ -172,7 +171,6 @@ final class BodyCut {
     return Optional.of(new MeshCut(cap, sides).removed()).filter(ModelGeometry::isVisible);
   }
 
-  /** Returns whether a cut has an open shell. */
   boolean isOpen() {
     return open;
   }

@@ -38,7 +38,6 @@ public final class StlReader {
         : found.get().equals("STL");
   }
 
-  /** Returns the triangles of an STL file. */
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
       throws ModelFormatException {
     Warnings warnings = new Warnings();

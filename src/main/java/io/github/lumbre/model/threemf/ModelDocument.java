@@ -36,7 +36,6 @@ final class ModelDocument {
   private final PropertyReader properties;
   private Unit unit = Unit.MILLIMETER;
 
-  /** The units of length. */
   private enum Unit {
     MICRON(1e-6),
     MILLIMETER(.001),

@@ -40,7 +40,6 @@ final class ThreeMfFile {
     return tally;
   }
 
-  /** Returns the pictures in the archive. */
   ObjTextures pictures() {
     return pictures;
   }

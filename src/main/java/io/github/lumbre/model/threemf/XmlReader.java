@@ -156,7 +156,6 @@ final class XmlReader {
     return namespaces.of(prefix);
   }
 
-  /** Returns the namespace of the element. */
   String namespace() {
     return namespace(nameStart == 0 ? "" : tag.string(0, nameStart - 1));
   }
@@ -166,7 +165,6 @@ final class XmlReader {
     return tag.string(nameStart, nameEnd);
   }
 
-  /** Returns whether the element has a name in a namespace. */
   boolean is(String namespace, String name) {
     return nameEnd - nameStart == name.length()
         && tag.startsWith(nameStart, name)

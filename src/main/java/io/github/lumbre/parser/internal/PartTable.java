@@ -51,7 +51,6 @@ public final class PartTable {
     }
   }
 
-  /** The triangles of a primitive. */
   private record Triangles(TriangleMesh mesh) implements Pieces.Source {
     @Override
     public int triangles() {

@@ -44,7 +44,6 @@ public record ViewNumbers(
     seen = List.copyOf(seen);
   }
 
-  /** Returns the numbers of a picture. */
   public static ViewNumbers of(Scene scene, RenderSettings settings, PartTable table) {
     List<Row> rows = rows(scene, settings, table);
     return new ViewNumbers(

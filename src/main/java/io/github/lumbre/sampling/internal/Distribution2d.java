@@ -45,7 +45,6 @@ public final class Distribution2d {
    *     rounding moved the point onto the border of a cell of density 0
    */
   public record Sample(double x, double y, double pdf) {
-    /** Returns the sampled point. */
     public Point2 point() {
       return new Point2(x, y);
     }

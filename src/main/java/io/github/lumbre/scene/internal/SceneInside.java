@@ -31,7 +31,6 @@ public record SceneInside(
     return opener.apply(scene);
   }
 
-  /** Returns whether the scene uses a specialization. */
   public boolean takes(Specialization specialization) {
     return specializations.contains(specialization);
   }

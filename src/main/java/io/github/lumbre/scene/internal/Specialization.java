@@ -19,7 +19,6 @@ public enum Specialization {
    */
   ONE_EMITTER;
 
-  /** Returns the specializations of a scene. */
   public static Set<Specialization> of(List<Primitive> primitives, int emitters) {
     Set<Specialization> all = EnumSet.noneOf(Specialization.class);
     if (primitives.stream().anyMatch(primitive -> primitive.material().isUniform())) {

@@ -17,7 +17,6 @@ public final class LinearTexture implements Texture<Rgb> {
     this.image = Objects.requireNonNull(image, "image");
   }
 
-  /** Returns the picture. */
   public Image image() {
     return image;
   }
