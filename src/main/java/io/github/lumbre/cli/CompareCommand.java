@@ -114,8 +114,7 @@ final class CompareCommand extends Subcommand {
     Image a = layer.isPresent() ? readLayer(picture, layer.get()) : read(picture);
     Image b = layer.isPresent() ? readLayer(reference, layer.get()) : read(reference);
     if (a.width() != b.width() || a.height() != b.height()) {
-      throw new TaskException(
-          Kind.USAGE,
+      throw Kind.USAGE.failure(
           "%s has %dx%d pixels, %s has %dx%d: expected pictures of the same size"
               .formatted(picture, a.width(), a.height(), reference, b.width(), b.height()));
     }
@@ -169,8 +168,8 @@ final class CompareCommand extends Subcommand {
   private static Image finite(Image image, Path file) throws TaskException {
     for (float value : image.rgb()) {
       if (!Float.isFinite(value)) {
-        throw new TaskException(
-            Kind.ASSET, file + ": has NaN or infinite values, so no metric can be computed");
+        throw Kind.ASSET.failure(
+            file + ": has NaN or infinite values, so no metric can be computed");
       }
     }
     return image;
@@ -178,7 +177,7 @@ final class CompareCommand extends Subcommand {
 
   private static Image read(Path file) throws TaskException {
     if (!Files.exists(file)) {
-      throw new TaskException(Kind.USAGE, file + ": does not exist");
+      throw Kind.USAGE.failure(file + ": does not exist");
     }
     try {
       return finite(LinearReader.open(file).light(), file);
@@ -186,7 +185,7 @@ final class CompareCommand extends Subcommand {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -194,7 +193,7 @@ final class CompareCommand extends Subcommand {
     try {
       ImageWriter.write(map, file);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

@@ -98,7 +98,7 @@ final class DenoiseCommand extends Subcommand {
       errors.line(output + ": " + Denoising.line(denoised));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new TaskException(Kind.STOPPED, "stopped; no picture is written", e);
+      throw Kind.STOPPED.failure("stopped; no picture is written", e);
     }
     return ExitCodes.OK;
   }
@@ -121,7 +121,7 @@ final class DenoiseCommand extends Subcommand {
           NoisyPicture.of(image),
           new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, 90, Map.of()));
     } catch (IllegalArgumentException e) {
-      throw new TaskException(Kind.ASSET, file + ": " + e.getMessage(), e);
+      throw Kind.ASSET.failure(file + ": " + e.getMessage(), e);
     }
   }
 }

@@ -147,7 +147,7 @@ final class DiffCommand extends Subcommand {
           };
       throw new TaskException(kind, path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -171,7 +171,7 @@ final class DiffCommand extends Subcommand {
     try {
       return parser.parse(model, stage, List.of(view));
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -184,7 +184,7 @@ final class DiffCommand extends Subcommand {
       return new ChangePage.Side(path, file, picture);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new TaskException(Kind.STOPPED, "stopped before the pictures were complete", e);
+      throw Kind.STOPPED.failure("stopped before the pictures were complete", e);
     }
   }
 

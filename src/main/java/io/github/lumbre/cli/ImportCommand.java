@@ -91,7 +91,7 @@ final class ImportCommand extends Subcommand {
       requireUnedited(target, text);
       TextFile.write(target, text);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
     }
     return ExitCodes.OK;
   }
@@ -102,8 +102,7 @@ final class ImportCommand extends Subcommand {
       return;
     }
     if (!Arrays.equals(Files.readAllBytes(target), text.getBytes(StandardCharsets.UTF_8))) {
-      throw new TaskException(
-          Kind.OUTPUT,
+      throw Kind.OUTPUT.failure(
           target + ": is a different scene, which may be edited; --overwrite replaces it");
     }
   }

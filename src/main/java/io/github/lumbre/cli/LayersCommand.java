@@ -99,7 +99,7 @@ final class LayersCommand extends Subcommand {
     try {
       return Cryptomatte.in(image);
     } catch (ImageFormatException e) {
-      throw new TaskException(Kind.ASSET, file + ": " + e.getMessage(), e);
+      throw Kind.ASSET.failure(file + ": " + e.getMessage(), e);
     }
   }
 

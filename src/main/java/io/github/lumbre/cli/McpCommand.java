@@ -47,7 +47,7 @@ final class McpCommand extends Subcommand {
           roots, new FileInputStream(FileDescriptor.in), new FileOutputStream(FileDescriptor.out));
       return ExitCodes.OK;
     } catch (IOException e) {
-      throw new TaskException(Kind.USAGE, "standard input: " + FileFailure.reason(e), e);
+      throw Kind.USAGE.failure("standard input: " + FileFailure.reason(e), e);
     }
   }
 }

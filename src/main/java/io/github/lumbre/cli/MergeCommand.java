@@ -108,7 +108,7 @@ final class MergeCommand extends Subcommand {
       target.save(new FilmFile(FilmNotes.ofMerged(merged.header()), merged.film()));
       new FilmReport(merged).print(output, errors());
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -129,8 +129,7 @@ final class MergeCommand extends Subcommand {
   }
 
   private TaskException kept(String why) {
-    return new TaskException(
-        Kind.OUTPUT,
+    return Kind.OUTPUT.failure(
         output
             + ": "
             + why
@@ -148,7 +147,7 @@ final class MergeCommand extends Subcommand {
     try {
       return FilmMerge.of(named);
     } catch (FilmMismatchException e) {
-      throw new TaskException(Kind.SCENE, e.getMessage(), e);
+      throw Kind.SCENE.failure(e.getMessage(), e);
     }
   }
 }

@@ -212,8 +212,7 @@ final class RenderSequence {
   private void requireNoFrames() throws TaskException {
     Path folder = JoinedFrames.folder(target);
     if (!options.sequence.areContinued() && !options.sequence.havePart() && Files.exists(folder)) {
-      throw new TaskException(
-          Kind.OUTPUT,
+      throw Kind.OUTPUT.failure(
           folder
               + ": exists, with frames of an earlier run; go on with them by --continue, or remove"
               + " the folder");
@@ -224,8 +223,7 @@ final class RenderSequence {
     Optional<ImageFormat> format = ImageFormat.of(pictures);
     if (!format.equals(Optional.of(ImageFormat.PNG))
         && !format.equals(Optional.of(ImageFormat.EXR))) {
-      throw new TaskException(
-          Kind.USAGE,
+      throw Kind.USAGE.failure(
           "--continue: expected PNG or OpenEXR pictures (-o), which state their scene, found "
               + pictures);
     }
@@ -234,8 +232,7 @@ final class RenderSequence {
   /** Requires that an automatic exposure is the one of the first frame. */
   private void requireExposure() throws TaskException {
     if (options.flags.isExposureAutomatic() && part.get(0) > 0 && finished.exposure().isEmpty()) {
-      throw new TaskException(
-          Kind.USAGE,
+      throw Kind.USAGE.failure(
           "--exposure auto: is chosen from the first frame, which is not among --frames; render"
               + " --frames 0 first and use --continue, or give a number of stops");
     }

@@ -210,7 +210,7 @@ final class ResumeCommand extends Subcommand {
     checkpoints.validate();
     kernel.validate();
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
-      throw new TaskException(Kind.SCENE, film + ": does not exist");
+      throw Kind.SCENE.failure(film + ": does not exist");
     }
   }
 
@@ -221,8 +221,7 @@ final class ResumeCommand extends Subcommand {
     boolean asBefore = samples.isEmpty() && !budgets.areGiven();
     OptionalDouble error = asBefore ? notes.targetError() : OptionalDouble.empty();
     if (asBefore && error.isEmpty() && settings.samples() == RenderSettings.MAX_SAMPLES) {
-      throw new TaskException(
-          Kind.USAGE,
+      throw Kind.USAGE.failure(
           film
               + ": was rendered without a sample limit; expected --samples, --time or"
               + " --target-error");
@@ -234,15 +233,13 @@ final class ResumeCommand extends Subcommand {
     Optional<Path> target = output.isPresent() ? output : notes.output();
     return target.orElseThrow(
         () ->
-            new TaskException(
-                Kind.USAGE,
+            Kind.USAGE.failure(
                 film + ": has no picture yet, because it was merged; expected one with -o"));
   }
 
   private void requireNoGaps(FilmHeader header) throws TaskException {
     if (header.hasGaps()) {
-      throw new TaskException(
-          Kind.SCENE,
+      throw Kind.SCENE.failure(
           film + ": cannot be resumed, because its samples have gaps: " + header.parts());
     }
   }
@@ -254,8 +251,7 @@ final class ResumeCommand extends Subcommand {
     int limit =
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
     if (limit < most) {
-      throw new TaskException(
-          Kind.USAGE,
+      throw Kind.USAGE.failure(
           "--samples: expected at least the "
               + Numbers.count(most, "sample")
               + " per pixel already rendered, found "
@@ -276,10 +272,8 @@ final class ResumeCommand extends Subcommand {
       run.errors().warnings(file.warnings());
       return file;
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.SCENE,
-          path + ": the checkpoint's scene cannot be read: " + FileFailure.reason(e),
-          e);
+      throw Kind.SCENE.failure(
+          path + ": the checkpoint's scene cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -293,8 +287,7 @@ final class ResumeCommand extends Subcommand {
         changed.isEmpty()
             ? path + " or a file that it uses has"
             : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
-    throw new TaskException(
-        Kind.SCENE,
+    throw Kind.SCENE.failure(
         film
             + ": "
             + what
@@ -311,7 +304,7 @@ final class ResumeCommand extends Subcommand {
       Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
       header.requireSame(here, film.toString(), path.toString());
     } catch (FilmMismatchException e) {
-      throw new TaskException(Kind.SCENE, e.getMessage(), e);
+      throw Kind.SCENE.failure(e.getMessage(), e);
     }
   }
 
@@ -328,8 +321,8 @@ final class ResumeCommand extends Subcommand {
     try {
       Files.move(film, aside, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT, film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
+      throw Kind.OUTPUT.failure(
+          film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
     }
     run.errors().line("warning: " + film + ": damaged file kept as " + aside);
   }

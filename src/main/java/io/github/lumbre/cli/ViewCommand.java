@@ -190,7 +190,7 @@ final class ViewCommand extends Subcommand {
       return developed(FilmInput.read(path, errors));
     }
     if (!Files.exists(path)) {
-      throw new TaskException(Kind.SCENE, path + ": does not exist");
+      throw Kind.SCENE.failure(path + ": does not exist");
     }
     try {
       boolean isExr = String.valueOf(path.getFileName()).toLowerCase(Locale.ROOT).endsWith(".exr");
@@ -206,7 +206,7 @@ final class ViewCommand extends Subcommand {
       throw new TaskException(
           isTooLarge ? Kind.LIMIT : Kind.ASSET, path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

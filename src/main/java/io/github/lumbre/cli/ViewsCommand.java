@@ -217,7 +217,7 @@ final class ViewsCommand extends Subcommand {
     try {
       return parser.parse(model, stage, List.copyOf(View.standard().values()));
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, model + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -319,6 +319,6 @@ final class ViewsCommand extends Subcommand {
   }
 
   private static TaskException stopped() {
-    return new TaskException(Kind.STOPPED, "stopped before the views were complete");
+    return Kind.STOPPED.failure("stopped before the views were complete");
   }
 }

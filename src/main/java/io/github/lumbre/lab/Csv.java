@@ -33,7 +33,7 @@ public final class Csv {
       throws TaskException {
     List<String> lines = TextFile.lines(file);
     if (lines.isEmpty() || !lines.get(0).equals(header)) {
-      throw new TaskException(Kind.USAGE, file + ": line 1: expected " + header);
+      throw Kind.USAGE.failure(file + ": line 1: expected " + header);
     }
     int columns = values(header).size();
     List<T> rows = new ArrayList<>();
@@ -46,7 +46,7 @@ public final class Csv {
         }
         rows.add(reader.apply(values));
       } catch (IllegalArgumentException e) {
-        throw new TaskException(Kind.USAGE, file + ": line " + (i + 1) + ": " + e.getMessage(), e);
+        throw Kind.USAGE.failure(file + ": line " + (i + 1) + ": " + e.getMessage(), e);
       }
     }
     return rows;

@@ -30,8 +30,7 @@ public final class MemoryCheck {
    */
   public static void require(MemoryEstimate estimate) throws TaskException {
     if (estimate.refusal().isPresent()) {
-      throw new TaskException(
-          Kind.LIMIT, estimate.refusal().get() + "; " + advice(estimate.neededBytes()));
+      throw Kind.LIMIT.failure(estimate.refusal().get() + "; " + advice(estimate.neededBytes()));
     }
   }
 

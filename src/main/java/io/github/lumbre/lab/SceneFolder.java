@@ -33,7 +33,7 @@ public record SceneFolder(Path directory) {
     try {
       return parser.parse(path);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 }

@@ -30,7 +30,17 @@ public final class TaskException extends Exception {
     INTERNAL,
 
     /** The task was stopped. */
-    STOPPED
+    STOPPED;
+
+    /** Returns an exception for this reason; see {@link TaskException}. */
+    public TaskException failure(String message) {
+      return new TaskException(this, message);
+    }
+
+    /** Returns an exception for this reason, with its cause. */
+    public TaskException failure(String message, Throwable cause) {
+      return new TaskException(this, message, cause);
+    }
   }
 
   /**
@@ -41,9 +51,7 @@ public final class TaskException extends Exception {
     this.kind = kind;
   }
 
-  /**
-   * @param message one line that names the invalid file or setting
-   */
+  /** Creates an exception with its cause. */
   public TaskException(Kind kind, String message, Throwable cause) {
     super(message, cause);
     this.kind = kind;

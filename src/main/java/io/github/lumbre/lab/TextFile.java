@@ -25,9 +25,9 @@ public final class TextFile {
     try {
       return Files.readAllLines(file);
     } catch (NoSuchFileException e) {
-      throw new TaskException(Kind.USAGE, file + ": does not exist", e);
+      throw Kind.USAGE.failure(file + ": does not exist", e);
     } catch (IOException e) {
-      throw new TaskException(Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -40,7 +40,7 @@ public final class TextFile {
     try (OutputFile output = OutputFile.open(file)) {
       write(output, text);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

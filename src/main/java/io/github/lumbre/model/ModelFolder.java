@@ -17,8 +17,7 @@ public interface ModelFolder {
   /** A folder without files. */
   ModelFolder NONE =
       (name, location) -> {
-        throw new ModelFormatException(
-            ModelFormatException.Kind.ASSET,
+        throw ModelFormatException.Kind.ASSET.at(
             location,
             "expected a model in one file, found a reference to " + PrintableText.quoted(name));
       };

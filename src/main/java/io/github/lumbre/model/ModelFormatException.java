@@ -15,18 +15,25 @@ public final class ModelFormatException extends Exception {
     /** The file exceeds a limit. */
     TOO_LARGE,
     /** A file that the model names, or data in one of its URIs, cannot be read. */
-    ASSET
+    ASSET;
+
+    /**
+     * Returns an exception of this kind.
+     *
+     * @param location in the file, such as {@code nodes[3].mesh} or {@code line 12}; empty if the
+     *     whole file is meant
+     * @param message what was expected, and what was found
+     */
+    public ModelFormatException at(String location, String message) {
+      return new ModelFormatException(this, location, message);
+    }
   }
 
   private final Kind kind;
   private final String location;
   private final String detail;
 
-  /**
-   * @param location in the file, such as {@code nodes[3].mesh} or {@code line 12}; empty if the
-   *     whole file is meant
-   * @param message what was expected, and what was found
-   */
+  /** See {@link Kind#at}. */
   public ModelFormatException(Kind kind, String location, String message) {
     super(location.isEmpty() ? message : location + ": " + message);
     this.kind = Objects.requireNonNull(kind, "kind");

@@ -158,8 +158,7 @@ final class AssetData {
           byte[] bytes = files.read(name, location);
           Optional<String> excess = allowance.addBytes(bytes.length);
           if (excess.isPresent()) {
-            throw new ModelFormatException(
-                ModelFormatException.Kind.TOO_LARGE, location, excess.get());
+            throw ModelFormatException.Kind.TOO_LARGE.at(location, excess.get());
           }
           note(name, bytes);
           return bytes;
@@ -176,7 +175,7 @@ final class AssetData {
           (name, location) -> {
             Optional<Path> file = validRelative(name).map(folder::resolve).map(Path::normalize);
             if (file.filter(Files::isRegularFile).isEmpty() || !file.get().startsWith(folder())) {
-              throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, name);
+              throw ModelFormatException.Kind.ASSET.at(location, name);
             }
             all.add(file.get());
             return Files.readAllBytes(file.get());

@@ -82,7 +82,7 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
                   Math.toDegrees(((ModelCamera.Perspective) camera.lens()).verticalFov()));
       return new StageCamera(camera.name(), lens, pose, camera.aspect());
     } catch (IllegalArgumentException e) {
-      throw new ModelFormatException(Kind.MALFORMED, camera.location(), e.getMessage());
+      throw Kind.MALFORMED.at(camera.location(), e.getMessage());
     }
   }
 }

@@ -61,8 +61,7 @@ public final class CheckpointFlags extends Flags {
     }
     for (Path existing : List.of(path.get(), OutputFile.previous(path.get()))) {
       if (Files.exists(existing)) {
-        throw new TaskException(
-            Kind.OUTPUT,
+        throw Kind.OUTPUT.failure(
             existing + ": already exists; 'lumbre resume " + path.get() + "' continues it");
       }
     }
@@ -79,7 +78,7 @@ public final class CheckpointFlags extends Flags {
       return new FilmKeeper(
           Optional.of(CheckpointFile.reserve(path)), interval, fallback(), messages);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 }

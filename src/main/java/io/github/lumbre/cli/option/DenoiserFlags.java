@@ -56,7 +56,7 @@ public final class DenoiserFlags {
       OpenImageDenoise program = OpenImageDenoise.find(oidn, System.getenv()).withThreads(threads);
       return new Denoising(Optional.of(limit.map(program::within).orElse(program)), threads);
     } catch (DenoiseException e) {
-      throw new TaskException(Kind.USAGE, e.getMessage() + " or with --oidn", e);
+      throw Kind.USAGE.failure(e.getMessage() + " or with --oidn", e);
     }
   }
 }

@@ -60,7 +60,7 @@ public final class DevelopFlags extends Flags {
       denoised.requireDone();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new TaskException(Kind.STOPPED, "stopped; no picture is written", e);
+      throw Kind.STOPPED.failure("stopped; no picture is written", e);
     }
   }
 
@@ -83,8 +83,7 @@ public final class DevelopFlags extends Flags {
     Set<Layer> wanted = settings.valueOr(Setting.LAYERS, recorded);
     for (Layer layer : wanted) {
       if (!recorded.contains(layer)) {
-        throw new TaskException(
-            Kind.SCENE,
+        throw Kind.SCENE.failure(
             "%s: has no layer %s, only %s; render it with --layers %s"
                 .formatted(name, layer, recorded, layer));
       }

@@ -227,8 +227,7 @@ public final class SceneOptions {
       }
       return text.get();
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.SCENE, "standard input cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure("standard input cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -262,8 +261,7 @@ public final class SceneOptions {
     if (isStrict() && !file.warnings().isEmpty()) {
       int count = file.warnings().size();
       String warnings = count == 1 ? "1 warning" : count + " warnings";
-      throw new TaskException(
-          Kind.WARNINGS, scene + ": " + warnings + "; --strict treats warnings as errors");
+      throw Kind.WARNINGS.failure(scene + ": " + warnings + "; --strict treats warnings as errors");
     }
     return file;
   }
@@ -305,9 +303,9 @@ public final class SceneOptions {
     } catch (CancellationException e) {
       InterruptedIOException interrupted = new InterruptedIOException("reading was interrupted");
       interrupted.initCause(e);
-      throw new TaskException(Kind.SCENE, scene + ": reading was interrupted", interrupted);
+      throw Kind.SCENE.failure(scene + ": reading was interrupted", interrupted);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, scene + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 }

@@ -80,8 +80,7 @@ public final class TargetFlags extends Flags {
       String name = Normalizer.normalize(target.toString(), Normalizer.Form.NFC);
       Path other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), scene);
       if (other != null) {
-        throw new TaskException(
-            Kind.OUTPUT,
+        throw Kind.OUTPUT.failure(
             "%s and %s: both pictures would be %s; rename one, or render them into two folders"
                 .formatted(other, scene, target));
       }

@@ -152,15 +152,14 @@ public final class LayerFiles {
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT, folder + ": cannot be created: " + FileFailure.reason(e), e);
+      throw Kind.OUTPUT.failure(folder + ": cannot be created: " + FileFailure.reason(e), e);
     }
     for (Map.Entry<Path, Content> file : files.entrySet()) {
       try (OutputFile out = OutputFile.open(file.getKey())) {
         file.getValue().write(out);
       } catch (IOException e) {
-        throw new TaskException(
-            Kind.OUTPUT, file.getKey() + ": cannot be written: " + FileFailure.reason(e), e);
+        throw Kind.OUTPUT.failure(
+            file.getKey() + ": cannot be written: " + FileFailure.reason(e), e);
       }
     }
   }

@@ -239,6 +239,6 @@ public final class OutputGuard {
   }
 
   private static TaskException refused(String message) {
-    return new TaskException(Kind.OUTPUT, message);
+    return Kind.OUTPUT.failure(message);
   }
 }

@@ -97,7 +97,7 @@ public final class PictureOutput implements AutoCloseable {
     try {
       return new PictureOutput(target, OutputFile.open(target), fallback);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -115,7 +115,7 @@ public final class PictureOutput implements AutoCloseable {
       Path collected = fallback.newFile(Path.of("picture" + format.ending()));
       return new PictureOutput(STANDARD, OutputFile.open(collected), fallback);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, directory + ": cannot be written: " + e.getMessage(), e);
+      throw Kind.OUTPUT.failure(directory + ": cannot be written: " + e.getMessage(), e);
     }
   }
 
@@ -142,8 +142,7 @@ public final class PictureOutput implements AutoCloseable {
             .orElse(Math.max(settings.width(), settings.height()));
     boolean isJpeg = ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.JPG));
     if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
-      throw new TaskException(
-          Kind.LIMIT,
+      throw Kind.LIMIT.failure(
           target
               + ": a JPEG has at most "
               + ImageWriter.MAX_JPEG_SIDE
@@ -179,7 +178,7 @@ public final class PictureOutput implements AutoCloseable {
     } catch (IOException e) {
       String failure = file.target() + ": cannot be written: " + e.getMessage();
       String rescue = isStandardOutput() ? "" : "; " + rescue(image, layers, options);
-      throw new TaskException(Kind.OUTPUT, failure + rescue, e);
+      throw Kind.OUTPUT.failure(failure + rescue, e);
     }
     if (isStandardOutput()) {
       print(file.target());
@@ -191,8 +190,7 @@ public final class PictureOutput implements AutoCloseable {
       Files.copy(collected, out);
       Files.delete(collected);
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT,
+      throw Kind.OUTPUT.failure(
           "standard output cannot be written: "
               + e.getMessage()
               + "; the picture is saved as "

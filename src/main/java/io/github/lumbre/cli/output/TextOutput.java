@@ -62,6 +62,6 @@ public final class TextOutput implements AutoCloseable {
   }
 
   private static TaskException failure(IOException e) {
-    return new TaskException(Kind.OUTPUT, e.getMessage(), e);
+    return Kind.OUTPUT.failure(e.getMessage(), e);
   }
 }

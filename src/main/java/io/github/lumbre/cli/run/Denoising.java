@@ -79,7 +79,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
           ? program.get().denoise(noisy)
           : BuiltInDenoiser.denoise(noisy, all);
     } catch (DenoiseException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

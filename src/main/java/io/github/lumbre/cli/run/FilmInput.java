@@ -40,11 +40,11 @@ public final class FilmInput {
                           + " instead"));
       return loaded;
     } catch (NoSuchFileException e) {
-      throw new TaskException(Kind.SCENE, path + ": does not exist", e);
+      throw Kind.SCENE.failure(path + ": does not exist", e);
     } catch (FilmFormatException e) {
-      throw new TaskException(Kind.SCENE, path + ": " + e.getMessage(), e);
+      throw Kind.SCENE.failure(path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -61,8 +61,7 @@ public final class FilmInput {
   private static void requireNoChoice(
       Path path, FilmHeader header, Setting<?> setting, String instead) throws TaskException {
     if (SettingType.AUTO.equals(header.identity().get(setting.name()))) {
-      throw new TaskException(
-          Kind.SCENE,
+      throw Kind.SCENE.failure(
           "%s: has samples of --%s auto, which earlier versions had; it can be developed and"
                   .formatted(path, setting.name())
               + " denoised, but not resumed or merged: start a new film with "

@@ -313,8 +313,7 @@ public record FilmNotes(Path film, FilmHeader header) {
     try {
       return reader.apply(text.orElseThrow(() -> new IllegalArgumentException("is missing")));
     } catch (IllegalArgumentException e) {
-      throw new TaskException(
-          Kind.SCENE, film + ": " + name + " in its header: " + e.getMessage(), e);
+      throw Kind.SCENE.failure(film + ": " + name + " in its header: " + e.getMessage(), e);
     }
   }
 }

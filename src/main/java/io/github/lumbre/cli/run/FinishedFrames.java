@@ -105,8 +105,7 @@ public final class FinishedFrames {
   }
 
   private static TaskException refused(Path picture, String reason) {
-    return new TaskException(
-        Kind.USAGE,
+    return Kind.USAGE.failure(
         picture
             + ": cannot be continued: "
             + reason
@@ -127,10 +126,8 @@ public final class FinishedFrames {
     try {
       return exposure.map(stops -> Exposure.of(Double.parseDouble(stops)));
     } catch (IllegalArgumentException e) {
-      throw new TaskException(
-          Kind.USAGE,
-          "--continue: the frames have a damaged " + PictureMetadata.CHOSEN_EXPOSURE,
-          e);
+      throw Kind.USAGE.failure(
+          "--continue: the frames have a damaged " + PictureMetadata.CHOSEN_EXPOSURE, e);
     }
   }
 }

@@ -65,9 +65,9 @@ public final class JoinedFrames implements AutoCloseable {
       joined.file = Optional.of(OutputFile.open(target));
       return joined;
     } catch (IllegalArgumentException e) {
-      throw new TaskException(Kind.USAGE, target + ": " + e.getMessage(), e);
+      throw Kind.USAGE.failure(target + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(Kind.OUTPUT, e.getMessage(), e);
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -76,8 +76,8 @@ public final class JoinedFrames implements AutoCloseable {
     try {
       return AnimationFormat.of(target).orElseThrow().writer(ffmpeg, System.getenv());
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT, target + ": needs the program ffmpeg (--ffmpeg): " + e.getMessage(), e);
+      throw Kind.OUTPUT.failure(
+          target + ": needs the program ffmpeg (--ffmpeg): " + e.getMessage(), e);
     } catch (InterruptedException e) {
       CancellationException cancelled = new CancellationException(e.getMessage());
       cancelled.initCause(e);
@@ -97,10 +97,8 @@ public final class JoinedFrames implements AutoCloseable {
         throw incomplete(monitor.isOutOfTime());
       }
     } catch (UncheckedIOException e) {
-      throw new TaskException(
-          Kind.OUTPUT,
-          target + ": cannot be written: " + FileFailure.reason(e.getCause()) + "; " + advice(),
-          e);
+      throw Kind.OUTPUT.failure(
+          target + ": cannot be written: " + FileFailure.reason(e.getCause()) + "; " + advice(), e);
     }
     try {
       for (Path frame : frames) {
@@ -108,10 +106,8 @@ public final class JoinedFrames implements AutoCloseable {
       }
       Files.deleteIfExists(folder(target));
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT,
-          target + ": is complete, but its frames cannot be deleted: " + FileFailure.reason(e),
-          e);
+      throw Kind.OUTPUT.failure(
+          target + ": is complete, but its frames cannot be deleted: " + FileFailure.reason(e), e);
     }
   }
 

@@ -38,13 +38,13 @@ public final class LayerInput {
       }
       return LayeredImage.read(file);
     } catch (NoSuchFileException e) {
-      throw new TaskException(Kind.USAGE, file + ": does not exist", e);
+      throw Kind.USAGE.failure(file + ": does not exist", e);
     } catch (ImageFormatException e) {
       boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(
           isTooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw new TaskException(Kind.USAGE, file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Kind.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -91,8 +91,7 @@ public final class LayerInput {
     return file.layer(name)
         .orElseThrow(
             () ->
-                new TaskException(
-                    Kind.USAGE,
+                Kind.USAGE.failure(
                     "%s: has no layer '%s', only %s%s"
                         .formatted(
                             path,

@@ -90,8 +90,7 @@ public final class ViewServer implements AutoCloseable {
       http.start();
       return server;
     } catch (IOException e) {
-      throw new TaskException(
-          Kind.OUTPUT,
+      throw Kind.OUTPUT.failure(
           "--port: cannot listen on 127.0.0.1:%d (%s); choose another port, or 0 for any that is free"
               .formatted(port, e.getMessage()),
           e);

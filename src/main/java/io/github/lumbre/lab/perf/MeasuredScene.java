@@ -98,7 +98,7 @@ public final class MeasuredScene {
       statistics = outcome.statistics();
       picture = picture.or(() -> Optional.of(outcome.picture()));
       if (!RasterHash.of(outcome.picture()).equals(RasterHash.of(picture()))) {
-        throw new TaskException(Kind.INTERNAL, name + ": renders of the same scene differ");
+        throw Kind.INTERNAL.failure(name + ": renders of the same scene differ");
       }
     }
     return new Measurement(

@@ -120,7 +120,6 @@ final class DracoInput {
   }
 
   private ModelFormatException exception(Kind kind, String message) {
-    return new ModelFormatException(
-        kind, location, "byte " + at + " of its Draco data: " + message);
+    return kind.at(location, "byte " + at + " of its Draco data: " + message);
   }
 }

@@ -133,8 +133,7 @@ final class GltfAccessor {
     type.readIndices(places.bytes, places.offset, places.stride, changed, at, 0);
     for (int i = 0; i < changed; i++) {
       if (at[i] < 0 || at[i] >= count || i > 0 && at[i] <= at[i - 1]) {
-        throw new ModelFormatException(
-            Kind.MALFORMED,
+        throw Kind.MALFORMED.at(
             indices.location(),
             "expected increasing numbers from 0 to "
                 + (count - 1)
@@ -236,7 +235,6 @@ final class GltfAccessor {
   }
 
   ModelFormatException error(String member, String message) {
-    return new ModelFormatException(
-        Kind.MALFORMED, member.isEmpty() ? location : location + '.' + member, message);
+    return Kind.MALFORMED.at(member.isEmpty() ? location : location + '.' + member, message);
   }
 }

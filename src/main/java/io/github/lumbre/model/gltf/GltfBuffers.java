@@ -131,8 +131,7 @@ final class GltfBuffers {
     }
     String name = GltfUri.fileName(uri, location);
     if (name.isEmpty()) {
-      throw new ModelFormatException(
-          Kind.ASSET, location, "expected the name of a file, found nothing");
+      throw Kind.ASSET.at(location, "expected the name of a file, found nothing");
     }
     byte[] file = files.get(name);
     if (file == null) {

@@ -63,10 +63,8 @@ record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary, List<String> 
     }
     int version = bytes.getInt(4);
     if (version != 2) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
-          "byte 4",
-          "expected GLB version 2, found " + Integer.toUnsignedString(version));
+      throw Kind.UNSUPPORTED.at(
+          "byte 4", "expected GLB version 2, found " + Integer.toUnsignedString(version));
     }
     long length = Integer.toUnsignedLong(bytes.getInt(8));
     if (length < HEADER + CHUNK_HEADER || length > bytes.limit()) {
@@ -112,6 +110,6 @@ record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary, List<String> 
   }
 
   private static ModelFormatException malformed(int at, String message) {
-    return new ModelFormatException(Kind.MALFORMED, "byte " + at, message);
+    return Kind.MALFORMED.at("byte " + at, message);
   }
 }

@@ -200,10 +200,8 @@ final class GltfDraco {
       case UINT32 -> GltfComponent.UNSIGNED_INT;
       case FLOAT32 -> GltfComponent.FLOAT;
       default ->
-          throw new ModelFormatException(
-              Kind.UNSUPPORTED,
-              location,
-              "expected a type of numbers that glTF has, found " + attribute.type());
+          throw Kind.UNSUPPORTED.at(
+              location, "expected a type of numbers that glTF has, found " + attribute.type());
     };
   }
 }

@@ -95,8 +95,7 @@ final class GltfExtensions {
     List<String> required = root.texts("extensionsRequired");
     for (String name : required) {
       if (!isSupported(name)) {
-        throw new ModelFormatException(
-            Kind.UNSUPPORTED,
+        throw Kind.UNSUPPORTED.at(
             "extensionsRequired",
             PrintableText.shortened(name)
                 + " is required; "
@@ -131,8 +130,7 @@ final class GltfExtensions {
     String min = asset.text("minVersion", "2.0");
     String member = min.equals("2.0") ? "version" : "minVersion";
     if (!version.startsWith("2.") || !min.equals("2.0")) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
+      throw Kind.UNSUPPORTED.at(
           asset.location(member),
           "expected 2.0, found " + PrintableText.quoted(asset.text(member, "")));
     }

@@ -253,10 +253,10 @@ record GltfJson(JsonValue value) {
 
   /** Returns an error about a member. */
   ModelFormatException malformed(String member, String message) {
-    return new ModelFormatException(Kind.MALFORMED, location(member), message);
+    return Kind.MALFORMED.at(location(member), message);
   }
 
   private ModelFormatException malformed(String message) {
-    return new ModelFormatException(Kind.MALFORMED, location(), message);
+    return Kind.MALFORMED.at(location(), message);
   }
 }

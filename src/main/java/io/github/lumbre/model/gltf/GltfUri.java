@@ -84,6 +84,6 @@ final class GltfUri {
   }
 
   private static ModelFormatException damaged(String location, String message) {
-    return new ModelFormatException(Kind.ASSET, location, message);
+    return Kind.ASSET.at(location, message);
   }
 }

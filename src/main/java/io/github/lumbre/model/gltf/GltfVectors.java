@@ -54,10 +54,8 @@ final class GltfVectors {
       throws ModelFormatException {
     for (double position : moved.positions()) {
       if (!(Math.abs(position) <= MAX_NUMBER)) {
-        throw new ModelFormatException(
-            Kind.MALFORMED,
-            primitive.location(),
-            "expected moved vertices of at most 1e150, found " + position);
+        throw Kind.MALFORMED.at(
+            primitive.location(), "expected moved vertices of at most 1e150, found " + position);
       }
     }
     normalize(moved.normals(), 3);

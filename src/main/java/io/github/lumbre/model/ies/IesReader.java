@@ -127,8 +127,7 @@ public final class IesReader {
       return;
     }
     if (type == 2 || type == 3) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
+      throw Kind.UNSUPPORTED.at(
           scanner.location(),
           "expected type C photometry (1), found type "
               + TYPES[(int) type - 1]

@@ -47,7 +47,7 @@ public final class FileFolder implements ModelFolder {
     } catch (IOException e) {
       problem = unreadable(name, FileFailure.reason(e));
     }
-    throw new ModelFormatException(ModelFormatException.Kind.ASSET, location, problem);
+    throw ModelFormatException.Kind.ASSET.at(location, problem);
   }
 
   @Override

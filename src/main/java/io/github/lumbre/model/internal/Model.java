@@ -127,8 +127,7 @@ public record Model(
     if (warnings.size() > shown) {
       reasons.add("and " + (warnings.size() - shown) + " more");
     }
-    throw new ModelFormatException(
-        ModelFormatException.Kind.MALFORMED,
+    throw ModelFormatException.Kind.MALFORMED.at(
         "",
         "expected at least one triangle with an area, found none"
             + (reasons.isEmpty() ? "" : " (" + String.join("; ", reasons) + ")"));

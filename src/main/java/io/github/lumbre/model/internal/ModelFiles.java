@@ -49,8 +49,7 @@ public final class ModelFiles {
       throw missing;
     }
     if (similar.size() > 1) {
-      throw new ModelFormatException(
-          Kind.ASSET,
+      throw Kind.ASSET.at(
           missing.location(),
           missing.detail() + "; there are several of that name: " + ModelNames.choice(similar));
     }

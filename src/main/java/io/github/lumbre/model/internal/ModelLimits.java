@@ -59,7 +59,7 @@ public final class ModelLimits {
       throws ModelFormatException {
     Optional<String> excess = Limits.excess(things, max, found);
     if (excess.isPresent()) {
-      throw new ModelFormatException(Kind.TOO_LARGE, location, excess.get());
+      throw Kind.TOO_LARGE.at(location, excess.get());
     }
   }
 }

@@ -306,8 +306,7 @@ final class ModelMaterials {
       return Optional.of(pixels);
     } catch (ImageFormatException e) {
       if (e.kind() == ImageFormatException.Kind.TOO_LARGE) {
-        throw new ModelFormatException(
-            ModelFormatException.Kind.TOO_LARGE, image.location(), e.getMessage());
+        throw ModelFormatException.Kind.TOO_LARGE.at(image.location(), e.getMessage());
       }
       warnings.add(
           "a picture is left out", image.location(), e.getMessage() + "; the picture is left out");

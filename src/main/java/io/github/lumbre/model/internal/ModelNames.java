@@ -27,8 +27,7 @@ public final class ModelNames {
       return index;
     }
     String quoted = PrintableText.quoted(wanted);
-    throw new ModelFormatException(
-        Kind.MALFORMED,
+    throw Kind.MALFORMED.at(
         location,
         names.isEmpty()
             ? "expected " + what + " " + quoted + ", found none in the model"

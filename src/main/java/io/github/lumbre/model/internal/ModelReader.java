@@ -81,8 +81,7 @@ public final class ModelReader {
       if (other.isEmpty() || e.kind() == Kind.TOO_LARGE || e.kind() == Kind.ASSET) {
         throw e;
       }
-      throw new ModelFormatException(
-          Kind.MALFORMED, "", "expected " + format.title() + ", found " + other.get());
+      throw Kind.MALFORMED.at("", "expected " + format.title() + ", found " + other.get());
     } catch (CancellationException e) {
       throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
     }
@@ -109,8 +108,7 @@ public final class ModelReader {
         named.isPresent() ? named : ModelFormat.in(content, content.length);
     return format.orElseThrow(
         () ->
-            new ModelFormatException(
-                Kind.UNSUPPORTED,
+            Kind.UNSUPPORTED.at(
                 "",
                 "expected a model (%s), found %s"
                     .formatted(

@@ -60,6 +60,6 @@ public record NamedFiles(String folder, Source source) implements ModelFolder {
   }
 
   private static ModelFormatException missing(String location, String expected) {
-    return new ModelFormatException(Kind.ASSET, location, "expected " + expected);
+    return Kind.ASSET.at(location, "expected " + expected);
   }
 }

@@ -63,8 +63,7 @@ final class PartSelection {
     Set<ModelNode> highlighted = named("highlight", options.highlighted(), all);
     List<ModelPart> shown = all.stream().filter(part -> !hidden.contains(part.node())).toList();
     if (shown.isEmpty()) {
-      throw new ModelFormatException(
-          Kind.MALFORMED, "hide", "expected at least one part to show, found none");
+      throw Kind.MALFORMED.at("hide", "expected at least one part to show, found none");
     }
     return model.with(highlighted.isEmpty() ? shown : painted(shown, highlighted));
   }

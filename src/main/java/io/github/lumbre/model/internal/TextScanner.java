@@ -363,7 +363,7 @@ public final class TextScanner {
 
   /** Returns an exception that names the line. */
   public ModelFormatException error(String message) {
-    return new ModelFormatException(Kind.MALFORMED, location(), message);
+    return Kind.MALFORMED.at(location(), message);
   }
 
   /** Returns the current place, for messages. */

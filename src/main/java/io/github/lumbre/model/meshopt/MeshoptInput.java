@@ -89,7 +89,6 @@ final class MeshoptInput {
   }
 
   private ModelFormatException exception(Kind kind, String message) {
-    return new ModelFormatException(
-        kind, location, "byte " + at + " of its meshopt data: " + message);
+    return kind.at(location, "byte " + at + " of its meshopt data: " + message);
   }
 }

@@ -45,8 +45,7 @@ public final class ObjReader {
   private static ModelFormatException noFaces(byte[] text, TextScanner scanner) {
     Optional<String> picture = FileContent.describe(text);
     return picture.isPresent()
-        ? new ModelFormatException(
-            Kind.MALFORMED, "", "expected an OBJ file, found " + picture.get())
+        ? Kind.MALFORMED.at("", "expected an OBJ file, found " + picture.get())
         : scanner.error("expected at least one face, found the end of the file");
   }
 }

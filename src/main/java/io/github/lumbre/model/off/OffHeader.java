@@ -81,7 +81,6 @@ record OffHeader(
   }
 
   private static ModelFormatException unsupported(TextScanner scanner, String message) {
-    return new ModelFormatException(
-        Kind.UNSUPPORTED, scanner.location(), message + "; export it as OFF text or GLB");
+    return Kind.UNSUPPORTED.at(scanner.location(), message + "; export it as OFF text or GLB");
   }
 }

@@ -102,6 +102,6 @@ final class PlyBinaryBody implements PlyBody {
 
   @Override
   public ModelFormatException error(String message) {
-    return new ModelFormatException(Kind.MALFORMED, location(), message);
+    return Kind.MALFORMED.at(location(), message);
   }
 }

@@ -104,10 +104,8 @@ record PlyHeader(
     String name = name(scanner);
     String version = name(scanner);
     if (!version.equals("1.0")) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
-          scanner.location(),
-          "expected version 1.0, found " + PrintableText.quoted(version));
+      throw Kind.UNSUPPORTED.at(
+          scanner.location(), "expected version 1.0, found " + PrintableText.quoted(version));
     }
     scanner.endLine();
     return switch (name) {

@@ -59,7 +59,7 @@ public final class PlyReader {
     Optional<PlyElement> vertex =
         header.elements().stream().filter(PlyElement::isVertex).findFirst();
     if (vertex.isEmpty()) {
-      throw new ModelFormatException(Kind.MALFORMED, "", "expected an element vertex, found none");
+      throw Kind.MALFORMED.at("", "expected an element vertex, found none");
     }
     vertexCount = vertex.get().count();
     isCloud = header.elements().stream().noneMatch(e -> isFace(e) && e.count() > 0);
@@ -87,8 +87,7 @@ public final class PlyReader {
     for (PlyElement element : header.elements()) {
       long min = body.minBytes(element);
       if (min * element.count() > left) {
-        throw new ModelFormatException(
-            Kind.MALFORMED,
+        throw Kind.MALFORMED.at(
             "element " + PrintableText.shortened(element.name()),
             "expected %d items of at least %d bytes, found %d bytes"
                 .formatted(element.count(), min, left));
@@ -99,10 +98,8 @@ public final class PlyReader {
 
   private void requireFaces() throws ModelFormatException {
     if (header.elements().stream().noneMatch(e -> indexProperty(e).isPresent())) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
-          "",
-          "expected an element face or tristrips with a list vertex_indices, found none");
+      throw Kind.UNSUPPORTED.at(
+          "", "expected an element face or tristrips with a list vertex_indices, found none");
     }
   }
 
@@ -291,8 +288,7 @@ public final class PlyReader {
 
   private void addTriangle(int a, int b, int c) throws ModelFormatException {
     if (triangles.count() == ModelLimits.MAX_COUNT) {
-      throw new ModelFormatException(
-          Kind.TOO_LARGE, "", "expected at most " + ModelLimits.MAX_COUNT + " triangles");
+      throw Kind.TOO_LARGE.at("", "expected at most " + ModelLimits.MAX_COUNT + " triangles");
     }
     triangles.add(a, b, c);
   }

@@ -268,6 +268,6 @@ final class PlyVertices {
   }
 
   private static ModelFormatException error(String message) {
-    return new ModelFormatException(ModelFormatException.Kind.MALFORMED, "element vertex", message);
+    return ModelFormatException.Kind.MALFORMED.at("element vertex", message);
   }
 }

@@ -85,8 +85,8 @@ public final class Sections {
     String size = " the model, which is " + text(inFile) + " in the unit of the file";
     if (result.parts().isEmpty()) {
       String expected = "expected a plane that leaves something of" + size;
-      throw new ModelFormatException(
-          Kind.MALFORMED, "section", expected + ", found " + String.join(" ", options.sections()));
+      throw Kind.MALFORMED.at(
+          "section", expected + ", found " + String.join(" ", options.sections()));
     }
     boolean isWhole = result.parts().equals(model.parts());
     return isWhole

@@ -67,15 +67,12 @@ public final class StlReader {
       byte[] file, long claimed, ModelOptions options, Warnings warnings)
       throws ModelFormatException {
     if (claimed == 0) {
-      throw new ModelFormatException(
-          Kind.MALFORMED,
-          "",
-          "expected \"solid\" or a header of 84 bytes, found " + file.length + " bytes");
+      throw Kind.MALFORMED.at(
+          "", "expected \"solid\" or a header of 84 bytes, found " + file.length + " bytes");
     }
     long triangles = (claimed - EMPTY_BYTES) / FACET_BYTES;
     if (claimed > file.length) {
-      throw new ModelFormatException(
-          Kind.MALFORMED,
+      throw Kind.MALFORMED.at(
           "",
           "expected %d bytes for %d triangles, found %d"
               .formatted(claimed, triangles, file.length));

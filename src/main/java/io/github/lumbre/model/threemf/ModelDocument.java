@@ -193,8 +193,7 @@ final class ModelDocument {
   private Map<Integer, ThreeMfObject> objectsOf(String path)
       throws ModelFormatException, IOException {
     if (others.isEmpty()) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
+      throw Kind.UNSUPPORTED.at(
           xml.location(),
           "expected a path to another part in the root part only, found "
               + PrintableText.quoted(path));

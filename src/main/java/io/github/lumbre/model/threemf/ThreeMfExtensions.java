@@ -44,8 +44,7 @@ final class ThreeMfExtensions {
       String namespace = xml.namespace(prefix);
       boolean isKnown = READ.contains(namespace) || LEFT_OUT.containsKey(namespace);
       if (!prefix.isEmpty() && !isKnown) {
-        throw new ModelFormatException(
-            Kind.UNSUPPORTED,
+        throw Kind.UNSUPPORTED.at(
             xml.location(),
             "the extension "
                 + (namespace.isEmpty()

@@ -84,7 +84,6 @@ public final class ThreeMfReader {
     if (parts.has(USUAL_ROOT)) {
       return USUAL_ROOT;
     }
-    throw new ModelFormatException(
-        Kind.MALFORMED, "", "expected an archive with a 3D model, found one without");
+    throw Kind.MALFORMED.at("", "expected an archive with a 3D model, found one without");
   }
 }

@@ -110,10 +110,8 @@ final class XmlReader {
       throw error("expected the name of an element, found none");
     }
     if (open.size() == MAX_DEPTH) {
-      throw new ModelFormatException(
-          Kind.TOO_LARGE,
-          location(),
-          "expected at most " + MAX_DEPTH + " elements within each other, found more");
+      throw Kind.TOO_LARGE.at(
+          location(), "expected at most " + MAX_DEPTH + " elements within each other, found more");
     }
     if (!isClosed) {
       open.add(tag.string(0, nameEnd));
@@ -137,8 +135,7 @@ final class XmlReader {
       throw error("expected a value in quotes, found no second quote");
     }
     if (attributes == MAX_ATTRIBUTES) {
-      throw new ModelFormatException(
-          Kind.TOO_LARGE, location(), "expected at most " + MAX_ATTRIBUTES + " attributes");
+      throw Kind.TOO_LARGE.at(location(), "expected at most " + MAX_ATTRIBUTES + " attributes");
     }
     int nameTo = Math.min(tag.wordEnd(from), to);
     int[] range = {from, nameTo, quoteAt + 1, valueEnd};

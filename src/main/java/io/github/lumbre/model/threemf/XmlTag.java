@@ -31,10 +31,8 @@ final class XmlTag {
   void add(int c, String part, int line) throws ModelFormatException {
     if (size == bytes.length) {
       if (size == MAX_BYTES) {
-        throw new ModelFormatException(
-            Kind.TOO_LARGE,
-            part + " line " + line,
-            "expected a tag of at most " + MAX_BYTES + " bytes");
+        throw Kind.TOO_LARGE.at(
+            part + " line " + line, "expected a tag of at most " + MAX_BYTES + " bytes");
       }
       bytes = Arrays.copyOf(bytes, 2 * size);
     }

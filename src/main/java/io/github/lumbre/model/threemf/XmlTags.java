@@ -90,7 +90,7 @@ final class XmlTags {
 
   /** Returns an exception that names the place of the current tag. */
   ModelFormatException error(String message) {
-    return new ModelFormatException(Kind.MALFORMED, location(), message);
+    return Kind.MALFORMED.at(location(), message);
   }
 
   /** Skips to the byte behind the next one of a value; returns false at the end. */

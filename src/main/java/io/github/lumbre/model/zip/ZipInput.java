@@ -92,7 +92,7 @@ public final class ZipInput implements AutoCloseable {
   }
 
   private ModelFormatException damaged(String message) {
-    return new ModelFormatException(Kind.MALFORMED, part, message);
+    return Kind.MALFORMED.at(part, message);
   }
 
   @Override

@@ -215,14 +215,12 @@ public final class ZipParts implements ModelFolder {
         Optional.ofNullable(entries.get(key(name)))
             .orElseThrow(
                 () ->
-                    new ModelFormatException(
-                        Kind.ASSET,
+                    Kind.ASSET.at(
                         location,
                         "expected a part of the archive, found no " + PrintableText.quoted(name)));
     String place = PrintableText.shortened(entry.name);
     if ((entry.flags & ENCRYPTED) != 0 || entry.method != STORED && entry.method != DEFLATED) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
+      throw Kind.UNSUPPORTED.at(
           place,
           "expected a part that is stored or deflated, found "
               + ((entry.flags & ENCRYPTED) != 0 ? "an encrypted one" : "method " + entry.method));
@@ -273,6 +271,6 @@ public final class ZipParts implements ModelFolder {
   }
 
   private static ModelFormatException malformed(String location, String message) {
-    return new ModelFormatException(Kind.MALFORMED, location, message);
+    return Kind.MALFORMED.at(location, message);
   }
 }

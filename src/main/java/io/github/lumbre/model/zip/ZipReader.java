@@ -45,8 +45,7 @@ public final class ZipReader {
     ZipParts parts = ZipParts.of(bytes, options.limits());
     List<String> models = parts.names().stream().filter(ZipReader::isModel).sorted().toList();
     if (models.size() != 1) {
-      throw new ModelFormatException(
-          Kind.UNSUPPORTED,
+      throw Kind.UNSUPPORTED.at(
           "",
           "expected one model in the archive, found "
               + (models.isEmpty() ? "none" : "several: " + ModelNames.choice(models)));
