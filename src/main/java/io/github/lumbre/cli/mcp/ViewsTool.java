@@ -10,8 +10,13 @@ import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.Stage.View;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 
 /** Renders a model from all sides on one sheet. */
 final class ViewsTool implements Tool {
@@ -23,6 +28,11 @@ final class ViewsTool implements Tool {
 
   private static final Input<Integer> HEIGHT =
       Input.integer("height", 16, MOST_PIXELS, 240, "Height of each picture in pixels.");
+
+  private static final int AT_ONCE = 2;
+
+  /** A picture, and which labels have no room in it. */
+  private record Noted(DisplayLight picture, List<String> notes) {}
 
   private final Studio studio;
 
@@ -65,21 +75,64 @@ final class ViewsTool implements Tool {
     Studio.Staged model = ModelInputs.model(studio, arguments);
     int width = arguments.get(WIDTH);
     int height = arguments.get(HEIGHT);
-    Map<String, View> views = View.standard();
-    progress.expect((long) width * height * Denoising.VIEW_SAMPLES * views.size());
-    JsonSummary summary = model.summary(name());
-    List<String> notes = new ArrayList<>();
-    List<DisplayLight> pictures = new ArrayList<>();
-    for (Map.Entry<String, View> view : views.entrySet()) {
-      SceneFile file = model.seenFrom(view.getValue(), width, height, Denoising.VIEW_SAMPLES);
-      String name = view.getKey();
-      pictures.add(CleanPicture.of(file, name, n -> notes.add(name + ": " + n), progress));
-      model.describe(name, file, summary);
+    Map<String, View> standard = View.standard();
+    progress.expect((long) width * height * Denoising.VIEW_SAMPLES * standard.size());
+    Map<String, SceneFile> files = new LinkedHashMap<>();
+    for (Map.Entry<String, View> view : standard.entrySet()) {
+      int samples = Denoising.VIEW_SAMPLES;
+      files.put(view.getKey(), model.seenFrom(view.getValue(), width, height, samples));
     }
-    summary.put("notes", notes);
-    List<Image> images = pictures.stream().map(DisplayLight::image).toList();
+    JsonSummary summary = model.summary(name());
+    List<Noted> views =
+        pictures(
+            files, progress, () -> files.forEach((name, f) -> model.describe(name, f, summary)));
+    summary.put("notes", views.stream().flatMap(view -> view.notes.stream()).toList());
+    List<Image> images = views.stream().map(view -> view.picture.image()).toList();
     Image sheet = ContactSheet.of(images, COLUMNS, Math.max(1, width / 64));
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(sheet, pictures.get(0).options())), summary.values());
+        List.of(ImageFormat.PNG.bytes(sheet, views.get(0).picture.options())), summary.values());
+  }
+
+  /**
+   * Renders two pictures at a time: parts of the work on one of them have a single thread.
+   *
+   * @param beside what is done meanwhile
+   */
+  private static List<Noted> pictures(
+      Map<String, SceneFile> files, CallProgress progress, Runnable beside)
+      throws InterruptedException {
+    ExecutorService pool = Executors.newFixedThreadPool(AT_ONCE);
+    try {
+      List<Future<Noted>> running = new ArrayList<>();
+      files.forEach((name, file) -> running.add(pool.submit(() -> picture(name, file, progress))));
+      beside.run();
+      List<Noted> pictures = new ArrayList<>();
+      for (Future<Noted> picture : running) {
+        pictures.add(picture.get());
+      }
+      return pictures;
+    } catch (ExecutionException e) {
+      throw failure(e.getCause());
+    } finally {
+      pool.shutdownNow();
+    }
+  }
+
+  private static Noted picture(String name, SceneFile file, CallProgress progress)
+      throws InterruptedException {
+    List<String> notes = new ArrayList<>();
+    return new Noted(
+        CleanPicture.of(file, name, note -> notes.add(name + ": " + note), progress), notes);
+  }
+
+  /** Returns or throws what ended a picture, such as the end of the call. */
+  private static RuntimeException failure(Throwable cause) throws InterruptedException {
+    if (cause instanceof InterruptedException interruption) {
+      throw interruption;
+    }
+    if (cause instanceof Error error) {
+      throw error;
+    }
+    return (RuntimeException) cause;
   }
 }

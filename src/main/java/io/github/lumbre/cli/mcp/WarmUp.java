@@ -19,12 +19,12 @@ import java.util.concurrent.CancellationException;
  * Speed hack: docs/measurements/2026-11-start.md.
  */
 final class WarmUp {
-  private static final int PICTURES = 24;
+  private static final int PICTURES = 36;
   private static final int WIDTH = 160;
   private static final int HEIGHT = 120;
-  private static final byte[] MODEL =
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n"
-          .getBytes(StandardCharsets.US_ASCII);
+
+  /** Number of triangles around, of enough for the traversal by vectors. */
+  private static final int SIDES = 64;
 
   private final Thread thread = new Thread(this::render, "lumbre-mcp-warm-up");
 
@@ -56,15 +56,30 @@ final class WarmUp {
       ModelViews model =
           new SceneParser()
               .overriding(s -> s.toBuilder().samples(Denoising.VIEW_SAMPLES).build())
-              .parse("model.obj", MODEL, ModelFolder.NONE, Stage.DEFAULT, List.of(View.DEFAULT));
+              .parse("model.obj", model(), ModelFolder.NONE, Stage.DEFAULT, List.of(View.DEFAULT));
       for (int i = 0; i < PICTURES; i++) {
         View view = new View(360. * i / PICTURES, 20);
         CleanPicture.light(model.seenFrom(view, WIDTH, HEIGHT), untilCall);
       }
+      model.first().scene().changeKernel(() -> !untilCall.isCancelled());
     } catch (SceneFormatException e) {
       throw new IllegalStateException(e);
     } catch (IOException | InterruptedException | CancellationException e) {
       // A call has come. Nothing is read from a file.
     }
+  }
+
+  /** Returns the text of a model: two cones with a common base. */
+  private static byte[] model() {
+    StringBuilder text = new StringBuilder("v 0 0 -1\nv 0 0 1\n");
+    for (int i = 0; i < SIDES; i++) {
+      double angle = 2 * Math.PI * i / SIDES;
+      text.append("v " + Math.cos(angle) + " " + Math.sin(angle) + " 0\n");
+    }
+    for (int i = 0; i < SIDES; i++) {
+      int next = 3 + (i + 1) % SIDES;
+      text.append("f 1 " + next + " " + (3 + i) + "\nf 2 " + (3 + i) + " " + next + "\n");
+    }
+    return text.toString().getBytes(StandardCharsets.US_ASCII);
   }
 }
