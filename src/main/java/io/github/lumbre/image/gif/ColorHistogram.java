@@ -56,13 +56,8 @@ final class ColorHistogram {
     return hasTransparent;
   }
 
-  /** Returns whether there are at most a number of colors up to 256. */
-  boolean hasAtMost(int count) {
-    return different <= count;
-  }
-
-  /** Returns the colors, if {@link #hasAtMost} is true of any number. */
-  int[] colors() {
+  /** Returns the colors, if there are at most 256; otherwise 257 of them. */
+  int[] someColors() {
     return colors.stream().toArray();
   }
 
@@ -72,11 +67,11 @@ final class ColorHistogram {
   }
 
   /**
-   * Returns the mean of a channel in a cell that is not empty, rounded down.
+   * Returns the mean of a channel in a cell that is not empty, rounded to the nearest number.
    *
    * @param channel 0 red, 1 green, 2 blue
    */
   int mean(int cell, int channel) {
-    return (int) (sums[channel][cell] / counts[cell]);
+    return (int) ((sums[channel][cell] + counts[cell] / 2) / counts[cell]);
   }
 }

@@ -13,18 +13,12 @@ final class GifCodes {
   private static final int MAX_BITS = 12;
   private static final int MAX_BLOCK = 255;
 
-  /** The size of the hash table: a power of two, a quarter full at most. */
-  private static final int SLOTS = 1 << 14;
-
   private final OutputStream out;
   private final int clear;
   private final int codeBits;
 
-  /** The strings of the table: the code of a string and the pixel after it, or -1. */
-  private final int[] keys = new int[SLOTS];
-
-  /** The code of each string in {@link #keys}. */
-  private final short[] codes = new short[SLOTS];
+  /** The code of each string: by the code of all but its last pixel, and that pixel; or 0. */
+  private final short[] codes = new short[MAX_CODES << Byte.SIZE];
 
   private int next;
   private int bits;
@@ -51,7 +45,7 @@ final class GifCodes {
 
   private void clear() throws IOException {
     put(clear);
-    Arrays.fill(keys, -1);
+    Arrays.fill(codes, (short) 0);
     bits = codeBits;
     // The code after the clear code ends the picture.
     next = clear + 2;
@@ -63,16 +57,14 @@ final class GifCodes {
       prefix = pixel;
       return;
     }
-    int key = prefix << Byte.SIZE | pixel;
-    int slot = slot(key);
-    if (keys[slot] == key) {
-      prefix = codes[slot];
+    int string = prefix << Byte.SIZE | pixel;
+    if (codes[string] > 0) {
+      prefix = codes[string];
       return;
     }
     put(prefix);
     if (next < MAX_CODES) {
-      keys[slot] = key;
-      codes[slot] = (short) next;
+      codes[string] = (short) next;
       grow();
     } else {
       clear();
@@ -99,15 +91,6 @@ final class GifCodes {
       bits++;
     }
     next++;
-  }
-
-  /** Returns the slot of a string, or the free one where it belongs. */
-  private int slot(int key) {
-    int slot = (key * 0x9e3779b1) >>> 18;
-    while (keys[slot] >= 0 && keys[slot] != key) {
-      slot = slot + 1 & SLOTS - 1;
-    }
-    return slot;
   }
 
   private void put(int code) throws IOException {

@@ -48,8 +48,8 @@ final class GifPalette {
   static GifPalette of(ColorHistogram histogram) {
     boolean isTransparent = histogram.hasTransparent();
     int most = isTransparent ? MOST - 1 : MOST;
-    int[] colors =
-        histogram.hasAtMost(most) ? histogram.colors() : ColorClusters.of(histogram, most);
+    int[] exact = histogram.someColors();
+    int[] colors = exact.length <= most ? exact : ColorBoxes.colors(histogram, most);
     int[] sorted = NearestColor.sorted(colors);
     return new GifPalette(sorted.length == 0 ? new int[1] : sorted, isTransparent);
   }
@@ -87,10 +87,8 @@ final class GifPalette {
   /** Returns red, green and blue of 2^{@link #bits} colors; those without a use are black. */
   byte[] bytes() {
     byte[] bytes = new byte[3 << bits()];
-    for (int i = 0; i < colors.length; i++) {
-      bytes[3 * i] = (byte) (colors[i] >> 16);
-      bytes[3 * i + 1] = (byte) (colors[i] >> 8);
-      bytes[3 * i + 2] = (byte) colors[i];
+    for (int i = 0; i < 3 * colors.length; i++) {
+      bytes[i] = (byte) channel(colors[i / 3], i % 3);
     }
     return bytes;
   }
@@ -115,26 +113,26 @@ final class GifPalette {
 
   /** Stores the mixture of a color from a position on. */
   private void mix(int rgb, int at) {
-    int red = 0;
-    int green = 0;
-    int blue = 0;
+    int[] errors = new int[3];
     int[] chosen = new int[LEVELS];
     for (int i = 0; i < LEVELS; i++) {
-      int r = rgb >> 16;
-      int g = rgb >> 8 & 0xff;
-      int b = rgb & 0xff;
-      int index =
-          nearest.index(
-              clamp(r + red / DAMPING), clamp(g + green / DAMPING), clamp(b + blue / DAMPING));
-      red += r - nearest.red(index);
-      green += g - nearest.green(index);
-      blue += b - nearest.blue(index);
-      chosen[i] = index;
+      int wanted = 0;
+      for (int channel = 0; channel < 3; channel++) {
+        wanted = wanted << 8 | clamp(channel(rgb, channel) + errors[channel] / DAMPING);
+      }
+      chosen[i] = nearest.index(wanted);
+      for (int channel = 0; channel < 3; channel++) {
+        errors[channel] += channel(rgb, channel) - channel(colors[chosen[i]], channel);
+      }
     }
     Arrays.sort(chosen);
     for (int i = 0; i < LEVELS; i++) {
       mixtures[at + i] = (byte) chosen[i];
     }
+  }
+
+  private static int channel(int rgb, int channel) {
+    return rgb >> 16 - Byte.SIZE * channel & 0xff;
   }
 
   private static int clamp(int value) {

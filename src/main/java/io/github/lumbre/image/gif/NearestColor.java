@@ -12,21 +12,14 @@ final class NearestColor {
   /** The weights of the squared differences of red, green and blue. */
   static final int[] WEIGHTS = {5, 8, 5};
 
-  /** More than any distance. */
-  private static final int FAR = 1 << 25;
-
-  private final int[] red;
-  private final int[] green;
-  private final int[] blue;
+  private final int[] colors;
   private final int[] brightness;
 
   /**
    * @param colors at least one, in the order of {@link #sorted}
    */
   NearestColor(int[] colors) {
-    red = Arrays.stream(colors).map(color -> color >> 16).toArray();
-    green = Arrays.stream(colors).map(color -> color >> 8 & 0xff).toArray();
-    blue = Arrays.stream(colors).map(color -> color & 0xff).toArray();
+    this.colors = colors;
     brightness = Arrays.stream(colors).map(NearestColor::brightness).toArray();
   }
 
@@ -40,69 +33,44 @@ final class NearestColor {
         .toArray();
   }
 
-  private static int brightness(int rgb) {
-    return brightness(rgb >> 16, rgb >> 8 & 0xff, rgb & 0xff);
-  }
-
   /** Returns about the luma of an sRGB color (ITU-R BT.709), times 10. */
-  private static int brightness(int r, int g, int b) {
-    return 2 * r + 7 * g + b;
+  private static int brightness(int rgb) {
+    return 2 * (rgb >> 16) + 7 * (rgb >> 8 & 0xff) + (rgb & 0xff);
   }
 
   /** Returns the index of the nearest color; always the same one of several. */
-  int index(int r, int g, int b) {
-    int bright = brightness(r, g, b);
+  int index(int rgb) {
+    int bright = brightness(rgb);
     int found = Arrays.binarySearch(brightness, bright);
-    int above = found < 0 ? -1 - found : found;
-    int below = above - 1;
-    int best = -1;
-    int least = FAR;
-    while (above < red.length || below >= 0) {
-      if (above < red.length) {
-        int distance = distance(above, r, g, b);
-        if (distance < least) {
-          least = distance;
-          best = above;
-        }
-        above = isFarther(brightness[above] - bright, least) ? red.length : above + 1;
-      }
-      if (below >= 0) {
-        int distance = distance(below, r, g, b);
-        if (distance < least) {
-          least = distance;
-          best = below;
-        }
-        below = isFarther(bright - brightness[below], least) ? -1 : below - 1;
-      }
+    int start = Math.min(found < 0 ? -1 - found : found, colors.length - 1);
+    int best = start;
+    int least = distance(start, rgb);
+    for (int i = start + 1; i < colors.length && isNear(brightness[i] - bright, least); i++) {
+      int distance = distance(i, rgb);
+      best = distance < least ? i : best;
+      least = Math.min(least, distance);
+    }
+    for (int i = start - 1; i >= 0 && isNear(bright - brightness[i], least); i--) {
+      int distance = distance(i, rgb);
+      best = distance < least ? i : best;
+      least = Math.min(least, distance);
     }
     return best;
   }
 
   /**
-   * Returns whether all colors with at least a difference of brightness have at least a distance:
-   * by the Cauchy-Schwarz inequality, the distance is at least the squared difference divided by 2²
-   * / 5 + 7² / 8 + 1² / 5 = 57 / 8.
+   * Returns whether a color with a difference of brightness can be nearer than a distance: by the
+   * Cauchy-Schwarz inequality, its distance is at least the squared difference divided by 2² / 5 +
+   * 7² / 8 + 1² / 5 = 57 / 8.
    */
-  private static boolean isFarther(int difference, int distance) {
-    return 8 * difference * difference >= 57 * distance;
+  private static boolean isNear(int difference, int distance) {
+    return 8 * difference * difference < 57 * distance;
   }
 
-  private int distance(int index, int r, int g, int b) {
-    int dr = red[index] - r;
-    int dg = green[index] - g;
-    int db = blue[index] - b;
-    return WEIGHTS[0] * dr * dr + WEIGHTS[1] * dg * dg + WEIGHTS[2] * db * db;
-  }
-
-  int red(int index) {
-    return red[index];
-  }
-
-  int green(int index) {
-    return green[index];
-  }
-
-  int blue(int index) {
-    return blue[index];
+  private int distance(int index, int rgb) {
+    int red = (colors[index] >> 16) - (rgb >> 16);
+    int green = (colors[index] >> 8 & 0xff) - (rgb >> 8 & 0xff);
+    int blue = (colors[index] & 0xff) - (rgb & 0xff);
+    return WEIGHTS[0] * red * red + WEIGHTS[1] * green * green + WEIGHTS[2] * blue * blue;
   }
 }
