@@ -7,7 +7,7 @@ import io.github.lumbre.sampling.internal.Warp;
 
 /**
  * Light that hits more than one facet, which single scattering loses: f = c · m(o) m(i) / π, where
- * m is the {@linkplain LostLight lost fraction} and c depends on the two sides (Kulla and Conty
+ * m is the {@linkplain FacetLoss lost fraction} and c depends on the two sides (Kulla and Conty
  * 2017, "Revisiting Physically Based Shading at Imageworks", after Kelemen and Szirmay-Kalos 2001).
  * It is reciprocal, and with white single scattering it scatters all light.
  *
@@ -17,7 +17,7 @@ import io.github.lumbre.sampling.internal.Warp;
  * @param down c of a viewer above and light below the surface
  * @param up c of a viewer below and light above the surface
  */
-record MultipleScattering(LostLight lost, Rgb above, Rgb below, Rgb down, Rgb up) implements Lobe {
+record MultipleScattering(FacetLoss lost, Rgb above, Rgb below, Rgb down, Rgb up) implements Lobe {
   /** The index of facets that reflect everything. */
   private static final double MIRRORS = Double.POSITIVE_INFINITY;
 
@@ -31,7 +31,7 @@ record MultipleScattering(LostLight lost, Rgb above, Rgb below, Rgb down, Rgb up
    * @param alpha roughness
    */
   static MultipleScattering reflected(Rgb fresnel, double share, double alpha) {
-    LostLight lost = LostLight.of(MIRRORS, alpha);
+    FacetLoss lost = FacetLoss.of(MIRRORS, alpha);
     double mean = lost.mean(false);
     Rgb color =
         new Rgb(
@@ -53,7 +53,7 @@ record MultipleScattering(LostLight lost, Rgb above, Rgb below, Rgb down, Rgb up
    * @param fresnel mean reflectance of a facet under uniform radiance, each component in [0,1]
    */
   static MultipleScattering ofPane(Rgb tint, Rgb fresnel, double alpha) {
-    LostLight lost = LostLight.of(MIRRORS, alpha);
+    FacetLoss lost = FacetLoss.of(MIRRORS, alpha);
     double scale = inverse(lost.mean(false));
     Rgb reflects = fresnel.times(scale);
     Rgb passes = ThinGlass.passed(tint, fresnel).times(scale);
@@ -70,7 +70,7 @@ record MultipleScattering(LostLight lost, Rgb above, Rgb below, Rgb down, Rgb up
    * @param ior index of refraction of the inside relative to the outside, &gt; 0
    */
   static MultipleScattering ofGlass(Rgb reflectance, Rgb transmittance, double ior, double alpha) {
-    LostLight lost = LostLight.of(ior, alpha);
+    FacetLoss lost = FacetLoss.of(ior, alpha);
     double outer = lost.mean(false);
     double inner = lost.mean(true);
     double square = ior * ior;

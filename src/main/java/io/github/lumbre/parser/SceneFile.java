@@ -42,7 +42,7 @@ public interface SceneFile {
    *
    * @param picture in linear light, of the size of the settings' frame or crop
    */
-  Image withLines(Image picture);
+  Image withDrawing(Image picture);
 
   /** Returns a copy with a different scene. */
   SceneFile with(Scene other);

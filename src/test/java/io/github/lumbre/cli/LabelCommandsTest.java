@@ -181,7 +181,7 @@ class LabelCommandsTest {
             .overriding(s -> s.toBuilder().size(240, 180).samples(1).build())
             .parse(directory.resolve("a.obj"), stage);
     Image plain = new PictureRenderer(file.settings()).render(file.scene());
-    Image labeled = file.withLines(plain);
+    Image labeled = file.withDrawing(plain);
     assertThat(labeled.rgb()).isNotEqualTo(plain.rgb());
     assertThat(Files.readAllBytes(directory.resolve("a.pfm"))).isEqualTo(labeled.toPfm());
   }

@@ -86,7 +86,7 @@ class MultipleScatteringTest {
   void facetsThatAbsorbReturnPartOfTheLostLight() {
     double fresnel = MultipleScattering.meanReflectance(CookTorrance.DEFAULT_IOR);
     for (double alpha : new double[] {.3, .6, 1}) {
-      LostLight lost = LostLight.of(1e9, alpha);
+      FacetLoss lost = FacetLoss.of(1e9, alpha);
       double leaves = 1 - lost.mean(false);
       double share = fresnel * fresnel * leaves / (1 - fresnel * (1 - leaves));
       CookTorrance single = metal(Rgb.WHITE, CookTorrance.DEFAULT_IOR, alpha);

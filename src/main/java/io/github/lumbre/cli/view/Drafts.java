@@ -78,7 +78,7 @@ final class Drafts {
     double seconds = Math.max(1e-4, clock.seconds());
     Preview preview =
         new Preview(
-            file.with(small).withLines(film.develop()),
+            file.with(small).withDrawing(film.develop()),
             List.of(),
             1,
             film.totalSamples(),

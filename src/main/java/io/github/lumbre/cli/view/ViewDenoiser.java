@@ -61,7 +61,7 @@ final class ViewDenoiser {
               clean ->
                   session.showDenoised(
                       job,
-                      job.file().withLines(clean.image()),
+                      job.file().withDrawing(clean.image()),
                       film.meanSamples(),
                       Denoising.noting(clean, ImageWriter.Options.DEFAULT).metadata()));
     } catch (InterruptedException e) {

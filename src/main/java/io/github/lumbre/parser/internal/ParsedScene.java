@@ -71,7 +71,7 @@ public record ParsedScene(
   }
 
   @Override
-  public Image withLines(Image picture) {
+  public Image withDrawing(Image picture) {
     return PictureDrawing.of(this, note -> {}).onLight(scene, Optional.empty(), picture);
   }
 

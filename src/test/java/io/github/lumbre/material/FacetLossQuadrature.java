@@ -7,11 +7,11 @@ import io.github.lumbre.math.internal.Elementary;
 import java.nio.ByteBuffer;
 import java.util.stream.IntStream;
 
-/** Computes the table of {@link LostLight} by a fixed quadrature. */
-final class LostLightQuadrature {
-  static final int ENTRIES = LostLight.INDICES * LostLight.ALPHAS * 2 * LostLight.COLUMNS;
+/** Computes the table of {@link FacetLoss} by a fixed quadrature. */
+final class FacetLossQuadrature {
+  static final int ENTRIES = FacetLoss.INDICES * FacetLoss.ALPHAS * 2 * FacetLoss.COLUMNS;
 
-  static final int BYTES = ENTRIES * Short.BYTES + 2 * ENTRIES / LostLight.COLUMNS * Float.BYTES;
+  static final int BYTES = ENTRIES * Short.BYTES + 2 * ENTRIES / FacetLoss.COLUMNS * Float.BYTES;
 
   /** Points of the quadrature over the steepness of facets, and over half of their azimuths. */
   private static final int POINTS = 64;
@@ -21,7 +21,7 @@ final class LostLightQuadrature {
   /** The margin that an index of 1 has more than others. */
   private static final double MORE_MARGIN = .03;
 
-  private LostLightQuadrature() {}
+  private FacetLossQuadrature() {}
 
   /** Returns the contents of the resource. */
   static byte[] table() {
@@ -41,9 +41,9 @@ final class LostLightQuadrature {
 
   /** Puts the means of steps between the columns; each step has the average of its ends. */
   private static void putMeans(ByteBuffer bytes, int[] entries, int steps) {
-    int last = LostLight.COLUMNS - 1;
-    for (int side = 0; side < ENTRIES / LostLight.COLUMNS; side++) {
-      int first = side * LostLight.COLUMNS;
+    int last = FacetLoss.COLUMNS - 1;
+    for (int side = 0; side < ENTRIES / FacetLoss.COLUMNS; side++) {
+      int first = side * FacetLoss.COLUMNS;
       double mean = 0;
       for (int i = 0; i < last * steps; i++) {
         int c = i / steps;
@@ -65,19 +65,19 @@ final class LostLightQuadrature {
 
   /** Returns an entry, from 0 to 65535. */
   static int entry(int place) {
-    int column = place % LostLight.COLUMNS;
-    boolean isBelow = place / LostLight.COLUMNS % 2 == 1;
-    int row = place / LostLight.COLUMNS / 2;
-    double ior = LostLight.index(row / LostLight.ALPHAS);
-    double alpha = LostLight.alpha(row % LostLight.ALPHAS);
+    int column = place % FacetLoss.COLUMNS;
+    boolean isBelow = place / FacetLoss.COLUMNS % 2 == 1;
+    int row = place / FacetLoss.COLUMNS / 2;
+    double ior = FacetLoss.index(row / FacetLoss.ALPHAS);
+    double alpha = FacetLoss.alpha(row % FacetLoss.ALPHAS);
     double albedo =
-        albedo(LostLight.cosine(column), alpha, isBelow ? 1 / ior : ior, POINTS, AZIMUTHS);
+        albedo(FacetLoss.cosine(column), alpha, isBelow ? 1 / ior : ior, POINTS, AZIMUTHS);
     return (int) (65535 * Math.max(0, 1 - albedo - margin(ior)));
   }
 
   private static double margin(double ior) {
-    double near = Math.max(0, LostLight.LEAST_SURE_INDEX - ior) / (LostLight.LEAST_SURE_INDEX - 1);
-    return LostLight.MARGIN + MORE_MARGIN * near;
+    double near = Math.max(0, FacetLoss.LEAST_SURE_INDEX - ior) / (FacetLoss.LEAST_SURE_INDEX - 1);
+    return FacetLoss.MARGIN + MORE_MARGIN * near;
   }
 
   /**

@@ -12,9 +12,9 @@ import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 /** Tests the table of light that single scattering loses. */
-class LostLightTest {
+class FacetLossTest {
   private static final Path RESOURCE =
-      Path.of("src/main/resources/io/github/lumbre/material", LostLight.RESOURCE);
+      Path.of("src/main/resources/io/github/lumbre/material", FacetLoss.RESOURCE);
 
   /** The error of the quadrature in the test of sums, found with many more points. */
   private static final double ERROR = 1.5e-3;
@@ -24,23 +24,23 @@ class LostLightTest {
   private static final double[] COSINES = {1, .93, .6, .45, .2, .06, .01};
 
   /**
-   * To compute the resource again, in minutes: {@code -Dtest=LostLightTest -Dlumbre.write=true}.
+   * To compute the resource again, in minutes: {@code -Dtest=FacetLossTest -Dlumbre.write=true}.
    */
   @Test
   void resourceHasTheBitsOfTheQuadrature() throws IOException {
     if (Boolean.getBoolean("lumbre.write")) {
-      Files.write(RESOURCE, LostLightQuadrature.table());
+      Files.write(RESOURCE, FacetLossQuadrature.table());
     }
     byte[] resource = Files.readAllBytes(RESOURCE);
-    assertThat(resource).hasSize(LostLightQuadrature.BYTES);
+    assertThat(resource).hasSize(FacetLossQuadrature.BYTES);
     ByteBuffer bytes = ByteBuffer.wrap(resource);
-    int[] entries = new int[LostLightQuadrature.ENTRIES];
+    int[] entries = new int[FacetLossQuadrature.ENTRIES];
     Arrays.setAll(entries, i -> bytes.getShort() & 0xffff);
     int step = Effort.count(101, 1);
     for (int i = 0; i < entries.length; i += step) {
-      assertThat(entries[i]).as("entry %s", i).isEqualTo(LostLightQuadrature.entry(i));
+      assertThat(entries[i]).as("entry %s", i).isEqualTo(FacetLossQuadrature.entry(i));
     }
-    assertThat(LostLightQuadrature.table(entries)).as("means").isEqualTo(resource);
+    assertThat(FacetLossQuadrature.table(entries)).as("means").isEqualTo(resource);
   }
 
   /**
@@ -52,10 +52,10 @@ class LostLightTest {
     for (double ior : INDICES) {
       double least = ior < 1.05 ? .985 : .99;
       for (double alpha : ALPHAS) {
-        LostLight lost = LostLight.of(ior, alpha);
+        FacetLoss lost = FacetLoss.of(ior, alpha);
         for (double cosine : COSINES) {
-          double above = LostLightQuadrature.albedo(cosine, alpha, ior, 60, 24);
-          double below = LostLightQuadrature.albedo(cosine, alpha, 1 / ior, 60, 24);
+          double above = FacetLossQuadrature.albedo(cosine, alpha, ior, 60, 24);
+          double below = FacetLossQuadrature.albedo(cosine, alpha, 1 / ior, 60, 24);
           assertThat(above + lost.at(cosine))
               .as("index %s, alpha %s, cosine %s", ior, alpha, cosine)
               .isBetween(least, 1 + ERROR);
@@ -70,8 +70,8 @@ class LostLightTest {
   /** The denser side is below for an index above 1, and above for an index below 1. */
   @Test
   void sidesAreExchangedWithTheInverseIndex() {
-    LostLight glass = LostLight.of(1.5, .4);
-    LostLight bubble = LostLight.of(1 / 1.5, .4);
+    FacetLoss glass = FacetLoss.of(1.5, .4);
+    FacetLoss bubble = FacetLoss.of(1 / 1.5, .4);
     assertThat(bubble.at(.3)).isCloseTo(glass.at(-.3), within(1e-12));
     assertThat(bubble.mean(true)).isCloseTo(glass.mean(false), within(1e-12));
     assertThat(glass.at(.3)).isNotCloseTo(glass.at(-.3), within(.05));
@@ -80,7 +80,7 @@ class LostLightTest {
   @Test
   void meansAreThoseUnderUniformRadiance() {
     for (double alpha : ALPHAS) {
-      LostLight lost = LostLight.of(1.5, alpha);
+      FacetLoss lost = FacetLoss.of(1.5, alpha);
       for (double side : new double[] {1, -1}) {
         double mean = 0;
         int steps = 4000;

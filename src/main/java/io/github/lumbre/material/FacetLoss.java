@@ -15,7 +15,7 @@ import java.nio.ByteBuffer;
  * same.
  *
  * <p>The values lie between entries of a table over index, roughness, side and direction, which
- * LostLightQuadrature computes among the tests. The entries are too small by {@link #MARGIN}, or by
+ * FacetLossQuadrature computes among the tests. The entries are too small by {@link #MARGIN}, or by
  * more for indices near 1, so that E and the loss together exceed 1 nowhere.
  *
  * @param row of the table: the last one before the index and the roughness
@@ -23,7 +23,7 @@ import java.nio.ByteBuffer;
  * @param towardsAlpha place between two roughnesses of the table, in [0,1]
  * @param isFlipped whether the denser side, which the table has below, is above
  */
-record LostLight(int row, double towardsIndex, double towardsAlpha, boolean isFlipped) {
+record FacetLoss(int row, double towardsIndex, double towardsAlpha, boolean isFlipped) {
   static final int INDICES = 25;
   static final int ALPHAS = 33;
   static final int COLUMNS = 33;
@@ -53,7 +53,7 @@ record LostLight(int row, double towardsIndex, double towardsAlpha, boolean isFl
   private static final float[] STEPPED_MEAN = new float[MEAN.length];
 
   static {
-    try (InputStream in = LostLight.class.getResourceAsStream(RESOURCE)) {
+    try (InputStream in = FacetLoss.class.getResourceAsStream(RESOURCE)) {
       ByteBuffer bytes = ByteBuffer.wrap(in.readAllBytes());
       bytes.asShortBuffer().get(LOST);
       bytes.position(LOST.length * Short.BYTES).asFloatBuffer().get(MEAN).get(STEPPED_MEAN);
@@ -69,13 +69,13 @@ record LostLight(int row, double towardsIndex, double towardsAlpha, boolean isFl
    *     infinite
    * @param alpha roughness of the distribution, in [0,1]
    */
-  static LostLight of(double ior, double alpha) {
+  static FacetLoss of(double ior, double alpha) {
     double contrast = ior < Double.POSITIVE_INFINITY ? Math.abs(ior - 1) / (ior + 1) : 1;
     double x = cubeRoot(contrast) * (INDICES - 1);
     double y = Math.max(0, (cubeRoot(alpha) - FIRST_ROOT) / (1 - FIRST_ROOT)) * (ALPHAS - 1);
     int i = Math.min(INDICES - 2, (int) x);
     int j = Math.min(ALPHAS - 2, (int) y);
-    return new LostLight(i * ALPHAS + j, x - i, y - j, ior < 1);
+    return new FacetLoss(i * ALPHAS + j, x - i, y - j, ior < 1);
   }
 
   /** Returns the index of refraction of a part of the table. */
