@@ -74,7 +74,7 @@ class MotionCoverageTest {
   @CsvSource({".05, false", ".02, false", ".02, true"})
   void errorsAreAtMostWhatIsClaimed(double target, boolean adaptive) throws Exception {
     Scene scene = moving();
-    Image reference = new PictureRenderer(settings(Effort.count(4096, 32768), -1)).render(scene);
+    Image reference = meanOfPoses();
     int seeds = Effort.count(12, 100);
     int failures = 0;
     double squares = 0;
