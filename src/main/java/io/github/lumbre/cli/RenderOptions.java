@@ -4,6 +4,7 @@ import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.KernelFlag;
+import io.github.lumbre.cli.option.MotionFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.PictureFlags;
 import io.github.lumbre.cli.option.QualityFlags;
@@ -57,6 +58,8 @@ final class RenderOptions {
 
   @Mixin final SequenceFlags sequence = new SequenceFlags();
 
+  @Mixin private final MotionFlags motion = new MotionFlags();
+
   @Option(
       names = "--checkpoint",
       paramLabel = "FILM",
@@ -97,6 +100,8 @@ final class RenderOptions {
     require(
         !to.isStandardOutput() || !StandardOutput.isTerminal(),
         "-o -: standard output is a terminal; expected a file or a pipe");
+    motion.validate();
+    flags.expose(settings -> motion.override(settings, sequence.rate()));
     if (sequence.areGiven()) {
       require(
           scene.isModel() && checkpoint.isEmpty() && !to.isStandardOutput(),

@@ -3,8 +3,11 @@ package io.github.lumbre.geometry;
 import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
+import io.github.lumbre.math.Transform;
 import java.util.List;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 
 /**
  * A bounding volume hierarchy over shapes in world space. All threads share it; a {@link
@@ -19,6 +22,11 @@ import java.util.concurrent.atomic.LongAdder;
  * ray's origin. This exceeds the error of any item's intersection test.
  */
 public final class Bvh {
+  private static final TriangleMesh NO_TRIANGLES =
+      TriangleMesh.of(new double[0], new double[0], new double[0], new int[0]);
+
+  private static final LeafShapes NO_SHAPES = new LeafShapes(new Shape[0], new int[0]);
+
   /** Not volatile: a thread may use the former traversal for a while. */
   private Traversal bounded;
 
@@ -57,6 +65,33 @@ public final class Bvh {
     BvhItems items = new BvhItems(all);
     return new Bvh(
         kernel.over(items), items.unbounded(), kernel.mayChange(items) ? all : List.of());
+  }
+
+  /**
+   * Builds the hierarchy over some shapes of a list, which keep their numbers in it.
+   *
+   * @param isIncluded returns whether the shape of a number is included
+   */
+  public static Bvh over(List<? extends Shape> shapes, Kernel kernel, IntPredicate isIncluded) {
+    Shape none = Mesh.baked(NO_TRIANGLES, Transform.IDENTITY);
+    return over(
+        IntStream.range(0, shapes.size())
+            .mapToObj(i -> isIncluded.test(i) ? shapes.get(i) : none)
+            .toList(),
+        kernel);
+  }
+
+  /**
+   * Returns a hierarchy over the shapes of two hierarchies, which search and change kernels on
+   * their own. No two shapes may have the same number.
+   */
+  public static Bvh both(Bvh first, Bvh second) {
+    Traversal both =
+        (ox, oy, oz, dx, dy, dz, nearest) -> {
+          boolean found = first.search(nearest);
+          return found && nearest.any || second.search(nearest) | found;
+        };
+    return new Bvh(both, NO_SHAPES, List.of());
   }
 
   /**

@@ -4,10 +4,14 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.section.Section;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.SettingType;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 
 /**
  * What to read from a model file, and how.
@@ -67,11 +71,45 @@ public record ModelOptions(
   }
 
   /**
-   * A point in time of an animation.
+   * A point in time of an animation, or the time during which it moves for one picture.
    *
    * @param seconds at least 0; after the end, the last pose holds
+   * @param shutter the time of the motion in seconds, from {@code seconds} on, 0 to {@link
+   *     RenderSettings#MAX_SHUTTER}
+   * @param poses number of poses that stand for the motion, in the middle of as many equal parts of
+   *     its time: a power of two, up to {@link RenderSettings#MAX_POSES}
    */
-  public record Pose(String animation, double seconds) {}
+  public record Pose(String animation, double seconds, double shutter, int poses) {
+    public Pose {
+      Objects.requireNonNull(animation, "animation");
+      require("shutter", Setting.SHUTTER.type(), shutter);
+      require("poses", Setting.POSES.type(), poses);
+    }
+
+    private static <T> void require(String name, SettingType<T> type, T value) {
+      if (!type.accepts(value)) {
+        throw new IllegalArgumentException(
+            name + ": expected " + type.expected() + ", found " + value);
+      }
+    }
+
+    /** Creates a pose that stands still. */
+    public Pose(String animation, double seconds) {
+      this(animation, seconds, 0, 1);
+    }
+
+    /** Returns the motion from this pose on, by the shutter and the poses of settings. */
+    public Pose during(RenderSettings settings) {
+      return new Pose(animation, seconds, settings.get(Setting.SHUTTER), settings.poses());
+    }
+
+    /** Returns the times of the poses, in seconds. */
+    public List<Double> times() {
+      return IntStream.range(0, poses)
+          .mapToObj(i -> seconds + shutter * (i + (poses == 1 ? 0 : .5)) / poses)
+          .toList();
+    }
+  }
 
   public ModelOptions {
     Objects.requireNonNull(pose, "pose");
@@ -110,6 +148,11 @@ public record ModelOptions(
         "",
         Limits.NONE,
         false);
+  }
+
+  /** Returns these options with the motion of their pose by the shutter and poses of settings. */
+  public ModelOptions during(RenderSettings settings) {
+    return pose.map(start -> posed(start.during(settings))).orElse(this);
   }
 
   /** Returns these options with a pose. */

@@ -4,9 +4,11 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
+import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.model.section.Section;
 import io.github.lumbre.parser.ObjectTree.Placed;
+import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -23,13 +25,19 @@ import java.util.concurrent.CancellationException;
  * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP.
  *
  * @param parts receives the models
+ * @param settings of the scene: they have the time of the shutter
  * @param sceneName name of the scene file; places of a model with this name are in the model alone:
  *     the scene stands for the model
  * @param lenient whether a missing picture of a model is a warning instead of an error; it always
  *     is if the scene stands for the model
  */
 record ModelObjects(
-    AssetData data, MaterialReader materials, ModelParts parts, String sceneName, boolean lenient) {
+    AssetData data,
+    MaterialReader materials,
+    ModelParts parts,
+    RenderSettings settings,
+    String sceneName,
+    boolean lenient) {
   private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
   private static final Map<String, String> LOOKS =
       new TreeMap<>(
@@ -49,6 +57,7 @@ record ModelObjects(
             "hide",
             "highlight",
             "look",
+            "useCamera",
             "useLights",
             "materials",
             "shared"));
@@ -78,8 +87,13 @@ record ModelObjects(
             : new ModelPlace.OfObject(node, AssetData.FILE_KEY, name);
     ModelOptions options = options(node, lenient || isTheScene);
     try {
+      Model model = ModelReader.read(name, content, data.folderOf(name), options);
+      if (node.has("useCamera")) {
+        String camera = node.string("useCamera").orElse("");
+        parts.seenBy(StageCamera.inPoses(model, camera, object.toWorld()));
+      }
       parts.add(
-          ModelReader.read(name, content, data.folderOf(name), options),
+          model,
           new ModelParts.Placement(
               place,
               object.toWorld(),
@@ -104,19 +118,20 @@ record ModelObjects(
             : Optional.empty();
     Optional<String> variant = node.has("variant") ? node.string("variant") : Optional.empty();
     return new ModelOptions(
-        pose,
-        variant,
-        node.choice("up", Up.Y),
-        node.number("unit", 1, Range.POSITIVE),
-        node.has("pointRadius")
-            ? OptionalDouble.of(node.number("pointRadius", 1, Range.POSITIVE))
-            : OptionalDouble.empty(),
-        node.strings("hide"),
-        node.strings("highlight"),
-        sections(node),
-        node.choice("look", LOOKS, ""),
-        data.allowance().left(),
-        mayLackPictures);
+            pose,
+            variant,
+            node.choice("up", Up.Y),
+            node.number("unit", 1, Range.POSITIVE),
+            node.has("pointRadius")
+                ? OptionalDouble.of(node.number("pointRadius", 1, Range.POSITIVE))
+                : OptionalDouble.empty(),
+            node.strings("hide"),
+            node.strings("highlight"),
+            sections(node),
+            node.choice("look", LOOKS, ""),
+            data.allowance().left(),
+            mayLackPictures)
+        .during(settings);
   }
 
   /** Returns the planes that cut the model; adds an error for a text that is none. */

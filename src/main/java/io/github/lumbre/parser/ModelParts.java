@@ -12,9 +12,11 @@ import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.model.internal.ModelSurface;
 import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.PartSurface;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -27,6 +29,7 @@ final class ModelParts {
   private final Set<ModelGeometry> meshes = identitySet();
   private final Set<ModelMaterial> ownMaterials = identitySet();
   private final Map<Integer, PartSurface> surfaces = new HashMap<>();
+  private List<StageCamera> cameras = List.of();
   private int count;
   private int pictures;
   private int lights;
@@ -65,6 +68,16 @@ final class ModelParts {
     static Placement alone(ModelPlace place) {
       return new Placement(place, Transform.IDENTITY, false, Map.of(), true, "");
     }
+  }
+
+  /** Sets the camera of a model, in each pose, as the camera of the scene. */
+  void seenBy(List<StageCamera> camera) {
+    cameras = camera;
+  }
+
+  /** Returns the camera of a model that is the scene's, in each pose; empty if there is none. */
+  List<StageCamera> cameras() {
+    return cameras;
   }
 
   /** Returns the number of surfaces added so far. */
@@ -116,8 +129,10 @@ final class ModelParts {
     Transform toWorld = placement.toWorld.times(ModelScene.TO_LEFT_HANDED);
     ModelScene scene = new ModelScene(model, toWorld, kernel, allowance.left(), placement.isShared);
     try {
-      for (ModelSurface surface : scene.surfaces()) {
-        add(surface, placement);
+      if (model.poses().isEmpty()) {
+        add(scene, placement, parts, true);
+      } else {
+        addPoses(model, scene, placement);
       }
     } catch (ModelFormatException e) {
       place.error(e);
@@ -126,18 +141,43 @@ final class ModelParts {
     scene.warnings().forEach(place::warn);
     allowance.addTexels(scene.texels());
     pictures += scene.pictures();
+  }
+
+  private void addPoses(Model model, ModelScene scene, Placement placement)
+      throws ModelFormatException {
+    List<SceneParts> all = new ArrayList<>();
+    for (Model pose : model.poses()) {
+      SceneParts own = new SceneParts();
+      boolean isMiddle = all.size() == model.poses().size() / 2;
+      add(scene.posed(pose), placement, own, isMiddle);
+      all.add(own);
+    }
+    parts.addPoses(all);
+  }
+
+  /**
+   * Adds a model in a pose.
+   *
+   * @param isCounted whether its surfaces and lights are counted; others are other poses of them
+   */
+  private void add(ModelScene scene, Placement placement, SceneParts target, boolean isCounted)
+      throws ModelFormatException {
+    for (ModelSurface surface : scene.surfaces()) {
+      if (isCounted) {
+        count(surface.part(), placement);
+      }
+      add(surface, placement, target, isCounted);
+    }
     if (placement.useLights) {
       for (Light light : scene.lights()) {
-        lights++;
-        Origin origin = place.origin("lights", "");
-        parts.add(origin, Origin.NONE, placement.lightGroup, b -> b.add(light));
+        lights += isCounted ? 1 : 0;
+        Origin origin = placement.place.origin("lights", "");
+        target.add(origin, Origin.NONE, placement.lightGroup, b -> b.add(light));
       }
     }
   }
 
-  private void add(ModelSurface surface, Placement placement) {
-    ModelPart part = surface.part();
-    ModelMaterial material = part.material();
+  private void count(ModelPart part, Placement placement) {
     count++;
     allowance.addTriangles(part.geometry().itemCount());
     if (part.geometry().isPoints()) {
@@ -146,13 +186,21 @@ final class ModelParts {
       triangles += part.geometry().triangleCount();
       meshes.add(part.geometry());
     }
-    Optional<Surface> other = Optional.ofNullable(placement.overrides.get(material.name()));
-    if (other.isEmpty() && !material.location().isEmpty()) {
+    ModelMaterial material = part.material();
+    boolean isReplaced = placement.overrides.containsKey(material.name());
+    if (!isReplaced && !material.location().isEmpty()) {
       ownMaterials.add(material);
     }
+  }
+
+  private void add(
+      ModelSurface surface, Placement placement, SceneParts target, boolean isCounted) {
+    ModelPart part = surface.part();
+    ModelMaterial material = part.material();
+    Optional<Surface> other = Optional.ofNullable(placement.overrides.get(material.name()));
     PartSurface shown = PartSurface.of(part);
     if (ShapeReader.isMeasurable(placement.place.spot(), surface.shape())) {
-      parts.add(
+      target.add(
           placement.place.origin(part.location(), part.name()),
           placement.place.origin(material.location(), material.name()),
           placement.lightGroup,
@@ -160,7 +208,9 @@ final class ModelParts {
             int first = scene.primitiveCount();
             other.ifPresentOrElse(
                 own -> own.add(surface.shape(), scene), () -> surface.addTo(scene));
-            for (int primitive = first; primitive < scene.primitiveCount(); primitive++) {
+            for (int primitive = first;
+                isCounted && primitive < scene.primitiveCount();
+                primitive++) {
               surfaces.put(primitive, shown);
             }
           });

@@ -13,6 +13,7 @@ import io.github.lumbre.parser.internal.CountingParser;
 import io.github.lumbre.parser.internal.FileHashes;
 import io.github.lumbre.parser.internal.ModelSequence;
 import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.text.PrintableText;
@@ -159,7 +160,12 @@ public final class SceneParser {
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */
   public SceneFile parse(Path model, Stage stage) throws SceneFormatException, IOException {
-    return TimedReading.of(limits(), problemsOf(model), () -> staged(model, stage).scene(this));
+    return TimedReading.of(
+        limits(), problemsOf(model), () -> staged(model, inMotion(stage)).scene(this));
+  }
+
+  private Stage inMotion(Stage stage) {
+    return stage.reading(settings.inMotion(stage.options()));
   }
 
   /**
@@ -185,7 +191,7 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     Path file = inNoFolder(name);
     return TimedReading.of(
-        limits(), problemsOf(file), () -> staged(file, model, files, stage).scene(this));
+        limits(), problemsOf(file), () -> staged(file, model, files, inMotion(stage)).scene(this));
   }
 
   private static Path inNoFolder(String name) {
@@ -410,16 +416,11 @@ public final class SceneParser {
     AssetData data = new AssetData(file, hash, allowance, files);
     SceneReader world =
         new SceneReader(
-            root,
-            assets,
-            data,
-            used.seed(),
-            textures,
-            kernel(),
-            String.valueOf(file.getFileName()));
+            root, assets, data, used, textures, kernel(), String.valueOf(file.getFileName()));
     world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);
+    requireNumbers(scene, used, problems);
     warnOfLines(scene, used, new Spot(problems, () -> "$.renderOptions.lineWidth"));
     return new ParsedScene(
         scene,
@@ -436,6 +437,23 @@ public final class SceneParser {
   /** Warns of lines that settings ask for and a scene lacks. */
   static void warnOfLines(Scene scene, RenderSettings settings, Spot spot) {
     LineDrawing.lack(scene, settings).ifPresent(spot::warn);
+  }
+
+  /** Requires that all poses number their parts alike if the settings record these numbers. */
+  static void requireNumbers(Scene scene, RenderSettings settings, Problems problems)
+      throws SceneFormatException {
+    boolean areAlike =
+        scene.poses().stream().mapToInt(pose -> pose.primitives().size()).distinct().count() == 1;
+    boolean areRecorded =
+        settings.layers().contains(Layer.OBJECT) || settings.layers().contains(Layer.MATERIAL);
+    if (!areAlike && areRecorded) {
+      problems.error(
+          Kind.INVALID,
+          () -> "layers",
+          "expected the same parts in all poses for layers of objects and materials, found parts"
+              + " that appear or vanish");
+      throw problems.exception();
+    }
   }
 
   /**

@@ -16,9 +16,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** The parts of a scene in their order, with their places in the file. Not reusable. */
+/**
+ * The parts of a scene in their order, with their places in the file; those that move have parts of
+ * their own in each pose. Not reusable.
+ */
 final class SceneParts {
-  private final List<Part> parts = new ArrayList<>();
+  private final List<Entry> entries = new ArrayList<>();
   private final List<Origin> primitives = new ArrayList<>();
   private final List<Origin> materials = new ArrayList<>();
   private final List<Origin> emitters = new ArrayList<>();
@@ -26,35 +29,77 @@ final class SceneParts {
   private record Part(
       Origin origin, Origin material, String lightGroup, Consumer<SceneAssembly> action) {}
 
+  /** Parts in each pose; the same ones in all poses if there is one list. */
+  private record Entry(List<List<Part>> poses) {
+    List<Part> in(int pose) {
+      return poses.get(poses.size() == 1 ? 0 : pose);
+    }
+  }
+
   /**
    * Adds a part.
    *
    * @param action adds the part to the scene
    */
   void add(Origin origin, Origin material, String lightGroup, Consumer<SceneAssembly> action) {
-    parts.add(new Part(origin, material, lightGroup, action));
+    entries.add(new Entry(List.of(List.of(new Part(origin, material, lightGroup, action)))));
+  }
+
+  /**
+   * Adds parts that move.
+   *
+   * @param poses the parts in each pose, without parts that move themselves
+   */
+  void addPoses(List<SceneParts> poses) {
+    entries.add(
+        new Entry(
+            poses.stream()
+                .map(pose -> pose.entries.stream().flatMap(e -> e.in(0).stream()).toList())
+                .toList()));
   }
 
   /**
    * Returns the scene of the parts.
    *
+   * @param cameras in each pose; a single one stands still
+   * @param poses number of poses; all parts that move have so many
    * @param backplate color that the camera sees instead of environment lights
    * @param kernel traversal kernel of the bounding volume hierarchies
    * @param known the same scene, if code has built it: it gets the names of the file
    */
-  Scene scene(Camera camera, Optional<Rgb> backplate, Kernel kernel, Optional<Scene> known) {
-    SceneAssembly scene = new SceneAssembly(camera).searchedBy(kernel);
-    backplate.ifPresent(scene::backplate);
+  Scene scene(
+      List<Camera> cameras,
+      int poses,
+      Optional<Rgb> backplate,
+      Kernel kernel,
+      Optional<Scene> known) {
+    List<SceneAssembly> all = new ArrayList<>();
+    for (int pose = 0; pose < poses; pose++) {
+      SceneAssembly scene =
+          new SceneAssembly(cameras.get(cameras.size() == 1 ? 0 : pose)).searchedBy(kernel);
+      backplate.ifPresent(scene::backplate);
+      add(pose, scene, pose == poses / 2);
+      all.add(scene);
+    }
+    return known
+        .map(same -> same.named(all.get(poses / 2)))
+        .orElseGet(() -> SceneAssembly.inMotion(all));
+  }
+
+  private void add(int pose, SceneAssembly scene, boolean isNoted) {
     OriginNames objects = new OriginNames("object");
     OriginNames materialNames = new OriginNames("default");
-    for (Part part : parts) {
-      Interrupts.check();
-      scene.lightGroup(part.lightGroup);
-      scene.named(objects.of(part.origin), materialNames.of(part.material));
-      part.action.accept(scene);
-      note(part, scene);
+    for (Entry entry : entries) {
+      for (Part part : entry.in(pose)) {
+        Interrupts.check();
+        scene.lightGroup(part.lightGroup);
+        scene.named(objects.of(part.origin), materialNames.of(part.material));
+        part.action.accept(scene);
+        if (isNoted) {
+          note(part, scene);
+        }
+      }
     }
-    return known.map(same -> same.named(scene)).orElseGet(scene::build);
   }
 
   /** Records the origin of the primitives or lights that were just added. */

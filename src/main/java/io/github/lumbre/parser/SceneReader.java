@@ -9,6 +9,7 @@ import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.parser.internal.SceneOrigins;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,6 +22,7 @@ final class SceneReader {
   private static final String MAIN_CAMERA = "mainCameraId";
 
   private final JsonNode root;
+  private final RenderSettings settings;
   private final Kernel kernel;
   private final AssetTable assets;
   private final ObjectTree tree;
@@ -39,7 +41,7 @@ final class SceneReader {
   private int lightCount;
 
   /**
-   * @param seed seed of the procedural textures
+   * @param settings of the scene
    * @param change overrides for all textures
    * @param kernel traversal kernel of the bounding volume hierarchies
    * @param sceneName name of the scene file
@@ -48,22 +50,23 @@ final class SceneReader {
       JsonNode root,
       AssetTable assets,
       AssetData data,
-      long seed,
+      RenderSettings settings,
       TextureChange change,
       Kernel kernel,
       String sceneName) {
     this.root = root;
+    this.settings = settings;
     this.kernel = kernel;
     this.assets = assets;
     tree = ObjectTree.of(root);
-    textures = new TextureReader(assets, data, seed, change);
+    textures = new TextureReader(assets, data, settings.seed(), change);
     meshes = new MeshReader(assets, data);
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
     profiles = new LightProfiles(data);
     modelParts = new ModelParts(parts, data.allowance(), kernel);
-    models = new ModelObjects(data, materials, modelParts, sceneName, assets.isLenient());
+    models = new ModelObjects(data, materials, modelParts, settings, sceneName, assets.isLenient());
   }
 
   private List<Placed> objects(ObjectTree.Type type) {
@@ -175,7 +178,12 @@ final class SceneReader {
    * @param known the same scene, if code has built it: it gets the names of the file
    */
   Scene scene(Optional<Scene> known) {
-    return parts.scene(camera.orElseThrow(), backplate, kernel, known);
+    List<StageCamera> ofModel = modelParts.cameras();
+    List<Camera> cameras =
+        ofModel.isEmpty()
+            ? List.of(camera.orElseThrow())
+            : StageCamera.placed(ofModel, settings.aspect());
+    return parts.scene(cameras, settings.poses(), backplate, kernel, known);
   }
 
   /** Returns the places of objects and assets; requires an earlier call of {@link #scene}. */

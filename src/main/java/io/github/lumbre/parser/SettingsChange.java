@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Objects;
@@ -40,6 +41,11 @@ record SettingsChange(
     return change
         .apply(RenderSettings.builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
         .aspect();
+  }
+
+  /** Returns the options of a model, with the motion of its pose if these settings have one. */
+  ModelOptions inMotion(ModelOptions options) {
+    return options.during(change.apply(RenderSettings.DEFAULT));
   }
 
   /** Returns the settings of a scene that states none. */

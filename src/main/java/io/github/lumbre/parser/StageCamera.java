@@ -14,7 +14,10 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.Rotations;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -36,7 +39,7 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
       throws ModelFormatException {
     Optional<ModelCamera> own = own(stage, model);
     if (own.isPresent()) {
-      return of(own.get());
+      return of(own.get(), Transform.IDENTITY);
     }
     View from = stage.view().orElse(View.DEFAULT);
     CameraPose pose =
@@ -64,14 +67,44 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
     return lens.camera(pose.position(), pose.axes(), filmAspect);
   }
 
+  /** Returns cameras for a film of an aspect ratio; equal ones are one camera. */
+  static List<Camera> placed(List<StageCamera> cameras, double filmAspect) {
+    Map<StageCamera, Camera> known = new HashMap<>();
+    return cameras.stream()
+        .map(camera -> known.computeIfAbsent(camera, own -> own.placed(filmAspect)))
+        .toList();
+  }
+
   /** Returns the camera type's name in the scene format. */
   String type() {
     return lens instanceof Lens.Orthographic ? "Orthographic" : "Pinhole";
   }
 
+  /**
+   * Returns a camera of a model in each of its poses.
+   *
+   * @param name of the camera
+   * @param placement of the model in the scene
+   * @throws ModelFormatException if the model lacks the camera
+   */
+  static List<StageCamera> inPoses(Model model, String name, Transform placement)
+      throws ModelFormatException {
+    int index = ModelNames.index("cameras", "a camera", ModelContents.cameraNames(model), name);
+    List<StageCamera> all = new ArrayList<>();
+    for (Model pose : model.poses().isEmpty() ? List.of(model) : model.poses()) {
+      if (pose.cameras().size() != model.cameras().size()) {
+        throw new ModelFormatException(
+            Kind.MALFORMED, "cameras", "expected the same cameras in all poses");
+      }
+      all.add(of(pose.cameras().get(index), placement));
+    }
+    return all;
+  }
+
   /** Returns a camera of a model; its angles are rounded, as a scene file states them. */
-  private static StageCamera of(ModelCamera camera) throws ModelFormatException {
-    Transform toWorld = ModelScene.TO_LEFT_HANDED.times(camera.toWorld());
+  private static StageCamera of(ModelCamera camera, Transform placement)
+      throws ModelFormatException {
+    Transform toWorld = placement.times(ModelScene.TO_LEFT_HANDED).times(camera.toWorld());
     CameraPose pose =
         new CameraPose(toWorld.point(Vec3.ZERO), Rotations.degrees(ModelScene.axes(toWorld)));
     try {

@@ -92,7 +92,8 @@ final class StagedAnimation extends StagedFrames {
 
   @Override
   Stage stage(int index) {
-    return at((double) ((long) index * rate.seconds()) / rate.frames());
+    Stage still = at((double) ((long) index * rate.seconds()) / rate.frames());
+    return still.reading(parser.settings().inMotion(still.options()));
   }
 
   private Stage at(double time) {

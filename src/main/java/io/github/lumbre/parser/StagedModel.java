@@ -18,6 +18,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
+import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -167,6 +168,8 @@ final class StagedModel {
     RenderSettings settings = parser.settings().changed(settings(camera, parser), "size", problems);
     byte[] text = text(stage, camera, parser);
     hash.text(text);
+    Optional<String> moving = movingCamera(stage);
+    List<StageCamera> cameras = moving.isPresent() ? inPoses(moving.get()) : List.of(camera);
     SceneParts parts = new SceneParts();
     if (stage.ground()) {
       addGround(parts);
@@ -177,10 +180,12 @@ final class StagedModel {
     problems.throwIfAny();
     Scene scene =
         parts.scene(
-            camera.placed(settings.aspect()),
+            StageCamera.placed(cameras, settings.aspect()),
+            settings.poses(),
             stage.background(),
             parser.kernel(),
             Optional.empty());
+    SceneParser.requireNumbers(scene, settings, problems);
     SceneParser.warnOfLines(scene, settings, new Spot(problems, () -> "lines"));
     return new ParsedScene(
         scene,
@@ -200,9 +205,36 @@ final class StagedModel {
                 framing.max())));
   }
 
+  /** Returns the name of the model's camera that moves; empty if the camera stands still. */
+  private Optional<String> movingCamera(Stage of) throws SceneFormatException {
+    try {
+      Optional<ModelCamera> own = StageCamera.own(of, model);
+      if (own.isEmpty()) {
+        return Optional.empty();
+      }
+      String name = ModelContents.cameraNames(model).get(model.cameras().indexOf(own.get()));
+      boolean isMoving = inPoses(name).stream().distinct().count() > 1;
+      return isMoving ? Optional.of(name) : Optional.empty();
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
+  }
+
+  /** Returns a camera of the model in each pose. */
+  private List<StageCamera> inPoses(String name) throws SceneFormatException {
+    try {
+      return StageCamera.inPoses(model, name, Transform.IDENTITY);
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
+  }
+
   /** Returns the text of the scene: one line, which the header of a checkpoint file can hold. */
-  private byte[] text(Stage of, StageCamera camera, SceneParser parser) {
-    WrittenStage written = new WrittenStage(of, camera, framing.min().y());
+  private byte[] text(Stage of, StageCamera camera, SceneParser parser)
+      throws SceneFormatException {
+    WrittenStage written = new WrittenStage(of, camera, movingCamera(of), framing.min().y());
     JsonObject scene = written.scene(folder, file, settings(camera, parser));
     return scene.toString().getBytes(StandardCharsets.UTF_8);
   }

@@ -9,15 +9,17 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Writes the scene around a model as a scene file.
  *
  * @param stage the camera, sky, ground and background of the model
  * @param camera of the scene
+ * @param moving name of the model's camera that moves with the pose; empty if it stands still
  * @param floor height of the ground
  */
-record WrittenStage(Stage stage, StageCamera camera, double floor) {
+record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, double floor) {
   /**
    * Returns the scene.
    *
@@ -124,6 +126,7 @@ record WrittenStage(Stage stage, StageCamera camera, double floor) {
     JsonObject object = WrittenObjects.object("Model", "");
     object.addProperty(AssetData.FILE_KEY, name);
     Written.options(object, stage.options());
+    moving.ifPresent(own -> object.addProperty("useCamera", own));
     return object;
   }
 

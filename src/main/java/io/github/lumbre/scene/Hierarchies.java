@@ -7,6 +7,8 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightBounds;
 import io.github.lumbre.math.Bounds3;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
@@ -29,6 +31,46 @@ record Hierarchies(Bvh all, Bvh blockers, KernelChange change) {
   static Hierarchies over(List<Shape> shapes, Kernel kernel, List<Light> lights) {
     Bvh all = Bvh.over(shapes, kernel);
     return of(all, shapes, lights, all::part);
+  }
+
+  /**
+   * Returns the hierarchies of the poses of a scene in motion. They share one of the shapes that
+   * are the same in all poses, if all poses have equally many shapes, and change kernels together.
+   */
+  static List<Hierarchies> inMotion(List<SceneAssembly> poses) {
+    Kernel kernel = poses.get(0).kernel;
+    List<List<Shape>> shapes = poses.stream().map(SceneAssembly::shapes).toList();
+    BitSet still = still(shapes);
+    if (still.cardinality() == shapes.get(0).size()) {
+      Hierarchies first = over(shapes.get(0), kernel, poses.get(0).allLights());
+      return poses.stream()
+          .map(pose -> first.of(pose.allLights().equals(poses.get(0).allLights())))
+          .toList();
+    }
+    Bvh shared = Bvh.over(shapes.get(0), kernel, still::get);
+    List<Bvh> moving =
+        shapes.stream().map(some -> Bvh.over(some, kernel, i -> !still.get(i))).toList();
+    List<Bvh> parts = new ArrayList<>(moving);
+    parts.add(shared);
+    KernelChange change =
+        KernelChange.of(parts, shapes.stream().flatMap(List::stream).distinct().toList());
+    return moving.stream()
+        .map(own -> Bvh.both(shared, own))
+        .map(both -> new Hierarchies(both, both, change))
+        .toList();
+  }
+
+  /** Returns the numbers of the shapes that are the same in all poses. */
+  private static BitSet still(List<List<Shape>> poses) {
+    List<Shape> first = poses.get(0);
+    BitSet still = new BitSet();
+    if (poses.stream().allMatch(pose -> pose.size() == first.size())) {
+      for (int i = 0; i < first.size(); i++) {
+        int shape = i;
+        still.set(i, poses.stream().allMatch(pose -> pose.get(shape) == first.get(shape)));
+      }
+    }
+    return still;
   }
 
   /** Returns hierarchies that count visited nodes; see {@link Bvh#counting}. */

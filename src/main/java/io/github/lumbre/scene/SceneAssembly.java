@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The surfaces and lights of a scene in world space, in their order: what readers of files and
@@ -189,6 +190,45 @@ public final class SceneAssembly {
    */
   public Scene build() {
     return new Scene(this, Optional.empty());
+  }
+
+  /**
+   * Returns a scene in motion, whose poses share the hierarchies of what does not move; see {@link
+   * Scene#inMotion}.
+   *
+   * @param poses in the order of time; a shape that does not move is the same object in all of
+   *     them. A single pose stands still
+   * @throws IllegalStateException if the kernel is not available
+   */
+  public static Scene inMotion(List<SceneAssembly> poses) {
+    if (poses.size() == 1) {
+      return poses.get(0).build();
+    }
+    List<Hierarchies> hierarchies = Hierarchies.inMotion(poses);
+    List<Scene> scenes = new ArrayList<>();
+    for (int i = 0; i < poses.size(); i++) {
+      SceneAssembly pose = poses.get(i);
+      scenes.add(
+          i > 0 && pose.isSame(poses.get(i - 1))
+              ? scenes.get(i - 1)
+              : new Scene(pose, Optional.empty(), Optional.of(hierarchies.get(i))));
+    }
+    return Scene.inMotion(scenes);
+  }
+
+  private boolean isSame(SceneAssembly other) {
+    return camera == other.camera
+        && primitives.equals(other.primitives)
+        && lights.equals(other.lights)
+        && emitters.equals(other.emitters);
+  }
+
+  List<Shape> shapes() {
+    return primitives.stream().map(Primitive::shape).toList();
+  }
+
+  List<Light> allLights() {
+    return Stream.concat(lights.stream(), emitters.stream()).toList();
   }
 
   /**

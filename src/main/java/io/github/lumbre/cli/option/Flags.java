@@ -20,6 +20,11 @@ abstract class Flags {
     checks().require(condition, message);
   }
 
+  /** Returns whether a flag of the command is given. */
+  final boolean isGiven(String flag) {
+    return spec.commandLine().getParseResult().hasMatchedOption(flag);
+  }
+
   /** Returns the checks of the command's flags. */
   final FlagChecks checks() {
     return new FlagChecks(spec);

@@ -11,6 +11,7 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -45,6 +46,9 @@ public final class RenderFlags extends Flags {
   /** Whether the layers for denoising are recorded besides those that are asked for. */
   private boolean isForDenoising;
 
+  /** Sets the motion in one picture. */
+  private Consumer<RenderSettings.Builder> exposure = settings -> {};
+
   /** The samples per pixel without a flag; empty for the samples of the scene. */
   private OptionalInt usualSamples = OptionalInt.empty();
 
@@ -73,6 +77,11 @@ public final class RenderFlags extends Flags {
   public void recordForDenoising(boolean isWanted, OptionalInt samples) {
     isForDenoising = isWanted;
     usualSamples = samples;
+  }
+
+  /** Sets the time of the shutter and the poses by flags of their own. */
+  public void expose(Consumer<RenderSettings.Builder> byFlags) {
+    exposure = byFlags;
   }
 
   /** Returns the layers that are asked for. */
@@ -118,12 +127,18 @@ public final class RenderFlags extends Flags {
   private RenderSettings changed(
       RenderSettings inScene, boolean isOpen, boolean adaptive, OptionalInt pathDepth) {
     RenderSettings.Builder builder = inScene.toBuilder().adaptive(adaptive);
-    usualSamples.ifPresent(builder::samples);
+    exposure.accept(builder);
+    usualSamples.ifPresent(n -> builder.samples(Math.max(n, forNoise(builder.build().poses()))));
     if (isOpen) {
       builder.samples(RenderSettings.MAX_SAMPLES);
     }
     pathDepth.ifPresent(builder::maxTraceDepth);
     return builder.build();
+  }
+
+  /** Returns the samples per pixel from which on the noise is known, which a denoiser needs. */
+  private static int forNoise(int poses) {
+    return poses == 1 ? 1 : 2 * poses;
   }
 
   private RenderSettings override(RenderSettings inScene) {

@@ -79,6 +79,9 @@ public final class SampleFlags extends Flags {
     samples.ifPresent(builder::samples);
     samplesTo.ifPresent(n -> builder.samples(n - first()));
     part().ifPresent(part -> select(part, builder));
+    int poses = builder.build().poses();
+    samplesFrom.ifPresent(n -> requireWhole("--samples-from", n, poses));
+    samplesTo.ifPresent(n -> requireWhole("--samples-to", n, poses));
   }
 
   private Optional<Share> part() {
@@ -89,14 +92,22 @@ public final class SampleFlags extends Flags {
     }
   }
 
-  /** Limits the samples to the share. */
+  private void requireWhole(String flag, int samples, int poses) {
+    require(
+        samples % poses == 0,
+        flag + ": expected a multiple of the number of poses, " + poses + ", found " + samples);
+  }
+
+  /** Limits the samples to the share, which has equally many of each pose. */
   private void select(Share part, RenderSettings.Builder builder) {
-    int all = builder.build().samples();
+    RenderSettings whole = builder.build().withWholePoses();
+    int poses = whole.poses();
+    int all = whole.samples() / poses;
     try {
-      firstOfShare = part.first(all, "sample");
+      firstOfShare = poses * part.first(all, poses == 1 ? "sample" : "exposure");
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), "--share: " + e.getMessage(), e);
     }
-    builder.samples(part.end(all) - firstOfShare);
+    builder.samples(poses * part.end(all) - firstOfShare);
   }
 }

@@ -83,8 +83,9 @@ public final class SequenceFlags extends Flags {
             + ": requires --turntable, --animation or several scenes; a picture ends in one of "
             + ImageFormat.endings());
     require(
-        fps.isEmpty() || animation.isPresent() || joined.isPresent(),
-        "--fps: requires --animation or a file that ends in " + AnimationFormat.endings());
+        fps.isEmpty() || animation.isPresent() || joined.isPresent() || isGiven("--shutter"),
+        "--fps: requires --animation, --shutter or a file that ends in "
+            + AnimationFormat.endings());
     require(frames.isEmpty() || isSequence, "--frames: requires --turntable or --animation");
     require(!continued || isSequence, "--continue: requires --turntable or --animation");
     require(

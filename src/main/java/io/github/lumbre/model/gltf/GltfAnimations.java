@@ -57,9 +57,11 @@ final class GltfAnimations {
   /**
    * Returns the values of animated properties at a time. Warns if the animation ends before.
    *
+   * @param wanted the animation, and the time that the warning is about
+   * @param seconds the time
    * @throws ModelFormatException if the file has no such animation
    */
-  GltfPose pose(ModelOptions.Pose wanted, GltfNodes nodes)
+  GltfPose pose(ModelOptions.Pose wanted, double seconds, GltfNodes nodes)
       throws ModelFormatException, IOException {
     GltfJson json = document.section("animations").get(find(wanted.animation()));
     List<GltfJson> samplers = json.objects("samplers");
@@ -69,7 +71,7 @@ final class GltfAnimations {
       OptionalInt node = target.index("node", nodes.size());
       if (node.isPresent()) {
         GltfJson sampler = samplers.get(channel.requireIndex("sampler", samplers.size()));
-        set(pose, nodes.get(node.getAsInt()), node.getAsInt(), target, sampler, wanted.seconds());
+        set(pose, nodes.get(node.getAsInt()), node.getAsInt(), target, sampler, seconds);
       }
     }
     double end = pose.end();

@@ -3,8 +3,13 @@ package io.github.lumbre.model.gltf;
 import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.ModelPart;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
 
 /** Limits on the memory that the content of one glTF file may use. Mutable. */
 final class GltfBudget {
@@ -23,6 +28,9 @@ final class GltfBudget {
   /** Heap bytes of a part: its two objects and its transform. */
   private static final int BYTES_PER_PART = 400;
 
+  /** Heap bytes of a triangle or point in the hierarchy of one pose, with its vertices. */
+  private static final long BYTES_PER_MOVED = 250;
+
   /** Heap bytes of a node and its transforms. */
   private static final long BYTES_PER_NODE = 500;
 
@@ -33,6 +41,11 @@ final class GltfBudget {
   private long indices;
   private long parts;
 
+  /** The meshes of all poses of a model in motion, and their triangles after the first pose. */
+  private final Map<ModelGeometry, Boolean> shapes = new IdentityHashMap<>();
+
+  private long moved;
+
   /** Creates the budget of a file: at most three quarters of the heap, and within the limits. */
   GltfBudget(Limits limits) {
     this.limits = limits.withMemory(Math.min(limits.memory(), Limits.NONE.heap() / 4 * 3));
@@ -42,6 +55,29 @@ final class GltfBudget {
   void addItems(String location, ModelGeometry geometry) throws ModelFormatException {
     items += geometry.itemCount();
     ModelLimits.requireItems(location, geometry, items, limits);
+  }
+
+  /**
+   * Adds a pose of a model in motion.
+   *
+   * @param poses all so far; they share the meshes that keep their shape
+   * @param all number of poses that there will be
+   * @throws ModelFormatException if their scenes, with as many new meshes in each pose to come as
+   *     in those that were read, do not fit into the memory
+   */
+  void addPose(List<Model> poses, int all) throws ModelFormatException {
+    for (ModelPart part : poses.get(poses.size() - 1).parts()) {
+      if (shapes.put(part.geometry(), true) == null && poses.size() > 1) {
+        moved += part.geometry().itemCount();
+      }
+    }
+    if (poses.size() > 1) {
+      long expected = moved / (poses.size() - 1) * (all - 1);
+      String what = "animations: " + all + " poses";
+      ModelLimits.requireMemory(what, bytes + BYTES_PER_MOVED * expected, limits);
+    }
+    items = 0;
+    parts = 0;
   }
 
   /** Returns the number of tokens of JSON that may be read. */

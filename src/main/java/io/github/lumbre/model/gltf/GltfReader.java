@@ -47,8 +47,9 @@ public final class GltfReader {
   private final GltfCameras cameras;
   private final GltfNodes nodes;
   private final GltfInstances instances;
-  private final GltfPose pose;
+  private final Optional<ModelOptions.Pose> motion;
   private final boolean lenient;
+  private GltfPose pose = new GltfPose();
   private Optional<ModelFormatException> unreadable = Optional.empty();
   private final Map<Integer, GltfSkin> skins = new HashMap<>();
   private final List<ModelPart> parts = new ArrayList<>();
@@ -75,8 +76,7 @@ public final class GltfReader {
     cameras = new GltfCameras(document);
     nodes = new GltfNodes(document, lights.size());
     instances = new GltfInstances(document, accessors);
-    pose =
-        options.pose().isPresent() ? animations.pose(options.pose().get(), nodes) : new GltfPose();
+    motion = options.pose();
   }
 
   /** Returns whether a file begins like a GLB file, or like a JSON text with an asset. */
@@ -112,7 +112,26 @@ public final class GltfReader {
     return new GltfReader(document, buffers, options).read();
   }
 
+  /** Returns the model in its pose, or in motion. */
   private Model read() throws ModelFormatException, IOException {
+    if (motion.isEmpty()) {
+      return posed();
+    }
+    List<Model> poses = new ArrayList<>();
+    for (double seconds : motion.get().times()) {
+      pose = animations.pose(motion.get(), seconds, nodes);
+      poses.add(posed());
+      document.budget().addPose(poses, motion.get().poses());
+      parts.clear();
+      placedCameras.clear();
+      placedLights.clear();
+      skins.clear();
+    }
+    return Model.inMotion(poses);
+  }
+
+  /** Returns the model in its present pose. */
+  private Model posed() throws ModelFormatException, IOException {
     nodes.place(pose);
     for (int index : nodes.shown()) {
       GltfNode node = nodes.get(index);

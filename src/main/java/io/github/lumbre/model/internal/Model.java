@@ -24,6 +24,8 @@ import java.util.Objects;
  * @param animations animations that the file offers; empty if it has none
  * @param warnings problems that do not prevent rendering, each with its place in the file; empty if
  *     there are none
+ * @param poses the model in each part of the time during which it moves for one picture; empty if
+ *     it stands still. Parts that do not move are the same objects in all poses
  */
 public record Model(
     Transform fromFile,
@@ -35,7 +37,8 @@ public record Model(
     List<ModelLight> lights,
     List<String> variants,
     List<ModelAnimation> animations,
-    List<String> warnings) {
+    List<String> warnings,
+    List<Model> poses) {
   /** The number of warnings in the error of a model without surfaces. */
   private static final int MAX_REASONS = 3;
 
@@ -51,6 +54,63 @@ public record Model(
     variants = List.copyOf(variants);
     animations = List.copyOf(animations);
     warnings = List.copyOf(warnings);
+    poses = List.copyOf(poses);
+  }
+
+  /** Creates a model that stands still. */
+  public Model(
+      Transform fromFile,
+      String unit,
+      TriangleMesh.Front front,
+      List<ModelPart> parts,
+      double pointRadius,
+      List<ModelCamera> cameras,
+      List<ModelLight> lights,
+      List<String> variants,
+      List<ModelAnimation> animations,
+      List<String> warnings) {
+    this(
+        fromFile,
+        unit,
+        front,
+        parts,
+        pointRadius,
+        cameras,
+        lights,
+        variants,
+        animations,
+        warnings,
+        List.of());
+  }
+
+  /**
+   * Returns a model in motion: the middle one of some poses, with them all. Its parts and meshes
+   * are shared by poses in which they are the same.
+   *
+   * @param poses in the order of time, at least one; a single one stands still
+   */
+  public static Model inMotion(List<Model> poses) {
+    if (poses.size() == 1) {
+      return poses.get(0);
+    }
+    SharedParts shared = new SharedParts();
+    List<Model> all = poses.stream().map(pose -> pose.with(shared.of(pose.parts()))).toList();
+    return all.get(all.size() / 2).moving(all);
+  }
+
+  private Model moving(List<Model> newPoses) {
+    return new Model(
+        fromFile,
+        unit,
+        front,
+        parts,
+        pointRadius,
+        cameras,
+        lights,
+        variants,
+        animations,
+        warnings,
+        newPoses);
   }
 
   private Model with(
@@ -71,7 +131,7 @@ public record Model(
         newWarnings);
   }
 
-  /** Returns this model with another {@link #fromFile} and {@link #unit}. */
+  /** Returns this model, standing still, with another {@link #fromFile} and {@link #unit}. */
   public Model from(Transform file, String unitOfFile) {
     return new Model(
         file,
@@ -86,12 +146,12 @@ public record Model(
         warnings);
   }
 
-  /** Returns this model with other parts, and without lights. */
+  /** Returns this model, standing still, with other parts and without lights. */
   public Model unlit(List<ModelPart> newParts) {
     return with(newParts, List.of(), pointRadius, warnings);
   }
 
-  /** Returns this model with other parts. */
+  /** Returns this model, standing still, with other parts. */
   public Model with(List<ModelPart> newParts) {
     return with(newParts, lights, pointRadius, warnings);
   }
@@ -99,11 +159,11 @@ public record Model(
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return with(parts, lights, pointRadius, all);
+    return with(parts, lights, pointRadius, all).moving(poses);
   }
 
   /**
-   * Returns this model with another radius of points.
+   * Returns this model, standing still, with another radius of points.
    *
    * @param radius more than 0; the nearest possible one is used
    */

@@ -12,6 +12,7 @@ import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -90,16 +91,26 @@ public final class ModelReader {
   /** Returns what the options show of a model, except for one of an archive, which is finished. */
   private static Model finished(Model read, ModelFormat format, ModelOptions options)
       throws ModelFormatException {
-    Model model = PartSelection.labeled(Looks.of(checked(read, options), options));
-    boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
-    Model placed = statesUnit ? model : model.from(options.toWorld(), "");
     double unit = format == ModelFormat.GLTF ? 1 : options.unit();
     double radius =
         options.pointRadius().isPresent()
             ? options.pointRadius().getAsDouble() * unit
-            : PointSpacing.radius(model);
-    Model shown = PartSelection.shown(placed.withPointRadius(radius), options);
-    return Sections.cut(shown, options);
+            : PointSpacing.radius(checked(read, options));
+    List<Model> poses = new ArrayList<>();
+    for (Model pose : read.poses()) {
+      poses.add(shown(pose, format, options, radius));
+    }
+    Model all = poses.isEmpty() ? shown(read, format, options, radius) : Model.inMotion(poses);
+    return Sections.cut(all, options);
+  }
+
+  private static Model shown(
+      Model read, ModelFormat format, ModelOptions options, double pointRadius)
+      throws ModelFormatException {
+    Model model = PartSelection.labeled(Looks.of(checked(read, options), options));
+    boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
+    Model placed = statesUnit ? model : model.from(options.toWorld(), "");
+    return PartSelection.shown(placed.withPointRadius(pointRadius), options);
   }
 
   private static ModelFormat format(String name, byte[] content) throws ModelFormatException {

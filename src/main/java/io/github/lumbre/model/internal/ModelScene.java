@@ -77,6 +77,12 @@ public final class ModelScene {
   private final Map<CloudKey, Shape> clouds;
   private final Map<TriangleMesh, SharedMesh> shared;
 
+  /** The surfaces of parts that do not move between poses, once they are made. */
+  private final Map<ModelPart, ModelSurface> made;
+
+  /** The number of parts of each mesh, in all poses. */
+  private final Map<ModelGeometry, Integer> uses;
+
   /** Whether all meshes are shared, also those that the model places once. */
   private final boolean sharesAll;
 
@@ -96,6 +102,8 @@ public final class ModelScene {
     meshes = new ConcurrentHashMap<>();
     clouds = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());
+    made = new IdentityHashMap<>();
+    uses = uses(model);
     this.sharesAll = sharesAll;
   }
 
@@ -107,7 +115,39 @@ public final class ModelScene {
     meshes = other.meshes;
     clouds = other.clouds;
     shared = other.shared;
+    made = new IdentityHashMap<>();
+    uses = other.uses;
     this.sharesAll = sharesAll;
+  }
+
+  private ModelScene(ModelScene other, Model pose) {
+    model = pose;
+    toWorld = other.toWorld;
+    kernel = other.kernel;
+    materials = other.materials;
+    meshes = other.meshes;
+    clouds = other.clouds;
+    shared = other.shared;
+    made = other.made;
+    uses = other.uses;
+    sharesAll = other.sharesAll;
+  }
+
+  private static Map<ModelGeometry, Integer> uses(Model model) {
+    Map<ModelPart, Boolean> parts = new IdentityHashMap<>();
+    model.parts().forEach(part -> parts.put(part, true));
+    model.poses().forEach(pose -> pose.parts().forEach(part -> parts.put(part, true)));
+    Map<ModelGeometry, Integer> uses = new IdentityHashMap<>();
+    parts.keySet().forEach(part -> uses.merge(part.geometry(), 1, Integer::sum));
+    return uses;
+  }
+
+  /**
+   * Returns a pose of the model, which is in motion. Poses share the surfaces that do not move, and
+   * all meshes that move and keep their shape.
+   */
+  public ModelScene posed(Model pose) {
+    return new ModelScene(this, pose);
   }
 
   /**
@@ -139,35 +179,43 @@ public final class ModelScene {
    * @throws ModelFormatException if a picture is too large
    */
   public List<ModelSurface> surfaces() throws ModelFormatException {
-    Map<ModelGeometry, Integer> uses = new IdentityHashMap<>();
-    model.parts().forEach(part -> uses.merge(part.geometry(), 1, Integer::sum));
     List<ModelSurface> surfaces = new ArrayList<>();
     for (ModelPart part : model.parts()) {
-      if (part.geometry().isPoints()) {
-        surfaces.add(points(part));
-        continue;
-      }
-      TriangleMesh mesh = mesh(part);
-      if (mesh.triangleCount() > 0) {
-        Transform partToWorld = toWorld.times(part.toWorld());
-        Shape shape = shape(mesh, partToWorld, sharesAll || uses.get(part.geometry()) > 1);
-        boolean isClosed = !part.material().doubleSided() && shape.isClosed();
-        surfaces.add(
-            new ModelSurface(
-                part,
-                shape,
-                materials.of(part.material(), isClosed),
-                materials
-                    .emission(part.material(), part.geometry().colors().length > 0)
-                    .map(
-                        emission ->
-                            part.material().flat()
-                                ? List.of(new Emitter(shape, emission))
-                                : EmissiveTriangles.of(mesh, shape, partToWorld, emission))
-                    .orElse(List.of())));
-      }
+      ModelSurface known = made.get(part);
+      Optional<ModelSurface> surface = known == null ? surface(part) : Optional.of(known);
+      surface.ifPresent(
+          found -> {
+            made.put(part, found);
+            surfaces.add(found);
+          });
     }
     return surfaces;
+  }
+
+  private Optional<ModelSurface> surface(ModelPart part) throws ModelFormatException {
+    if (part.geometry().isPoints()) {
+      return Optional.of(points(part));
+    }
+    TriangleMesh mesh = mesh(part);
+    if (mesh.triangleCount() == 0) {
+      return Optional.empty();
+    }
+    Transform partToWorld = toWorld.times(part.toWorld());
+    Shape shape = shape(mesh, partToWorld, sharesAll || uses.get(part.geometry()) > 1);
+    boolean isClosed = !part.material().doubleSided() && shape.isClosed();
+    return Optional.of(
+        new ModelSurface(
+            part,
+            shape,
+            materials.of(part.material(), isClosed),
+            materials
+                .emission(part.material(), part.geometry().colors().length > 0)
+                .map(
+                    emission ->
+                        part.material().flat()
+                            ? List.of(new Emitter(shape, emission))
+                            : EmissiveTriangles.of(mesh, shape, partToWorld, emission))
+                .orElse(List.of())));
   }
 
   /** Returns points as one surface of spheres. */

@@ -32,7 +32,8 @@ import java.util.stream.Stream;
 
 /**
  * Cuts a model by planes: what is in front of all of them is removed, so that two planes remove a
- * quarter. Closed parts get a hatched surface where they are cut. Confined to one thread.
+ * quarter. Closed parts get a hatched surface where they are cut. The planes of a model in motion
+ * stand still. Confined to one thread.
  */
 public final class Sections {
   /** The parts of the diagonal of the model's box that are the distance of hatch lines. */
@@ -47,7 +48,7 @@ public final class Sections {
   private final List<CutPlane> planes;
   private final ModelOptions options;
   private final double distance;
-  private final Warnings warnings = new Warnings();
+  private final Warnings warnings;
   private final Map<ModelGeometry, Bounds3> boxes = new IdentityHashMap<>();
 
   /** What is left of each part of the model; nothing for a part that is removed. */
@@ -60,6 +61,15 @@ public final class Sections {
     this.planes = planes;
     this.options = options;
     this.distance = distance;
+    warnings = new Warnings();
+  }
+
+  /** Creates the sections of another pose of the model. */
+  private Sections(Sections other) {
+    planes = other.planes;
+    options = other.options;
+    distance = other.distance;
+    warnings = other.warnings;
   }
 
   /**
@@ -81,7 +91,7 @@ public final class Sections {
       planes.add(Section.of(text).in(inFile, model.fromFile()));
     }
     Sections sections = new Sections(planes, options, 2 * bounds.radius() / LINES);
-    Model result = sections.of(model);
+    Model result = sections.inMotion(model);
     String size = " the model, which is " + text(inFile) + " in the unit of the file";
     if (result.parts().isEmpty()) {
       String expected = "expected a plane that leaves something of" + size;
@@ -127,6 +137,14 @@ public final class Sections {
       }
     }
     return new Bounds3(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));
+  }
+
+  private Model inMotion(Model model) throws ModelFormatException {
+    List<Model> poses = new ArrayList<>();
+    for (Model pose : model.poses()) {
+      poses.add(new Sections(this).of(pose));
+    }
+    return poses.isEmpty() ? of(model) : Model.inMotion(poses);
   }
 
   private Model of(Model model) throws ModelFormatException {
