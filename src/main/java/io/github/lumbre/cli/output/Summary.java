@@ -20,8 +20,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 
-/** The summary that is printed after a render. */
-public final class Summary {
+/**
+ * The summary that is printed after a render.
+ *
+ * @param seconds rendering time
+ * @param samplesInAll number of samples of the picture, including samples of earlier runs
+ */
+public record Summary(
+    RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
   /** The luminance after exposure below which a pixel is dark. */
   private static final double DARK = .1;
 
@@ -34,40 +40,12 @@ public final class Summary {
   /** The number of digits of a mean number of samples. */
   private static final int DIGITS = 3;
 
-  private final RenderSettings settings;
-  private final RenderResult result;
-  private final double seconds;
-  private final long samplesInAll;
-
-  /**
-   * @param seconds rendering time
-   */
-  public Summary(RenderSettings settings, RenderResult result, double seconds) {
-    this(settings, result, seconds, result.statistics().samples());
-  }
-
-  /**
-   * @param seconds rendering time
-   * @param samplesInAll number of samples of the picture, including samples of earlier runs
-   */
-  public Summary(RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
-    this.settings = settings;
-    this.result = result;
-    this.seconds = seconds;
-    this.samplesInAll = samplesInAll;
-  }
-
-  /** Prints the picture's path, its size, its samples and the rendering time. */
-  public void print(Path output, Messages messages) {
-    print(output, perPixel(String.valueOf(settings.samples())), "", messages);
-  }
-
   /** Prints the picture's path, its size, its samples, its noise and the rendering time. */
   public void print(Path output, NoiseReport noise, Messages messages) {
     print(output, noise.perPixel(), noise.line(), messages);
   }
 
-  private void print(Path output, String samples, String noise, Messages messages) {
+  void print(Path output, String samples, String noise, Messages messages) {
     Image image = result.image();
     messages.line(
         String.format(

@@ -43,7 +43,7 @@ class SummaryTest {
   private static Summary summary(boolean complete, List<RejectedSample> rejected) {
     RenderStatistics statistics =
         new RenderStatistics(40, 100, 50, rejected.size(), rejected, 0, 0, 0, 0);
-    return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2);
+    return new Summary(SETTINGS, new RenderResult(Image.black(4, 2), complete, statistics), 2, 40);
   }
 
   private static String lines(Consumer<Messages> print) {
@@ -55,7 +55,7 @@ class SummaryTest {
   @Test
   void partialPicturesAreCalledThat() {
     Summary partial = summary(false, List.of());
-    assertThat(lines(messages -> partial.print(Path.of("p.png"), messages)))
+    assertThat(lines(messages -> partial.print(Path.of("p.png"), "", "", messages)))
         .startsWith(
             "p.png: stopped early, partial picture of 4x2 pixels, 5 of 10 samples per pixel, 2.00"
                 + " s")
@@ -74,7 +74,7 @@ class SummaryTest {
     Supplier<Optional<String>> obstacle =
         () -> Optional.of("this Java has no module jdk.incubator.vector");
     RenderResult result = new RenderResult(Image.black(4, 2), true, RenderStatistics.ZERO);
-    Summary longer = new Summary(SETTINGS, result, 11);
+    Summary longer = new Summary(SETTINGS, result, 11, 0);
     assertThat(lines(m -> longer.printKernel(obstacle, m)))
         .isEqualToIgnoringNewLines(
             "hint: the scalar kernel rendered this picture, because this Java has no module"
@@ -118,7 +118,7 @@ class SummaryTest {
     RenderSettings settings = SETTINGS.toBuilder().exposure(Exposure.of(stops)).build();
     RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
     String line =
-        lines(m -> new Summary(settings, result, 2).printHint(scene(distance), m)).strip();
+        lines(m -> new Summary(settings, result, 2, 0).printHint(scene(distance), m)).strip();
     assertThat(line.lines().count()).isEqualTo(hint == null ? 0 : 1);
     assertThat(line).contains(hint == null ? "" : hint);
   }
@@ -211,8 +211,8 @@ class SummaryTest {
   void countsAndStandardOutputReadWell() {
     RenderSettings one = SETTINGS.toBuilder().samples(1).build();
     RenderResult result = new RenderResult(Image.black(4, 2), true, RenderStatistics.ZERO);
-    Summary summary = new Summary(one, result, 2);
-    assertThat(lines(messages -> summary.print(Path.of("-"), messages)))
+    Summary summary = new Summary(one, result, 2, 0);
+    assertThat(lines(messages -> summary.print(Path.of("-"), Summary.perPixel("1"), "", messages)))
         .startsWith("standard output: 4x2 pixels, 1 sample per pixel, 2.00 s");
   }
 
