@@ -89,11 +89,8 @@ final class LightCheck implements Check {
             Finding.note(
                 LAW,
                 file.origins().emitters().get(i),
-                "none of "
-                    + pilot.paths()
-                    + " pilot paths found its light; it has "
-                    + percent(power)
-                    + " of the power of all lights",
+                "none of %s pilot paths found its light; it has %s of the power of all lights"
+                    .formatted(pilot.paths(), percent(power)),
                 "it costs samples but seems to light nothing in view: it may face away, be hidden,"
                     + " or be too small or too far for the pilot",
                 "turn, move or remove it"));

@@ -195,13 +195,8 @@ public record FilmFile(FilmHeader header, Film film) {
       if (HeaderText.VERSIONS.stream()
           .noneMatch(version -> first.equals(HeaderText.MAGIC + " " + version))) {
         throw new FilmFormatException(
-            "expected '"
-                + HeaderText.MAGIC
-                + "' with version "
-                + String.join(" or ", HeaderText.VERSIONS)
-                + ", found '"
-                + first
-                + "'");
+            "expected '%s' with version %s, found '%s'"
+                .formatted(HeaderText.MAGIC, String.join(" or ", HeaderText.VERSIONS), first));
       }
       return HeaderText.parse(text);
     }

@@ -169,14 +169,8 @@ public record FilmHeader(
   void requireSameLayers(FilmHeader other, String here, String there) throws FilmMismatchException {
     if (!other.layers.equals(layers)) {
       throw new FilmMismatchException(
-          "layers: "
-              + here
-              + " has "
-              + shown(layers)
-              + ", "
-              + there
-              + " has "
-              + shown(other.layers));
+          "layers: %s has %s, %s has %s"
+              .formatted(here, shown(layers), there, shown(other.layers)));
     }
   }
 

@@ -61,14 +61,8 @@ public final class FilmMerge {
               films.get(j).file().header().parts().stream().filter(part::overlaps).findFirst();
           if (other.isPresent()) {
             throw new FilmMismatchException(
-                "samples in common: "
-                    + films.get(j).name()
-                    + " has "
-                    + other.get()
-                    + ", and "
-                    + films.get(i).name()
-                    + " has "
-                    + part);
+                "samples in common: %s has %s, and %s has %s"
+                    .formatted(films.get(j).name(), other.get(), films.get(i).name(), part));
           }
         }
       }

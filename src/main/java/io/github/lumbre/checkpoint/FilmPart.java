@@ -94,17 +94,7 @@ public record FilmPart(Crop window, int first, int fewest, int most) {
 
   @Override
   public String toString() {
-    return "samples "
-        + first
-        + " to "
-        + (end() - 1)
-        + " of "
-        + window.width()
-        + "x"
-        + window.height()
-        + " pixels at "
-        + window.x()
-        + ","
-        + window.y();
+    return "samples %s to %s of %sx%s pixels at %s,%s"
+        .formatted(first, end() - 1, window.width(), window.height(), window.x(), window.y());
   }
 }

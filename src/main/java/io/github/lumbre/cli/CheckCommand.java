@@ -97,10 +97,8 @@ final class CheckCommand extends Subcommand {
     out.line("size       " + settings.width() + "x" + settings.height() + " pixels");
     out.line("mode       " + settings.mode().name().toLowerCase(Locale.ROOT) + depths(settings));
     out.line(
-        "samples    "
-            + settings.samples()
-            + " per pixel"
-            + (options.isModel() ? ", denoised" : ""));
+        "samples    %s per pixel%s"
+            .formatted(settings.samples(), options.isModel() ? ", denoised" : ""));
     out.line("shapes     " + contents.shapes());
     out.line("meshes     " + contents.meshes());
     out.line("triangles  " + contents.triangles());
@@ -171,10 +169,8 @@ final class CheckCommand extends Subcommand {
     return switch (settings.mode()) {
       case PATH -> ", depth " + settings.maxTraceDepth();
       case RAY ->
-          ", reflection depth "
-              + settings.reflectionTraceDepth()
-              + ", refraction depth "
-              + settings.refractionTraceDepth();
+          ", reflection depth %s, refraction depth %s"
+              .formatted(settings.reflectionTraceDepth(), settings.refractionTraceDepth());
     };
   }
 }

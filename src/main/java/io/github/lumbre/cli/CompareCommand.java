@@ -146,11 +146,8 @@ final class CompareCommand extends Subcommand {
         (name, limit) -> {
           require(
               NAMES.contains(name),
-              "--tolerance: expected one of "
-                  + String.join(", ", NAMES)
-                  + ", found '"
-                  + name
-                  + "'");
+              "--tolerance: expected one of %s, found '%s'"
+                  .formatted(String.join(", ", NAMES), name));
           require(limit >= 0, "--tolerance: expected numbers of at least 0, found " + plain(limit));
         });
     errorMap.ifPresent(

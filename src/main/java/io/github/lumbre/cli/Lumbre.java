@@ -242,11 +242,8 @@ public final class Lumbre implements Runnable {
     for (String arg : args) {
       if (arg.indexOf(GARBLED) >= 0) {
         messages.error(
-            arg
-                + ": the locale's encoding, "
-                + System.getProperty("sun.jnu.encoding")
-                + ", cannot represent this argument; "
-                + FileFailure.REMEDY);
+            "%s: the locale's encoding, %s, cannot represent this argument; %s"
+                .formatted(arg, System.getProperty("sun.jnu.encoding"), FileFailure.REMEDY));
         return ExitCodes.USAGE;
       }
     }

@@ -130,10 +130,8 @@ final class MergeCommand extends Subcommand {
 
   private TaskException kept(String why) {
     return Kind.OUTPUT.failure(
-        output
-            + ": "
-            + why
-            + "; choose another path with -o, or replace the file with --overwrite");
+        "%s: %s; choose another path with -o, or replace the file with --overwrite"
+            .formatted(output, why));
   }
 
   private FilmFile merged() throws TaskException {

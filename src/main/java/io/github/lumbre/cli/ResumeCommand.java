@@ -252,10 +252,8 @@ final class ResumeCommand extends Subcommand {
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
     if (limit < most) {
       throw Kind.USAGE.failure(
-          "--samples: expected at least the "
-              + Numbers.count(most, "sample")
-              + " per pixel already rendered, found "
-              + limit);
+          "--samples: expected at least the %s per pixel already rendered, found %s"
+              .formatted(Numbers.count(most, "sample"), limit));
     }
     try {
       SceneParser parser =

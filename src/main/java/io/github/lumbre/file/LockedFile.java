@@ -97,11 +97,8 @@ final class LockedFile implements Closeable {
           path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
     } catch (FileSystemException e) {
       throw new IOException(
-          target
-              + ": the directory "
-              + path.getParent()
-              + " cannot be written: "
-              + reason(e, path.getParent()),
+          "%s: the directory %s cannot be written: %s"
+              .formatted(target, path.getParent(), reason(e, path.getParent())),
           e);
     }
   }

@@ -58,12 +58,8 @@ public record ImageLayer(
     boolean isPrintable = name.chars().noneMatch(Character::isISOControl);
     if (name.length() < least || name.length() > 255 || !isPrintable) {
       throw new IllegalArgumentException(
-          what
-              + ": expected "
-              + least
-              + " to 255 characters without control characters, found '"
-              + name
-              + "'");
+          "%s: expected %s to 255 characters without control characters, found '%s'"
+              .formatted(what, least, name));
     }
   }
 

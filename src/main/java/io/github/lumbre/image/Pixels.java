@@ -140,14 +140,7 @@ public final class Pixels {
   /** Returns the size and the kind of values, for people. */
   @Override
   public String toString() {
-    return "Pixels: "
-        + width
-        + "x"
-        + height
-        + ", "
-        + channels
-        + " channels of "
-        + (shorts.length == 0 ? 8 : 16)
-        + " bits";
+    return "Pixels: %sx%s, %s channels of %s bits"
+        .formatted(width, height, channels, shorts.length == 0 ? 8 : 16);
   }
 }

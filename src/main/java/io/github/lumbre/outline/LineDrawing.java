@@ -36,10 +36,8 @@ public record LineDrawing(RenderSettings settings, Optional<Outlines> outlines) 
     return others == 0
         ? Optional.empty()
         : Optional.of(
-            others
-                + " of "
-                + scene.primitives().size()
-                + " shapes have no lines, because only meshes have edges");
+            "%s of %s shapes have no lines, because only meshes have edges"
+                .formatted(others, scene.primitives().size()));
   }
 
   /**

@@ -106,12 +106,8 @@ final class AssetTable {
 
   private void reportDangling(JsonNode from, String key, int id, Type type) {
     String message =
-        "expected the id of a "
-            + type.label
-            + ", found "
-            + id
-            + "; "
-            + shown(assets.get(type).keySet());
+        "expected the id of a %s, found %s; %s"
+            .formatted(type.label, id, shown(assets.get(type).keySet()));
     if (lenient) {
       from.warn(key, message);
     } else {

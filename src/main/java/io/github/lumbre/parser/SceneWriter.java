@@ -146,13 +146,11 @@ public final class SceneWriter {
                 .viewpoint()
                 .orElseThrow(() -> new Unwritable("a scene with lookingAt", "one with seenBy"))));
     String text =
-        "{\n\"mainCameraId\": 1,\n\"renderOptions\": "
-            + GSON.toJson(options(description, settings))
-            + ",\n\"assets\": "
-            + lines(assets.assets())
-            + ",\n\"objects\": "
-            + lines(all.asList())
-            + "\n}\n";
+        "{\n\"mainCameraId\": 1,\n\"renderOptions\": %s,\n\"assets\": %s,\n\"objects\": %s\n}\n"
+            .formatted(
+                GSON.toJson(options(description, settings)),
+                lines(assets.assets()),
+                lines(all.asList()));
     return new Parts(text.getBytes(StandardCharsets.UTF_8), assets.files());
   }
 

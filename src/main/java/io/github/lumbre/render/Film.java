@@ -480,12 +480,7 @@ public final class Film {
   /** Returns the size and the mean number of samples, for people. */
   @Override
   public String toString() {
-    return "Film of "
-        + window.width()
-        + "x"
-        + window.height()
-        + " pixels with "
-        + meanSamples()
-        + " samples per pixel";
+    return "Film of %sx%s pixels with %s samples per pixel"
+        .formatted(window.width(), window.height(), meanSamples());
   }
 }

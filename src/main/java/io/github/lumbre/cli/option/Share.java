@@ -95,13 +95,8 @@ record Share(int index, int count) {
   int first(int all, String thing) {
     if (all < count) {
       throw new IllegalArgumentException(
-          "expected at least one "
-              + thing
-              + " for each share, found "
-              + Numbers.count(all, thing)
-              + " and "
-              + count
-              + " shares");
+          "expected at least one %s for each share, found %s and %s shares"
+              .formatted(thing, Numbers.count(all, thing), count));
     }
     return (int) ((long) all * index / count);
   }

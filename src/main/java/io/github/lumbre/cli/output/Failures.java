@@ -138,10 +138,8 @@ public record Failures(Set<String> commands)
       // How much is missing is not known.
       long heap = Runtime.getRuntime().maxMemory();
       return List.of(
-          "out of memory: the maximum heap size is "
-              + MemoryEstimate.mebibytes(heap)
-              + "; "
-              + MemoryCheck.advice(2 * heap));
+          "out of memory: the maximum heap size is %s; %s"
+              .formatted(MemoryEstimate.mebibytes(heap), MemoryCheck.advice(2 * heap)));
     }
     String what = thrown instanceof RenderException ? thrown.getMessage() : thrown.toString();
     // Further lines are details, which --debug prints.

@@ -65,10 +65,8 @@ public record NoiseReport(
   public void printDoubts(Messages messages) {
     if (noise.filter(NoiseEstimate::hasHeavyTail).isPresent()) {
       messages.line(
-          "warning: "
-              + tail(noise.get())
-              + Numbers.percent(noise.get().tailShare())
-              + " of the noise, so the noise may be underestimated; take more samples");
+          "warning: %s%s of the noise, so the noise may be underestimated; take more samples"
+              .formatted(tail(noise.get()), Numbers.percent(noise.get().tailShare())));
     }
     if (isMissed()) {
       messages.line(

@@ -200,15 +200,13 @@ public final class OutputGuard {
   private static void requireFirst(Output output, Optional<Output> other) throws TaskException {
     if (other.isPresent() && other.get() != output) {
       throw refused(
-          output.path
-              + ": is written twice, by "
-              + other.get().flag
-              + " ("
-              + other.get().path
-              + ") and by "
-              + output.flag
-              + "; "
-              + advice(output.flag));
+          "%s: is written twice, by %s (%s) and by %s; %s"
+              .formatted(
+                  output.path,
+                  other.get().flag,
+                  other.get().path,
+                  output.flag,
+                  advice(output.flag)));
     }
   }
 
@@ -226,12 +224,8 @@ public final class OutputGuard {
       found = "cannot be read";
     }
     throw refused(
-        output.path
-            + ": exists and "
-            + found
-            + "; "
-            + advice(output.flag)
-            + ", or replace the file with --overwrite");
+        "%s: exists and %s; %s, or replace the file with --overwrite"
+            .formatted(output.path, found, advice(output.flag)));
   }
 
   private static String advice(String flag) {

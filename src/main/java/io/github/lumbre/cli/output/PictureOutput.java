@@ -143,12 +143,8 @@ public final class PictureOutput implements AutoCloseable {
     boolean isJpeg = ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.JPG));
     if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
       throw Kind.LIMIT.failure(
-          target
-              + ": a JPEG has at most "
-              + ImageWriter.MAX_JPEG_SIDE
-              + " pixels on a side, found "
-              + side
-              + "; choose another format");
+          "%s: a JPEG has at most %s pixels on a side, found %s; choose another format"
+              .formatted(target, ImageWriter.MAX_JPEG_SIDE, side));
     }
   }
 
@@ -191,11 +187,8 @@ public final class PictureOutput implements AutoCloseable {
       Files.delete(collected);
     } catch (IOException e) {
       throw Kind.OUTPUT.failure(
-          "standard output cannot be written: "
-              + e.getMessage()
-              + "; the picture is saved as "
-              + collected
-              + " instead",
+          "standard output cannot be written: %s; the picture is saved as %s instead"
+              .formatted(e.getMessage(), collected),
           e);
     }
   }

@@ -100,12 +100,8 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     for (PixelReplay.Sample sample : all.brightest()) {
       line(
           out,
-          "brightest    sample "
-              + sample.number()
-              + ": "
-              + shown(sample.film())
-              + ", "
-              + vertices(sample));
+          "brightest    sample %s: %s, %s"
+              .formatted(sample.number(), shown(sample.film()), vertices(sample)));
     }
     return out.toString();
   }
@@ -219,10 +215,8 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     line(out, "  scatters   towards " + shown(scattering.wi()));
     line(
         out,
-        "             weight f·cos/pdf "
-            + shown(scattering.weight())
-            + ", pdf "
-            + shown(scattering.pdf()));
+        "             weight f·cos/pdf %s, pdf %s"
+            .formatted(shown(scattering.weight()), shown(scattering.pdf())));
     if (scattering.survival() < 1) {
       String outcome = scattering.survives() ? "survived" : "ended";
       String probability = shown(scattering.survival());

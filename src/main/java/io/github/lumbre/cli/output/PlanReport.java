@@ -62,10 +62,8 @@ public final class PlanReport {
   private String materials() {
     List<Material> all = surfaces().stream().map(Primitive::material).toList();
     long uniform = all.stream().filter(Material::isUniform).count();
-    return uniform
-        + " of "
-        + all.size()
-        + " surfaces have a uniform BSDF, computed once instead of at every hit";
+    return "%s of %s surfaces have a uniform BSDF, computed once instead of at every hit"
+        .formatted(uniform, all.size());
   }
 
   private List<Primitive> surfaces() {

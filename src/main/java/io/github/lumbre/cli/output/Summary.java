@@ -112,14 +112,9 @@ public record Summary(
         .forEach(
             s ->
                 messages.line(
-                    "warning: pixel "
-                        + s.x()
-                        + ","
-                        + s.y()
-                        + " sample "
-                        + s.sample()
-                        + ": "
-                        + ReplayCommand.of(scene, settings, s)));
+                    "warning: pixel %s,%s sample %s: %s"
+                        .formatted(
+                            s.x(), s.y(), s.sample(), ReplayCommand.of(scene, settings, s))));
   }
 
   /**

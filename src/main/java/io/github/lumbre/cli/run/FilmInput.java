@@ -31,13 +31,7 @@ public final class FilmInput {
           .ifPresent(
               problem ->
                   messages.line(
-                      "warning: "
-                          + path
-                          + ": "
-                          + problem
-                          + "; using "
-                          + loaded.from()
-                          + " instead"));
+                      "warning: %s: %s; using %s instead".formatted(path, problem, loaded.from())));
       return loaded;
     } catch (NoSuchFileException e) {
       throw Kind.SCENE.failure(path + ": does not exist", e);

@@ -54,11 +54,8 @@ final class EdgebreakerConnectivity {
     int faces = input.count("faces", Math.min(limits.faces(), MAX_FACES));
     if (vertices > 3L * faces) {
       throw input.malformed(
-          "expected at most three vertices per face, found "
-              + vertices
-              + " of "
-              + faces
-              + " faces");
+          "expected at most three vertices per face, found %s of %s faces"
+              .formatted(vertices, faces));
     }
     int attributes = input.unsignedByte();
     symbolCount = input.count("symbols", faces);

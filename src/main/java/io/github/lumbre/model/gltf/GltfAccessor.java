@@ -135,12 +135,8 @@ final class GltfAccessor {
       if (at[i] < 0 || at[i] >= count || i > 0 && at[i] <= at[i - 1]) {
         throw Kind.MALFORMED.at(
             indices.location(),
-            "expected increasing numbers from 0 to "
-                + (count - 1)
-                + ", found "
-                + Integer.toUnsignedString(at[i])
-                + " at "
-                + i);
+            "expected increasing numbers from 0 to %s, found %s at %s"
+                .formatted(count - 1, Integer.toUnsignedString(at[i]), i));
       }
     }
     return new Sparse(at, values);

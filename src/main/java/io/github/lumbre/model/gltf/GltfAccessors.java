@@ -59,10 +59,8 @@ final class GltfAccessors {
     if (bad >= 0) {
       throw accessor.error(
           "",
-          "expected finite numbers, found "
-              + numbers[bad]
-              + " in element "
-              + bad / accessor.components());
+          "expected finite numbers, found %s in element %s"
+              .formatted(numbers[bad], bad / accessor.components()));
     }
     return numbers;
   }
@@ -104,10 +102,8 @@ final class GltfAccessors {
       if (index < 0 || index >= vertices) {
         throw primitive.malformed(
             "indices",
-            "expected vertices from 0 to "
-                + (vertices - 1)
-                + ", found "
-                + Integer.toUnsignedString(index));
+            "expected vertices from 0 to %s, found %s"
+                .formatted(vertices - 1, Integer.toUnsignedString(index)));
       }
     }
   }

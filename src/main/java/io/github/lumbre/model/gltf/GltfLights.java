@@ -40,10 +40,8 @@ final class GltfLights {
       throw spot.get()
           .malformed(
               "outerConeAngle",
-              "expected 0 <= innerConeAngle < outerConeAngle <= pi/2, found "
-                  + PrintableText.number(inner)
-                  + " and "
-                  + PrintableText.number(outer));
+              "expected 0 <= innerConeAngle < outerConeAngle <= pi/2, found %s and %s"
+                  .formatted(PrintableText.number(inner), PrintableText.number(outer)));
     }
     return new ModelLight(
         node.name().isEmpty() ? json.text("name", "") : node.name(),

@@ -233,13 +233,11 @@ final class GltfMaterials {
       warn(
           "a number of a material is out of range",
           json.location(member),
-          "expected "
-              + (max == 1 ? "0 to 1" : "at least 0")
-              + ", found "
-              + PrintableText.number(value)
-              + "; "
-              + PrintableText.number(clamped)
-              + " is used");
+          "expected %s, found %s; %s is used"
+              .formatted(
+                  max == 1 ? "0 to 1" : "at least 0",
+                  PrintableText.number(value),
+                  PrintableText.number(clamped)));
     }
     return clamped;
   }

@@ -114,10 +114,8 @@ public final class IesReader {
     long most = bytes / 2 + 1;
     if (numbers > most) {
       throw scanner.error(
-          "expected "
-              + numbers
-              + " angles and candelas, found the end of the file after at most "
-              + most);
+          "expected %s angles and candelas, found the end of the file after at most %s"
+              .formatted(numbers, most));
     }
   }
 

@@ -292,12 +292,8 @@ public final class TextScanner {
     value = text[start] == '-' ? -value : value;
     if (!sound || value < min || value > max) {
       throw error(
-          "expected an integer from "
-              + min
-              + " to "
-              + max
-              + ", found "
-              + PrintableText.quoted(word()));
+          "expected an integer from %s to %s, found %s"
+              .formatted(min, max, PrintableText.quoted(word())));
     }
     return value;
   }

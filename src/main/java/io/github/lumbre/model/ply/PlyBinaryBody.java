@@ -74,12 +74,8 @@ final class PlyBinaryBody implements PlyBody {
     int most = in.remaining() / property.type().bytes();
     if (length < 0 || length > most) {
       throw error(
-          "expected a list of 0 to "
-              + most
-              + " items for "
-              + PrintableText.shortened(property.name())
-              + ", found one of "
-              + length);
+          "expected a list of 0 to %s items for %s, found one of %s"
+              .formatted(most, PrintableText.shortened(property.name()), length));
     }
     return (int) length;
   }

@@ -160,10 +160,8 @@ final class PlyVertices {
     }
     if (Math.abs(value) > MAX_NUMBER) {
       throw body.error(
-          "expected a number of at most 1e150 for "
-              + NAMES.get(attribute).get(0)
-              + ", found "
-              + value);
+          "expected a number of at most 1e150 for %s, found %s"
+              .formatted(NAMES.get(attribute).get(0), value));
     }
     if (attribute < NORMAL) {
       positions[3 * vertex + attribute] = value;

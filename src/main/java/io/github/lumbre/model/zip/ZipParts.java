@@ -125,12 +125,8 @@ public final class ZipParts implements ModelFolder {
     if (offset < 0 || bytes < 0 || offset > file.limit() - bytes) {
       throw malformed(
           "",
-          "expected an archive with "
-              + bytes
-              + " bytes at offset "
-              + offset
-              + ", found one of "
-              + file.limit());
+          "expected an archive with %s bytes at offset %s, found one of %s"
+              .formatted(bytes, offset, file.limit()));
     }
   }
 
