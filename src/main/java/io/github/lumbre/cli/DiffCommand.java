@@ -8,6 +8,7 @@ import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
@@ -23,6 +24,7 @@ import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.ModelViews;
+import io.github.lumbre.parser.Problem;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -69,7 +71,8 @@ import picocli.CommandLine.Parameters;
       "4:A picture of a model cannot be decoded",
       "5:A limit or the available memory is exceeded",
       "6:The page cannot be written",
-      "7:Internal error"
+      "7:Internal error",
+      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; no page is written"
     })
 final class DiffCommand extends Subcommand {
   private static final String FORMAT = "lumbre-diff-1";
@@ -113,6 +116,9 @@ final class DiffCommand extends Subcommand {
             require(
                 length > 0 && length < Double.POSITIVE_INFINITY,
                 "--tolerance: expected a finite number > 0, found " + length));
+    require(
+        !spec.commandLine().getParseResult().hasMatchedOption("--camera"),
+        "--camera: cannot be used; one camera, from --view, frames both models");
     Stage stage = flags.stage();
     OutputGuard guard = overwrite.guard().reads(old, "a model").reads(now, "a model");
     page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));
@@ -133,11 +139,14 @@ final class DiffCommand extends Subcommand {
 
   private Model read(Path path, Stage stage) throws TaskException {
     try {
-      return ModelReader.read(
-          path.getFileName().toString(),
-          Files.readAllBytes(path),
-          ModelFolder.of(path.toAbsolutePath().getParent()),
-          stage.options().lenient(true));
+      Model model =
+          ModelReader.read(
+              path.getFileName().toString(),
+              Files.readAllBytes(path),
+              ModelFolder.of(path.toAbsolutePath().getParent()),
+              stage.options().lenient(true));
+      model.warnings().forEach(warning -> errors().warning(path + ": " + warning));
+      return model;
     } catch (ModelFormatException e) {
       Kind kind =
           switch (e.kind()) {
@@ -145,7 +154,8 @@ final class DiffCommand extends Subcommand {
             case ASSET -> Kind.ASSET;
             default -> Kind.SCENE;
           };
-      throw new TaskException(kind, path + ": " + e.getMessage(), e);
+      Problem problem = new Problem(path.toString(), e.location(), e.detail());
+      throw kind.failure(ProblemText.of(problem), e);
     } catch (IOException e) {
       throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }

@@ -199,15 +199,12 @@ public final class ModelDifference {
 
   private static Optional<PartChange> reshaped(PartShape a, PartShape b) {
     List<String> details = new ArrayList<>();
-    if (a.triangles() != b.triangles()) {
-      details.add("triangles %d to %d".formatted(a.triangles(), b.triangles()));
+    addChange("triangles", "" + a.triangles(), "" + b.triangles(), details);
+    addChange("size", size(a.bounds()), size(b.bounds()), details);
+    addChange("area", number(a.area()), number(b.area()), details);
+    if (details.isEmpty()) {
+      details.add("another shape");
     }
-    Vec3 before = a.bounds().max().minus(a.bounds().min());
-    Vec3 after = b.bounds().max().minus(b.bounds().min());
-    if (!before.equals(after)) {
-      details.add("size " + text(before) + " to " + text(after));
-    }
-    details.add("area %s to %s".formatted(number(a.area()), number(b.area())));
     return Optional.of(
         new PartChange(
             Kind.CHANGED,
@@ -218,7 +215,14 @@ public final class ModelDifference {
             details));
   }
 
-  private static String text(Vec3 size) {
+  private static void addChange(String name, String before, String after, List<String> details) {
+    if (!before.equals(after)) {
+      details.add(name + " " + before + " to " + after);
+    }
+  }
+
+  private static String size(Bounds3 bounds) {
+    Vec3 size = bounds.max().minus(bounds.min());
     return number(size.x()) + " x " + number(size.y()) + " x " + number(size.z());
   }
 

@@ -1,14 +1,20 @@
 package io.github.lumbre.cli;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.image.internal.Srgb;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -68,6 +74,15 @@ class DiffCommandTest {
     assertThat(outcome.err()).isEmpty();
   }
 
+  /** What a file lacks for its pictures, it lacks for a comparison. */
+  @Test
+  void warningsOfTheModelsArePrinted() throws IOException {
+    write("lines.obj", PLATE + "l 1 2\n");
+    Outcome outcome = run("diff T/lines.obj T/plate.obj");
+    assertThat(outcome.exitCode()).isZero();
+    assertThat(outcome.err()).contains("warning: ", "lines.obj: ").hasLineCount(1);
+  }
+
   @Test
   void aCoarserToleranceAllowsMore() {
     assertThat(run("diff T/old.obj T/moved.obj --tolerance .01").exitCode()).isZero();
@@ -102,6 +117,29 @@ class DiffCommandTest {
     assertThat(page.split("data:image/png;base64,")).hasSize(4);
   }
 
+  /** A part that is gone is shown where it was, also in front of one that changed. */
+  @Test
+  void whatIsGoneIsShownBeforeWhatChanged() throws IOException {
+    String bolt = "v 1 1 %s\nv 2 1 %s\nv 1 2 %s\no bolt\nf -3 -2 -1\n";
+    write("brass.obj", PLATE.replace("steel", "brass"));
+    for (String z : new String[] {"1", "-1"}) {
+      write("gone.obj", PLATE + bolt.replace("%s", z));
+      run("diff T/gone.obj T/brass.obj -o T/page.html --view front");
+      String page = Files.readString(directory.resolve("page.html"));
+      String data = page.substring(page.lastIndexOf("base64,") + 7);
+      byte[] png = Base64.getDecoder().decode(data.substring(0, data.indexOf('"')));
+      BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
+      long mixed = 0;
+      for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
+        int rgb = image.getRGB(i % image.getWidth(), i / image.getWidth());
+        double green = Srgb.decode((rgb >> 8 & 255) / 255.) / Srgb.decode((rgb >> 16 & 255) / 255.);
+        // Green by red: 0.44 of what changed, 0.17 of what is gone; blue is in pale parts only.
+        mixed += (rgb & 255) < 20 && green > .2 && green < .38 ? 1 : 0;
+      }
+      assertThat(mixed > 1000).as(z + ": " + mixed).isEqualTo(z.equals("1"));
+    }
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -111,10 +149,14 @@ class DiffCommandTest {
         "T/old.obj T/old.obj --tolerance 0   | 2 | --tolerance",
         "T/old.obj T/old.obj --tolerance NaN | 2 | --tolerance",
         "T/old.obj T/moved.obj -o T/moved.obj   | 6 | is a model",
-        "T/old.obj T/broken.glb | 3 | broken.glb"
+        "T/old.obj T/broken.glb | 3 | broken.glb",
+        "T/old.obj T/moved.obj --hide nut | 3 | old.obj: --hide: expected",
+        "T/old.obj T/moved.obj --camera a | 2 | --camera: cannot be used; one camera, from --view",
+        "T/old.obj T/moved.obj -o T/p.html --sky T/broken.png | 4 | --sky: "
       })
   void faultsAreExplained(String arguments, int code, String part) throws IOException {
     Files.write(directory.resolve("broken.glb"), new byte[40]);
+    Files.writeString(directory.resolve("broken.png"), "\211PNG\r\n\032\n", ISO_8859_1);
     Outcome outcome = run("diff " + arguments);
     assertThat(outcome.err()).contains(part).doesNotContain("Exception");
     assertThat(outcome.exitCode()).isEqualTo(code);

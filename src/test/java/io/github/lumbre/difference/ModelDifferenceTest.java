@@ -189,7 +189,23 @@ class ModelDifferenceTest {
         only(
             List.of(part("bolt", bolt(), at(0, 0, 0))), List.of(part("bolt", dented, at(0, 0, 0))));
     assertThat(change.kind()).isEqualTo(Kind.CHANGED);
-    assertThat(change.details()).anyMatch(text -> text.startsWith("area "));
+    assertThat(change.details())
+        .as("its size and area have the same five digits")
+        .containsExactly("another shape");
+  }
+
+  @Test
+  void aLongerBoltIsAChangeOfItsNumbers() {
+    PartChange change =
+        only(
+            List.of(part("bolt", bolt(), at(0, 0, 0))),
+            List.of(part("bolt", bolt(), p -> new Vec3(p.x(), p.y(), 2 * p.z()))));
+    assertThat(change.details())
+        .hasSize(2)
+        .first()
+        .asString()
+        .matches("size 4.2 x 3.4641 x 6.5 to 4.2 x 3.4641 x 13");
+    assertThat(change.details().get(1)).matches("area [0-9.]+ to [0-9.]+");
   }
 
   /** An open box without its lid has the vertices and the area of one without its floor. */

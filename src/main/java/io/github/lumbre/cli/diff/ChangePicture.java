@@ -44,25 +44,28 @@ final class ChangePicture {
   private final Scene scene;
   private final RenderSettings settings;
   private final PartTable parts;
-  private final Map<String, Rgb> colors = new HashMap<>();
+  private final Map<String, PartChange> changes = new HashMap<>();
   private final NearestHit hit = new NearestHit();
   private final CameraRay aimed = new CameraRay();
 
+  /** A changed part that a ray meets. */
+  private record Seen(PartChange change, double distance) {
+    /** Returns whether this part of the old model is not hidden by a part of the new one. */
+    private boolean isBefore(Seen now) {
+      return change != now.change && distance < now.distance;
+    }
+  }
+
   /**
-   * @param name returns the name of a changed part in this model
-   * @param color returns the color of a change; empty to leave it out
+   * @param name returns the name of a changed part in this model; empty to leave it out
    */
   private ChangePicture(
-      ParsedScene file,
-      List<PartChange> changes,
-      Function<PartChange, Optional<String>> name,
-      Function<PartChange, Optional<Rgb>> color) {
+      ParsedScene file, List<PartChange> changes, Function<PartChange, Optional<String>> name) {
     scene = file.scene().framed(file.settings().aspect());
     settings = file.settings();
     parts = file.model().orElseThrow().parts(file.scene());
     for (PartChange change : changes) {
-      name.apply(change)
-          .ifPresent(part -> color.apply(change).ifPresent(rgb -> colors.put(part, rgb)));
+      name.apply(change).ifPresent(part -> this.changes.put(part, change));
     }
   }
 
@@ -83,17 +86,10 @@ final class ChangePicture {
       ParsedScene now,
       Image nowPicture,
       List<PartChange> changes) {
-    ChangePicture before =
-        new ChangePicture(
-            old,
-            changes,
-            PartChange::old,
-            change ->
-                change.kind() == Kind.REMOVED || change.kind() == Kind.MOVED
-                    ? Optional.of(GONE)
-                    : Optional.empty());
-    ChangePicture after =
-        new ChangePicture(now, changes, PartChange::now, change -> color(change.kind()));
+    List<PartChange> gone =
+        changes.stream().filter(c -> c.kind() == Kind.REMOVED || c.kind() == Kind.MOVED).toList();
+    ChangePicture before = new ChangePicture(old, gone, PartChange::old);
+    ChangePicture after = new ChangePicture(now, changes, PartChange::now);
     float[] rgb = new float[3 * nowPicture.width() * nowPicture.height()];
     for (int y = 0; y < nowPicture.height(); y++) {
       for (int x = 0; x < nowPicture.width(); x++) {
@@ -116,12 +112,12 @@ final class ChangePicture {
     for (int i = 0; i < GRID * GRID; i++) {
       double u = (x + (i % GRID + .5) / GRID) / nowPicture.width();
       double v = (y + (i / GRID + .5) / GRID) / nowPicture.height();
-      Optional<Rgb> painted = after.at(u, v).map(color -> color.times(.3 + .7 * shade));
-      Optional<Rgb> gone =
-          painted.isPresent()
-              ? painted
-              : before.at(u, v).map(color -> color.times(.5 + .5 * oldShade).plus(pale).times(.5));
-      sum = sum.plus(gone.orElse(pale));
+      Optional<Seen> seen = after.at(u, v);
+      Rgb painted =
+          seen.map(part -> COLORS.get(part.change.kind()).times(.3 + .7 * shade)).orElse(pale);
+      boolean isGone =
+          before.at(u, v).filter(old -> seen.isEmpty() || old.isBefore(seen.get())).isPresent();
+      sum = sum.plus(isGone ? GONE.times(.5 + .5 * oldShade).plus(painted).times(.5) : painted);
     }
     return sum.times(1. / (GRID * GRID));
   }
@@ -130,15 +126,16 @@ final class ChangePicture {
     return Math.min(1, picture.pixel(x, y).luminance());
   }
 
-  /** Returns the color of the changed part that is seen at a point of the frame. */
-  private Optional<Rgb> at(double u, double v) {
-    if (colors.isEmpty() || !scene.camera().aim(u, v, new SobolSampler(0), aimed)) {
+  /** Returns the changed part that is seen at a point of the frame. */
+  private Optional<Seen> at(double u, double v) {
+    if (changes.isEmpty() || !scene.camera().aim(u, v, new SobolSampler(0), aimed)) {
       return Optional.empty();
     }
     scene.intersect(aimed.toRay(), hit);
     int part = parts.at(hit);
     return part == PartTable.NONE
         ? Optional.empty()
-        : Optional.ofNullable(colors.get(parts.parts().get(part).name()));
+        : Optional.ofNullable(changes.get(parts.parts().get(part).name()))
+            .map(change -> new Seen(change, hit.t()));
   }
 }
