@@ -1,6 +1,5 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.option.Home;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
@@ -147,7 +146,7 @@ final class BenchmarkCommand extends Subcommand {
   public Integer call() throws SceneFormatException, TaskException {
     BenchmarkPlan plan = plan();
     kernel.validate();
-    SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> Home.resolve("scenes")));
+    SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> beside("scenes")));
     List<ReportRow> selected = selected(folder);
     checkOutputs(folder, selected);
     TableHashes stored = TableHashes.load(folder.directory());
@@ -165,6 +164,11 @@ final class BenchmarkCommand extends Subcommand {
       int verdict = settle(stored, results);
       return complete ? verdict : ExitCodes.INTERRUPTED;
     }
+  }
+
+  /** Returns the path of a file beside the launcher; without one, in the working directory. */
+  private static Path beside(String name) {
+    return Path.of(System.getProperty("lumbre.home", "")).resolve(name);
   }
 
   private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws TaskException {

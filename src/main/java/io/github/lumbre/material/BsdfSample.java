@@ -8,13 +8,8 @@ import io.github.lumbre.math.Vec3;
  * without a direction. Mutable: each thread reuses one instance, so that the path loop allocates
  * nothing.
  */
-public final class BsdfSample {
+public final class BsdfSample extends Scattered {
   private double x, y, z = 1;
-  private double r, g, b;
-  private double pdf;
-
-  /** The density of BSDF sampling alone. */
-  private double bsdfPdf;
 
   /** Receives the value of the BSDF in {@link #weighBy}. */
   private final BsdfValue value = new BsdfValue();
@@ -36,11 +31,7 @@ public final class BsdfSample {
    */
   public void set(Vec3 wi, Rgb weight, double newPdf) {
     setDirection(wi);
-    r = weight.r();
-    g = weight.g();
-    b = weight.b();
-    pdf = newPdf;
-    bsdfPdf = newPdf;
+    set(weight.r(), weight.g(), weight.b(), newPdf);
   }
 
   /**
@@ -126,24 +117,9 @@ public final class BsdfSample {
     return z;
   }
 
-  /** Returns the red component of {@link #weight}. */
-  public double r() {
-    return r;
-  }
-
-  /** Returns the green component of {@link #weight}. */
-  public double g() {
-    return g;
-  }
-
-  /** Returns the blue component of {@link #weight}. */
-  public double b() {
-    return b;
-  }
-
   /** Returns f·|cos θi| / pdf; black if the sample is absorbed. */
   public Rgb weight() {
-    return new Rgb(r, g, b);
+    return color();
   }
 
   /**
@@ -151,11 +127,6 @@ public final class BsdfSample {
    */
   public double pdf() {
     return pdf;
-  }
-
-  /** Returns the density with which BSDF sampling alone draws the direction; see {@link #mix}. */
-  public double bsdfPdf() {
-    return bsdfPdf;
   }
 
   /** Returns whether no light is scattered: the weight is black. */

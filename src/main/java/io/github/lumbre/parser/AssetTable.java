@@ -11,7 +11,6 @@ import java.util.TreeMap;
 
 /** The assets of a scene by type and id, not yet decoded. */
 final class AssetTable {
-  /** Keys that every asset has. */
   static final Set<String> COMMON_KEYS = Set.of("id", "assetType", "name");
 
   private static final Map<String, Type> TYPES = ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);

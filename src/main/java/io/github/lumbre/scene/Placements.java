@@ -12,7 +12,6 @@ import java.util.Map;
  * has to. Mutable until the scene is built.
  */
 final class Placements {
-  /** No parts. */
   static final Placements NONE = new Placements();
 
   private final Map<SceneNode, Placed> placed = new IdentityHashMap<>();

@@ -13,7 +13,6 @@ import java.util.Map;
 
 /** Values for JSON that describe a model's parts, and what its pictures show. Stateless. */
 final class PartJson {
-  /** The most parts in a list. */
   private static final int MOST = 1000;
 
   private PartJson() {}

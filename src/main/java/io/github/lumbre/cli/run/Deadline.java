@@ -8,7 +8,6 @@ import java.util.function.LongSupplier;
 
 /** A deadline, measured by {@link System#nanoTime} or another clock. Immutable. */
 public final class Deadline {
-  /** A deadline that never passes. */
   static final Deadline NEVER = new Deadline(Optional.empty(), System::nanoTime);
 
   private final Optional<Duration> time;

@@ -12,7 +12,6 @@ import java.util.Arrays;
  * what it returns is valid until the next block. Mutable.
  */
 final class UastcBlock {
-  /** The size of a block. */
   static final int BYTES = 16;
 
   private static final int TEXELS = TexelBlocks.SIDE * TexelBlocks.SIDE;

@@ -19,7 +19,6 @@ import io.github.lumbre.math.internal.Elementary;
  * @param outside index of refraction above the film, at least 1: that of air or of a clear coat
  */
 public record ThinFilm(double strength, double ior, double thickness, double outside) {
-  /** No film. */
   public static final ThinFilm NONE = new ThinFilm(0, 1, 0, 1);
 
   /** Largest relative amplitude of the interference of light that is left out. */

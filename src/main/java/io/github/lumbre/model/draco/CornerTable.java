@@ -17,7 +17,6 @@ import java.util.BitSet;
  *     is on the boundary; {@link #NONE} for a vertex without corners
  */
 record CornerTable(int[] vertices, int[] opposites, int[] first) {
-  /** No corner. */
   static final int NONE = -1;
 
   /** Returns the next corner of a face. */

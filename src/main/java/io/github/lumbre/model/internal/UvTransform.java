@@ -6,7 +6,6 @@ package io.github.lumbre.model.internal;
  */
 public record UvTransform(double uu, double uv, double u0, double vu, double vv, double v0) {
 
-  /** The identity. */
   public static final UvTransform IDENTITY = new UvTransform(1, 0, 0, 0, 1, 0);
 
   /** Returns the mapped u. */

@@ -29,7 +29,6 @@ final class PlyFaceData {
 
   private final Limits limits;
 
-  /** The coordinates of the current face. */
   private double[] coordinates = {};
 
   private int texture;

@@ -26,7 +26,6 @@ import java.util.Optional;
  * extension colors, textures, composite materials and layers. Mutable.
  */
 final class PropertyReader {
-  /** The memory of a property. */
   private static final long PROPERTY_BYTES = 150;
 
   private final XmlReader xml;

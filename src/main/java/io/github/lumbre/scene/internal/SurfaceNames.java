@@ -11,7 +11,6 @@ import java.util.stream.Stream;
  * @param materials name of each primitive's material, in the order of the primitives
  */
 public record SurfaceNames(List<String> objects, List<String> materials) {
-  /** No names. */
   public static final SurfaceNames NONE = new SurfaceNames(List.of(), List.of());
 
   public SurfaceNames {
