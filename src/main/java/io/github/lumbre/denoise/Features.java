@@ -244,25 +244,39 @@ final class Features {
   }
 
   /**
-   * Writes which pixels of a row have a standard deviation of more than a part of their light, or
+   * Writes which pixels of a row the network may change by more than a part of their light, or have
    * no light and so nothing to compare with. Pixels that are transparent have neither.
    *
    * @param y the picture's row
    */
   void writeNoisy(int y, double part, boolean[] noisy) {
+    double[] squares = new double[3 * width];
     if (noise.length == 0) {
-      Arrays.fill(noisy, true);
-      return;
+      writeSquaredDifferences(y, squares);
+    } else {
+      writeVariances(y, squares);
     }
-    double[] variances = new double[3 * width];
-    writeVariances(y, variances);
+    double factor = noise.length == 0 ? 1 : BuiltInDenoiser.FARTHEST * BuiltInDenoiser.FARTHEST;
     for (int x = 0; x < width; x++) {
       boolean isNoisy = false;
       for (int c = 0; c < 3; c++) {
         double most = part * light[3 * (y * width + x) + c];
-        isNoisy |= most == 0 || variances[3 * x + c] > most * most;
+        isNoisy |= most == 0 || factor * squares[3 * x + c] > most * most;
       }
       noisy[x] = isNoisy && (alpha.length == 0 || alpha[y * width + x] != 0);
+    }
+  }
+
+  /** Writes the squares of the largest differences of a row's light to the nearest eight pixels. */
+  private void writeSquaredDifferences(int y, double[] squares) {
+    int values = 3 * width;
+    for (int row = Math.max(0, y - 1); row <= Math.min(height - 1, y + 1); row++) {
+      for (int i = 0; i < values; i++) {
+        for (int near = Math.max(i % 3, i - 3); near <= i + 3 && near < values; near += 3) {
+          double difference = light[row * values + near] - (double) light[y * values + i];
+          squares[i] = Math.max(squares[i], difference * difference);
+        }
+      }
     }
   }
 

@@ -24,7 +24,7 @@ final class FilteredUnits {
     filtered = new boolean[Math.multiplyExact(across, down)];
   }
 
-  /** Returns the squares of a picture that are filtered: all if its noise is not known. */
+  /** Returns the squares of a picture that are filtered. */
   static FilteredUnits of(Features picture, Workers workers) throws InterruptedException {
     FilteredUnits units = new FilteredUnits(count(picture.right()), count(picture.bottom()));
     int right = picture.right() - 1;
@@ -34,7 +34,7 @@ final class FilteredUnits {
         (first, end, convolution) -> {
           boolean[] noisy = new boolean[picture.width()];
           for (int y = first; y < end; y++) {
-            picture.writeNoisy(y, INVISIBLE / BuiltInDenoiser.FARTHEST, noisy);
+            picture.writeNoisy(y, INVISIBLE, noisy);
             int upper = Math.max(0, picture.top() + y - CONTEXT);
             int lower = Math.min(bottom, picture.top() + y + CONTEXT);
             for (int x = 0; x < noisy.length; x++) {

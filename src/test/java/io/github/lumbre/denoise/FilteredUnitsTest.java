@@ -120,24 +120,38 @@ class FilteredUnitsTest {
     }
   }
 
-  @Test
-  void visibleAndUnknownNoiseIsFiltered() throws InterruptedException {
-    NoisyPicture light = discs(0, 1);
-    NoisyPicture bare =
-        new NoisyPicture(
-            WIDTH,
-            HEIGHT,
-            new NoisyPicture.Halves(light.light().mean(), new float[0]),
-            light.albedo(),
-            light.normal(),
-            new float[0],
-            0);
+  private static boolean isFilteredFarAway(NoisyPicture picture) throws InterruptedException {
     try (Workers workers = new Workers(1)) {
-      assertThat(FilteredUnits.of(new Features(light), workers).contains(400, 8)).isFalse();
-      assertThat(FilteredUnits.of(new Features(bare), workers).contains(400, 8)).isTrue();
-      Features seen = new Features(discs(1.5 * LIMIT, 1));
-      assertThat(FilteredUnits.of(seen, workers).contains(400, 8)).isTrue();
+      return FilteredUnits.of(new Features(picture), workers).contains(400, 8);
     }
+  }
+
+  @Test
+  void visibleNoiseIsFiltered() throws InterruptedException {
+    assertThat(isFilteredFarAway(discs(.9 * LIMIT, 1))).isFalse();
+    assertThat(isFilteredFarAway(discs(1.5 * LIMIT, 1))).isTrue();
+  }
+
+  /** Differences of neighbors may be noise. */
+  @Test
+  void whereNoiseIsUnknownPixelsThatDifferAreFiltered() throws InterruptedException {
+    assertThat(isFilteredFarAway(withoutNoise(discs(0, 1)))).isFalse();
+    NoisyPicture uneven = withoutNoise(discs(0, 1));
+    uneven.light().mean()[3 * (8 * WIDTH + 400) + 2] *= 1 + 3.9f / 1024;
+    assertThat(isFilteredFarAway(uneven)).isFalse();
+    uneven.light().mean()[3 * (8 * WIDTH + 400) + 2] *= 1.0005f;
+    assertThat(isFilteredFarAway(uneven)).isTrue();
+  }
+
+  private static NoisyPicture withoutNoise(NoisyPicture picture) {
+    return new NoisyPicture(
+        WIDTH,
+        HEIGHT,
+        new NoisyPicture.Halves(picture.light().mean(), new float[0]),
+        picture.albedo(),
+        picture.normal(),
+        new float[0],
+        0);
   }
 
   /** The kernels of coarser levels reach into what is not filtered. */

@@ -2,7 +2,6 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.CleanPicture;
-import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
@@ -21,7 +20,11 @@ import java.util.concurrent.Future;
 /** Renders a model from all sides on one sheet. */
 final class ViewsTool implements Tool {
   private static final int MOST_PIXELS = 640;
+  private static final int MOST_SAMPLES = 16;
   private static final int COLUMNS = 4;
+
+  /** The samples per pixel unless a call has others. */
+  static final int DEFAULT_SAMPLES = 1;
 
   private static final Input<Integer> WIDTH =
       Input.integer("width", 16, MOST_PIXELS, 320, "Width of each picture in pixels.");
@@ -33,6 +36,14 @@ final class ViewsTool implements Tool {
 
   /** A picture, and which labels have no room in it. */
   private record Noted(DisplayLight picture, List<String> notes) {}
+
+  private static final Input<Integer> SAMPLES =
+      Input.integer(
+          "samples",
+          1,
+          MOST_SAMPLES,
+          DEFAULT_SAMPLES,
+          "Samples per pixel: more have smoother edges, and take longer.");
 
   private final Studio studio;
 
@@ -62,6 +73,7 @@ final class ViewsTool implements Tool {
         ModelInputs.MODEL,
         WIDTH,
         HEIGHT,
+        SAMPLES,
         ModelInputs.HIDE,
         ModelInputs.HIGHLIGHT,
         ModelInputs.LABELS,
@@ -75,11 +87,11 @@ final class ViewsTool implements Tool {
     Studio.Staged model = ModelInputs.model(studio, arguments);
     int width = arguments.get(WIDTH);
     int height = arguments.get(HEIGHT);
+    int samples = arguments.get(SAMPLES);
     Map<String, View> standard = View.standard();
-    progress.expect((long) width * height * Denoising.VIEW_SAMPLES * standard.size());
+    progress.expect((long) width * height * samples * standard.size());
     Map<String, SceneFile> files = new LinkedHashMap<>();
     for (Map.Entry<String, View> view : standard.entrySet()) {
-      int samples = Denoising.VIEW_SAMPLES;
       files.put(view.getKey(), model.seenFrom(view.getValue(), width, height, samples));
     }
     JsonSummary summary = model.summary(name());

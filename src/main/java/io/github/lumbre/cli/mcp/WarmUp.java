@@ -1,7 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.run.CleanPicture;
-import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.parser.ModelViews;
 import io.github.lumbre.parser.SceneFormatException;
@@ -55,7 +54,7 @@ final class WarmUp {
     try {
       ModelViews model =
           new SceneParser()
-              .overriding(s -> s.toBuilder().samples(Denoising.VIEW_SAMPLES).build())
+              .overriding(s -> s.toBuilder().samples(ViewsTool.DEFAULT_SAMPLES).build())
               .parse("model.obj", model(), ModelFolder.NONE, Stage.DEFAULT, List.of(View.DEFAULT));
       for (int i = 0; i < PICTURES; i++) {
         View view = new View(360. * i / PICTURES, 20);

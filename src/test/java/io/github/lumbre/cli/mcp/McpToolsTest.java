@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the tools as a client calls them. */
 class McpToolsTest {
@@ -62,13 +61,18 @@ class McpToolsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "lines"})
-  void viewsAreThePictureOfTheCommandLine(String look) throws Exception {
-    JsonObject result =
-        client.result("views", SMALL + (look.isEmpty() ? "" : ",'look':'" + look + "'"));
-    String line = "views T/parts/sample.glb --size 32x24 -o T/v";
-    assertThat(picture(result))
-        .isEqualTo(commanded(line + (look.isEmpty() ? "" : " --look " + look), "v/views.png"));
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "'' | -s 1",
+        ",'samples':3 | -s 3",
+        ",'look':'lines' | -s 1 --look lines",
+      },
+      quoteCharacter = '`')
+  void viewsAreThePictureOfTheCommandLine(String arguments, String flags) throws Exception {
+    JsonObject result = client.result("views", SMALL + arguments.replace("''", ""));
+    String line = "views T/parts/sample.glb --size 32x24 -o T/v " + flags;
+    assertThat(picture(result)).isEqualTo(commanded(line, "v/views.png"));
     JsonArray views = result.getAsJsonObject("structuredContent").getAsJsonArray("views");
     assertThat(views)
         .extracting(view -> view.getAsJsonObject().get("view").getAsString())
