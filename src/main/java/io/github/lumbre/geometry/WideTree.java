@@ -44,11 +44,6 @@ final class WideTree {
   private int[] nodes = new int[NODE_SIZE];
   private int size;
 
-  /** Creates the tree of a binary tree. */
-  WideTree(BvhNode tree, int[] order, BvhItems items) {
-    this(tree, order, items, BvhBuilder.MAX_ITEMS);
-  }
-
   /**
    * Creates the tree of a binary tree.
    *

@@ -52,12 +52,6 @@ final class AssetData {
    * @param sceneFile path of the scene file; relative asset paths start in its folder
    * @param hash receives the bytes of all files that are read
    * @param allowance what may be read
-   */
-  AssetData(Path sceneFile, SceneHash hash, Allowance allowance) {
-    this(sceneFile, hash, allowance, Map.of());
-  }
-
-  /**
    * @param inMemory bytes of files that are not read from the folder, by their names
    */
   AssetData(Path sceneFile, SceneHash hash, Allowance allowance, Map<String, byte[]> inMemory) {

@@ -129,10 +129,6 @@ record JsonNode(JsonValue value, Problems problems) {
     problems.error(kind, () -> path(childKey), message);
   }
 
-  void warn(String message) {
-    problems.warn(this::path, () -> message);
-  }
-
   void warn(String childKey, String message) {
     warn(childKey, () -> message);
   }

@@ -43,6 +43,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -103,7 +104,7 @@ final class StagedModel {
     allowance.addBytes(content.length).ifPresent(e -> place.spot().error(Kind.LIMIT, e));
     problems.throwIfAny();
     String name = WrittenStage.slashed(folder.relativize(file));
-    data = new AssetData(folder.resolve(file.getFileName()), hash, allowance);
+    data = new AssetData(folder.resolve(file.getFileName()), hash, allowance, Map.of());
     data.note(name, content);
     Model whole =
         read(name, content, others.map(data::counted).orElseGet(() -> data.folderOf(name)));

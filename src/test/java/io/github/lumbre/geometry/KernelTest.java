@@ -371,7 +371,7 @@ class KernelTest {
       BvhItems items = new BvhItems(shapes);
       BvhBuilder builder = new BvhBuilder(items, costs);
       BvhNode root = pool.submit(builder::build).join();
-      return new WideTree(root, builder.order(), items);
+      return new WideTree(root, builder.order(), items, BvhBuilder.MAX_ITEMS);
     } finally {
       pool.shutdown();
     }

@@ -155,7 +155,7 @@ class JsonNodeTest {
   void warningsAreLimitedToo() {
     JsonNode node = root("{}");
     for (int i = 0; i < 1500; i++) {
-      node.warn("w");
+      node.warn("key", "w");
     }
     assertThat(problems.warnings())
         .map(Object::toString)

@@ -156,7 +156,8 @@ public final class GltfReader {
         placedLights,
         variants.names(),
         animations.all(),
-        document.warnings().all());
+        document.warnings().all(),
+        List.of());
   }
 
   /** Adds a warning if the scene names none of the file's meshes. */

@@ -57,32 +57,6 @@ public record Model(
     poses = List.copyOf(poses);
   }
 
-  /** Creates a model that stands still. */
-  public Model(
-      Transform fromFile,
-      String unit,
-      TriangleMesh.Front front,
-      List<ModelPart> parts,
-      double pointRadius,
-      List<ModelCamera> cameras,
-      List<ModelLight> lights,
-      List<String> variants,
-      List<ModelAnimation> animations,
-      List<String> warnings) {
-    this(
-        fromFile,
-        unit,
-        front,
-        parts,
-        pointRadius,
-        cameras,
-        lights,
-        variants,
-        animations,
-        warnings,
-        List.of());
-  }
-
   /**
    * Returns a model in motion: the middle one of some poses, with them all. Its parts and meshes
    * are shared by poses in which they are the same.
@@ -99,28 +73,20 @@ public record Model(
   }
 
   private Model moving(List<Model> newPoses) {
-    return new Model(
-        fromFile,
-        unit,
-        front,
-        parts,
-        pointRadius,
-        cameras,
-        lights,
-        variants,
-        animations,
-        warnings,
-        newPoses);
+    return with(fromFile, unit, parts, lights, pointRadius, warnings, newPoses);
   }
 
   private Model with(
+      Transform file,
+      String unitOfFile,
       List<ModelPart> newParts,
       List<ModelLight> newLights,
       double radius,
-      List<String> newWarnings) {
+      List<String> newWarnings,
+      List<Model> newPoses) {
     return new Model(
-        fromFile,
-        unit,
+        file,
+        unitOfFile,
         front,
         newParts,
         radius,
@@ -128,38 +94,29 @@ public record Model(
         newLights,
         variants,
         animations,
-        newWarnings);
+        newWarnings,
+        newPoses);
   }
 
   /** Returns this model, standing still, with another {@link #fromFile} and {@link #unit}. */
   public Model from(Transform file, String unitOfFile) {
-    return new Model(
-        file,
-        unitOfFile,
-        front,
-        parts,
-        pointRadius,
-        cameras,
-        lights,
-        variants,
-        animations,
-        warnings);
+    return with(file, unitOfFile, parts, lights, pointRadius, warnings, List.of());
   }
 
   /** Returns this model, standing still, with other parts and without lights. */
   public Model unlit(List<ModelPart> newParts) {
-    return with(newParts, List.of(), pointRadius, warnings);
+    return with(fromFile, unit, newParts, List.of(), pointRadius, warnings, List.of());
   }
 
   /** Returns this model, standing still, with other parts. */
   public Model with(List<ModelPart> newParts) {
-    return with(newParts, lights, pointRadius, warnings);
+    return with(fromFile, unit, newParts, lights, pointRadius, warnings, List.of());
   }
 
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);
-    return with(parts, lights, pointRadius, all).moving(poses);
+    return with(fromFile, unit, parts, lights, pointRadius, all, poses);
   }
 
   /**
@@ -169,7 +126,7 @@ public record Model(
    */
   public Model withPointRadius(double radius) {
     double possible = Math.max(Double.MIN_NORMAL, Math.min(radius, MAX_RADIUS));
-    return with(parts, lights, possible, warnings);
+    return with(fromFile, unit, parts, lights, possible, warnings, List.of());
   }
 
   /**

@@ -104,6 +104,7 @@ public final class PlainModel {
         List.of(),
         List.of(),
         List.of(),
-        warnings);
+        warnings,
+        List.of());
   }
 }
