@@ -1,13 +1,14 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.BsdfAround;
 
 /**
  * A BSDF times a factor: the scattering of a partly transparent surface.
  *
  * @param factor in [0,1]
  */
-record Faded(Bsdf bsdf, double factor) implements Bsdf {
+record Faded(Bsdf bsdf, double factor) implements BsdfAround {
   @Override
   public void evaluate(
       double woX, double woY, double woZ, double wiX, double wiY, double wiZ, BsdfValue result) {
@@ -27,26 +28,6 @@ record Faded(Bsdf bsdf, double factor) implements Bsdf {
   @Override
   public Bsdf narrowed(Rgb throughput) {
     return new Faded(bsdf.narrowed(throughput), factor);
-  }
-
-  @Override
-  public boolean choosesLobe() {
-    return bsdf.choosesLobe();
-  }
-
-  @Override
-  public boolean isSpecular() {
-    return bsdf.isSpecular();
-  }
-
-  @Override
-  public boolean isTransmissive() {
-    return bsdf.isTransmissive();
-  }
-
-  @Override
-  public boolean transmits() {
-    return bsdf.transmits();
   }
 
   @Override

@@ -13,7 +13,7 @@ import io.github.lumbre.math.Vec3;
  *
  * @param frame around the BSDF's normal, in the surface's shading frame
  */
-public record Tilted(Bsdf bsdf, Frame frame) implements Bsdf {
+public record Tilted(Bsdf bsdf, Frame frame) implements BsdfAround {
   /**
    * Returns a BSDF around another normal; the BSDF itself if the viewer is behind that normal.
    *
@@ -61,35 +61,5 @@ public record Tilted(Bsdf bsdf, Frame frame) implements Bsdf {
   @Override
   public Bsdf narrowed(Rgb throughput) {
     return new Tilted(bsdf.narrowed(throughput), frame);
-  }
-
-  @Override
-  public boolean choosesLobe() {
-    return bsdf.choosesLobe();
-  }
-
-  @Override
-  public boolean isSpecular() {
-    return bsdf.isSpecular();
-  }
-
-  @Override
-  public boolean isTransmissive() {
-    return bsdf.isTransmissive();
-  }
-
-  @Override
-  public boolean transmits() {
-    return bsdf.transmits();
-  }
-
-  @Override
-  public Rgb diffuseAlbedo() {
-    return bsdf.diffuseAlbedo();
-  }
-
-  @Override
-  public Rgb albedo() {
-    return bsdf.albedo();
   }
 }
