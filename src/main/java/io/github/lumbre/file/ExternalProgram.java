@@ -35,7 +35,6 @@ public record ExternalProgram(Path path, Duration limit) {
   /** Writes the input of a program. */
   @FunctionalInterface
   public interface Input {
-    /** The empty input. */
     Input NONE = out -> {};
 
     /** Writes all to a stream, which the caller closes. Called by a thread of its own. */

@@ -196,10 +196,8 @@ public record Stage(
       String[] angles = text.split(",", -1);
       if (angles.length != 2) {
         throw new IllegalArgumentException(
-            "expected "
-                + String.join(", ", STANDARD.keySet())
-                + " or AZIMUTH,ELEVATION, found "
-                + text);
+            "expected %s or AZIMUTH,ELEVATION, found %s"
+                .formatted(String.join(", ", STANDARD.keySet()), text));
       }
       double elevation = angle(angles[1]);
       if (Math.abs(elevation) > 90) {
@@ -249,10 +247,8 @@ public record Stage(
     }
     if (!Setting.CREASE_ANGLE.type().accepts(creaseDegrees)) {
       throw new IllegalArgumentException(
-          "creaseDegrees: expected "
-              + Setting.CREASE_ANGLE.type().expected()
-              + ", found "
-              + creaseDegrees);
+          "creaseDegrees: expected %s, found %s"
+              .formatted(Setting.CREASE_ANGLE.type().expected(), creaseDegrees));
     }
     if (!(fov > 0 && fov < 180)) {
       throw new IllegalArgumentException(

@@ -93,8 +93,7 @@ record StageCamera(String name, Lens lens, CameraPose pose, OptionalDouble aspec
     List<StageCamera> all = new ArrayList<>();
     for (Model pose : model.poses().isEmpty() ? List.of(model) : model.poses()) {
       if (pose.cameras().size() != model.cameras().size()) {
-        throw new ModelFormatException(
-            Kind.MALFORMED, "cameras", "expected the same cameras in all poses");
+        throw Kind.MALFORMED.at("cameras", "expected the same cameras in all poses");
       }
       all.add(of(pose.cameras().get(index), placement));
     }

@@ -69,7 +69,6 @@ final class ChangePicture {
     }
   }
 
-  /** Returns the color of a kind of change. */
   static Optional<Rgb> color(Kind kind) {
     return Optional.ofNullable(COLORS.get(kind));
   }

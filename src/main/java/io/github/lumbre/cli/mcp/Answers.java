@@ -40,7 +40,6 @@ final class Answers {
     return answer;
   }
 
-  /** Returns a notification. */
   static Map<String, Object> notification(String method, Map<String, Object> params) {
     Map<String, Object> notification = message();
     notification.put("method", method);

@@ -26,7 +26,6 @@ final class Calls implements AutoCloseable {
   private final Map<Object, Call> open = new ConcurrentHashMap<>();
   private final ThreadPoolExecutor pool;
 
-  /** The work of a call. */
   @FunctionalInterface
   interface Work {
     /**

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Measures how much two pictures differ. */
-final class CompareTool implements Tool {
+record CompareTool(Roots roots, Limits limits) implements Tool {
   private static final Input<String> PICTURE =
       Input.requiredText("picture", "Path of a PNG, JPEG, EXR, HDR, PFM or other picture.");
 
@@ -25,14 +25,6 @@ final class CompareTool implements Tool {
 
   /** So that the map is no larger than what language models take. */
   private static final long MOST_PIXELS = 1L << 21;
-
-  private final Roots roots;
-  private final Limits limits;
-
-  CompareTool(Roots roots, Limits limits) {
-    this.roots = roots;
-    this.limits = limits;
-  }
 
   @Override
   public String name() {

@@ -5,13 +5,7 @@ import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.List;
 
 /** Lists what a model has, without rendering it. */
-final class DescribeTool implements Tool {
-  private final Studio studio;
-
-  DescribeTool(Studio studio) {
-    this.studio = studio;
-  }
-
+record DescribeTool(Studio studio) implements Tool {
   @Override
   public String name() {
     return "describe";

@@ -47,7 +47,6 @@ record Input<T>(String name, Map<String, Object> schema, Reader<T> reader, Optio
     return new Input<>(name, schema, Input::texts, Optional.of(List.of()));
   }
 
-  /** Returns an integer. */
   static Input<Integer> integer(String name, int least, int most, int missing, String description) {
     return new Input<>(
         name,

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Explains a pixel of a picture that {@link RenderTool} makes. */
-final class PixelTool implements Tool {
+record PixelTool(Studio studio) implements Tool {
   private static final int LAST = RenderTool.MOST_PIXELS - 1;
 
   private static final Input<Integer> X =
@@ -17,12 +17,6 @@ final class PixelTool implements Tool {
 
   private static final Input<Integer> Y =
       Input.requiredInteger("y", 0, LAST, "Row of the pixel; 0 is the top one.");
-
-  private final Studio studio;
-
-  PixelTool(Studio studio) {
-    this.studio = studio;
-  }
 
   @Override
   public String name() {

@@ -10,8 +10,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Renders a model from one direction, whole or cut open. */
-final class RenderTool implements Tool {
+/**
+ * Renders a model from one direction, whole or cut open.
+ *
+ * @param isCut whether planes cut the models
+ */
+record RenderTool(Studio studio, boolean isCut) implements Tool {
   static final int MOST_PIXELS = 1024;
   private static final int MOST_SAMPLES = 64;
   private static final String DEFAULT_VIEW = "30,20";
@@ -35,17 +39,6 @@ final class RenderTool implements Tool {
           MOST_SAMPLES,
           Denoising.MODEL_SAMPLES,
           "Samples per pixel: more are cleaner, and take longer.");
-
-  private final Studio studio;
-  private final boolean isCut;
-
-  /**
-   * @param isCut whether planes cut the models
-   */
-  RenderTool(Studio studio, boolean isCut) {
-    this.studio = studio;
-    this.isCut = isCut;
-  }
 
   @Override
   public String name() {

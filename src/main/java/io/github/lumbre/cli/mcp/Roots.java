@@ -85,8 +85,7 @@ final class Roots {
     ModelFolder bounded =
         (name, location) -> {
           if (size(folder, name) > most) {
-            throw new ModelFormatException(
-                ModelFormatException.Kind.TOO_LARGE,
+            throw ModelFormatException.Kind.TOO_LARGE.at(
                 location,
                 PrintableText.quoted(name) + ": expected at most " + most + " bytes, found more");
           }

@@ -18,7 +18,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /** Renders a model from all sides on one sheet. */
-final class ViewsTool implements Tool {
+record ViewsTool(Studio studio) implements Tool {
   private static final int MOST_PIXELS = 640;
   private static final int MOST_SAMPLES = 16;
   private static final int COLUMNS = 4;
@@ -44,12 +44,6 @@ final class ViewsTool implements Tool {
           MOST_SAMPLES,
           DEFAULT_SAMPLES,
           "Samples per pixel: more have smoother edges, and take longer.");
-
-  private final Studio studio;
-
-  ViewsTool(Studio studio) {
-    this.studio = studio;
-  }
 
   @Override
   public String name() {

@@ -14,7 +14,6 @@ import picocli.CommandLine.Option;
 /** The flags that choose a denoiser. */
 @Command(optionListHeading = Headings.PICTURE)
 public final class DenoiserFlags {
-  /** The denoisers. */
   enum Engine {
     BUILTIN,
     OIDN

@@ -12,16 +12,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
 /** The animations of a glTF file (glTF 2.0, section 3.11). */
-final class GltfAnimations {
-  private final GltfDocument document;
-  private final GltfAccessors accessors;
-
-  GltfAnimations(GltfDocument document, GltfAccessors accessors) {
-    this.document = document;
-    this.accessors = accessors;
-  }
-
-  /** Returns all animations. */
+record GltfAnimations(GltfDocument document, GltfAccessors accessors) {
   List<ModelAnimation> all() throws ModelFormatException {
     List<ModelAnimation> all = new ArrayList<>();
     for (GltfJson json : document.section("animations")) {
@@ -80,11 +71,8 @@ final class GltfAnimations {
           .warnings()
           .add(
               json.location(),
-              "expected a time from 0 to "
-                  + shown(end)
-                  + " s, found "
-                  + shown(wanted.seconds())
-                  + " s; the last pose is used");
+              "expected a time from 0 to %s s, found %s s; the last pose is used"
+                  .formatted(shown(end), shown(wanted.seconds())));
     }
     return pose;
   }

@@ -61,7 +61,6 @@ final class GltfNodes {
     return Arrays.copyOf(hidden, count);
   }
 
-  /** Returns a node. */
   GltfNode get(int index) {
     return nodes.get(index);
   }
@@ -146,10 +145,8 @@ final class GltfNodes {
     }
     for (int i = 0; i < placed.length; i++) {
       if (placed[i] == null) {
-        throw new ModelFormatException(
-            Kind.MALFORMED,
-            nodes.get(i).location(),
-            "expected a node that is not below itself, found a cycle");
+        throw Kind.MALFORMED.at(
+            nodes.get(i).location(), "expected a node that is not below itself, found a cycle");
       }
     }
     toWorld.clear();

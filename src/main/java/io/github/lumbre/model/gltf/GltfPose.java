@@ -32,7 +32,6 @@ final class GltfPose {
     rotations.put(node, value);
   }
 
-  /** Sets the scale of a node. */
   void scale(int node, double... value) {
     scales.put(node, value);
   }

@@ -114,15 +114,10 @@ final class GltfSkin {
 
   private GltfMatrix joint(int index, int vertex, GltfJson json) throws ModelFormatException {
     if (index < 0 || index >= joints.length) {
-      throw new ModelFormatException(
-          Kind.MALFORMED,
+      throw Kind.MALFORMED.at(
           json.location(),
-          "expected joints from 0 to "
-              + (joints.length - 1)
-              + ", found "
-              + index
-              + " at vertex "
-              + vertex);
+          "expected joints from 0 to %s, found %s at vertex %s"
+              .formatted(joints.length - 1, index, vertex));
     }
     return joints[index];
   }
