@@ -31,6 +31,8 @@ import java.util.Set;
  * if they belong into one file. Mutable, for one run.
  */
 final class RenderSequence {
+  private static final String GO_ON = "; the same command with --continue goes on";
+
   private final RenderOptions options;
   private final Engine engine;
   private final FrameRender render;
@@ -101,22 +103,27 @@ final class RenderSequence {
       for (int i = 0; i < missing.size() && code <= ExitCodes.WARNINGS; i++) {
         choose(missing.get(i));
         options.run.about(frames);
-        code = Math.max(code, render.run(course, frames, exposing));
+        code = Math.max(code, render(frames, exposing));
       }
       written = missing.size() - frames.left();
     }
     return code;
   }
 
+  private int render(Frames frames, PictureExposure exposing)
+      throws SceneFormatException, TaskException {
+    try {
+      return render.run(course, frames, exposing);
+    } catch (TaskException e) {
+      throw frames.haveEnded() && isJoined
+          ? new TaskException(e.kind(), e.getMessage() + GO_ON, e)
+          : e;
+    }
+  }
+
   /** Renders the frames and joins all into one file. */
   private int join(JsonSummary report) throws SceneFormatException, TaskException {
-    try (RenderMonitor monitor = monitor();
-        JoinedFrames joined =
-            monitor.reading(
-                target,
-                () ->
-                    JoinedFrames.reserve(
-                        target, options.sequence.rate(), options.sequence.ffmpeg()))) {
+    try (JoinedFrames joined = reserved()) {
       int code = render();
       if (written < missing.size()) {
         if (code > ExitCodes.WARNINGS) {
@@ -124,7 +131,10 @@ final class RenderSequence {
         }
         throw joined.incomplete(course.deadline());
       }
-      joined.join(all, monitor);
+      options.run.aboutAll();
+      try (RenderMonitor monitor = monitor()) {
+        joined.join(all, monitor);
+      }
       report.put("output", target.toString());
       report.put("frames", all.size());
       report.put("frames_kept", finished.size());
@@ -139,6 +149,14 @@ final class RenderSequence {
                   kept() > 0 ? "; " + keptText() : ""),
           sinceStart());
       return code;
+    }
+  }
+
+  private JoinedFrames reserved() throws SceneFormatException, TaskException {
+    try (RenderMonitor monitor = monitor()) {
+      return monitor.reading(
+          target,
+          () -> JoinedFrames.reserve(target, options.sequence.rate(), options.sequence.ffmpeg()));
     }
   }
 

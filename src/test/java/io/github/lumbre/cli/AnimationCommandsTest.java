@@ -284,7 +284,7 @@ class AnimationCommandsTest {
     String line = "render T/sample.glb --turntable 2 --size 16x12 -o T/a.gif";
     Outcome outcome = run(line + " -s 100000000 --timeout 1s");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
-    assertThat(outcome.err()).contains("a-000.png is partial");
+    assertThat(outcome.err()).contains("a-000.png is partial", "the same command with --continue");
     assertThat(files("a.gif")).containsExactly("a.gif.frames");
     Outcome last = run(line + " -s 100000000 --timeout 1s --continue");
     assertThat(last.exitCode()).isEqualTo(ExitCodes.LIMIT);
@@ -322,5 +322,17 @@ class AnimationCommandsTest {
             "--continue");
     assertThat(files("a.mp4")).containsExactly("a.mp4.frames");
     assertThat(directory.resolve("a.mp4.frames").toFile().list()).hasSize(2);
+  }
+
+  @Test
+  void eachKindOfWarningIsPrintedOnce() {
+    String line = "render T/sample.glb --turntable 3 --denoise --size 16x12 -s 1 -o T/a.png";
+    String printed = runs(line);
+    assertThat(printed.lines().filter(text -> text.contains("lacks its noise"))).hasSize(1);
+    assertThat(printed).contains("warning: ", "a-000.png: lacks its noise");
+    assertThat(printed.lines().filter(text -> !text.startsWith("warning: "))).hasSize(1);
+    String stats = runs(line + " --stats --progress json");
+    assertThat(stats.lines().filter(text -> text.contains("peak heap"))).hasSize(3);
+    assertThat(stats).contains("{\"frame\":3,\"frames\":3,\"seconds_left_in_all\":");
   }
 }

@@ -342,6 +342,25 @@ class TerminalIT {
   }
 
   @Test
+  void controlCKeepsTheFramesOfAnAnimation() throws IOException, InterruptedException {
+    ModelSample.write(directory);
+    String frames = " --animation lift --fps 3 --size 64x48 -o a.gif -s ";
+    try (PseudoTerminal terminal = lumbre(200, "render sample.glb" + frames + ENDLESS)) {
+      terminal.await("a bar", printed -> printed.contains("1/3:   0 % ["));
+      terminal.control('C');
+      assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
+      assertThat(terminal.screen())
+          .contains(
+              "lumbre: stopped after 0 of 3 pictures: a.gif.frames/a-000.png is partial, 2 not"
+                  + " rendered: a.gif.frames/a-001.png to a.gif.frames/a-002.png; the same command"
+                  + " with --continue goes on");
+    }
+    assertThat(directory.resolve("a.gif")).doesNotExist();
+    assertThat(directory.resolve("a.gif.frames").toFile().list()).containsExactly("a-000.png");
+    assertNothingLeftBehind();
+  }
+
+  @Test
   void controlCEndsABatchAfterThePartialPicture() throws IOException, InterruptedException {
     Files.copy(directory.resolve("tiny.json"), directory.resolve("b.json"));
     Files.writeString(directory.resolve("broken.glb"), "glTF and no more");

@@ -21,6 +21,7 @@ import java.time.Duration;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
@@ -59,6 +60,7 @@ public final class RunFlags extends Flags {
   private String title = "";
   private List<String> names = List.of();
   private boolean isBrief;
+  private Map<String, Number> place = Map.of();
   private final Set<String> warned = new HashSet<>();
 
   /** Names the current one of several scenes in its messages and on its progress bar. */
@@ -74,15 +76,23 @@ public final class RunFlags extends Flags {
    */
   public void about(Frames frames) {
     title = frames.place();
+    place = frames.placeValues();
     names = List.of(String.valueOf(frames.target().getFileName()));
     isBrief = !stats;
+  }
+
+  /** Ends the naming of one of several scenes or frames. */
+  public void aboutAll() {
+    title = "";
+    place = Map.of();
+    names = List.of();
+    isBrief = false;
   }
 
   /** Prints the summary of several pictures, unless there shall be none. */
   public void summarize(String summary, Duration time) {
     if (!quiet) {
-      names = List.of();
-      isBrief = false;
+      aboutAll();
       errors().line(String.format(Locale.ROOT, "%s; %.2f s", summary, 1e-9 * time.toNanos()));
     }
   }
@@ -118,7 +128,7 @@ public final class RunFlags extends Flags {
             !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
     return switch (style) {
       case BAR -> ProgressBar.onStandardError(title);
-      case JSON -> new JsonProgress(errors());
+      case JSON -> new JsonProgress(new Messages(spec.commandLine().getErr(), names), place);
       case NONE -> ProgressDisplay.NONE;
     };
   }

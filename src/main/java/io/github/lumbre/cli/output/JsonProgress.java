@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import com.google.gson.JsonObject;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -15,6 +16,7 @@ public final class JsonProgress implements ProgressDisplay {
 
   private final LongAdder done = new LongAdder();
   private final Messages out;
+  private final Map<String, Number> place;
   private final AtomicBoolean isStarted = new AtomicBoolean();
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(
@@ -28,8 +30,12 @@ public final class JsonProgress implements ProgressDisplay {
   private volatile Supplier<OptionalDouble> secondsLeft = OptionalDouble::empty;
   private volatile OptionalDouble error = OptionalDouble.empty();
 
-  public JsonProgress(Messages out) {
+  /**
+   * @param place values with which each line begins, such as the number of the frame
+   */
+  public JsonProgress(Messages out, Map<String, Number> place) {
     this.out = out;
+    this.place = place;
   }
 
   @Override
@@ -77,19 +83,26 @@ public final class JsonProgress implements ProgressDisplay {
 
   private void print() {
     double seconds = (System.nanoTime() - start) * 1e-9;
-    out.line(line(done.sum(), total, seconds, secondsLeft.get(), error));
+    out.line(line(place, done.sum(), total, seconds, secondsLeft.get(), error));
   }
 
   /**
    * Returns {@code {"done":250,"total":1000,"seconds":50.0,"rate":5.0,"seconds_left":150.0}};
    * total, time left and {@code relative_error} only if they are known.
    *
+   * @param place values with which the line begins
    * @param total 0 if it is not known
    * @param limit remaining seconds of the time limit; empty if there is none
    */
   static String line(
-      long done, long total, double seconds, OptionalDouble limit, OptionalDouble relativeError) {
+      Map<String, Number> place,
+      long done,
+      long total,
+      double seconds,
+      OptionalDouble limit,
+      OptionalDouble relativeError) {
     JsonObject line = new JsonObject();
+    place.forEach(line::addProperty);
     line.addProperty("done", done);
     if (total > 0) {
       line.addProperty("total", total);

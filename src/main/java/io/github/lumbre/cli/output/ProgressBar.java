@@ -151,10 +151,10 @@ public final class ProgressBar implements ProgressDisplay {
   }
 
   @Override
-  public void reading(String name) {
+  public void busy(String newActivity) {
     locked(
         () -> {
-          activity = "reading " + Messages.printable(name);
+          activity = Messages.printable(newActivity);
           start = clock.getAsDouble();
         });
   }

@@ -21,8 +21,13 @@ public interface ProgressDisplay extends AutoCloseable {
         public void close() {}
       };
 
-  /** Called when the reading of a scene starts; it lasts until {@link #started}. */
-  default void reading(String name) {}
+  /**
+   * Called when something starts that takes a while and is no render; it lasts until {@link
+   * #started}.
+   *
+   * @param activity such as {@code reading chair.glb}
+   */
+  default void busy(String activity) {}
 
   /**
    * Called when a render starts, before its first sample.

@@ -10,7 +10,10 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -118,11 +121,25 @@ public final class Frames implements AutoCloseable {
    */
   public String place() {
     String place = "%d/%d".formatted(current + 1, targets.size());
-    return current == 0
+    OptionalDouble seconds = secondsLeft();
+    return seconds.isEmpty()
         ? place
-        : place
-            + ", all in "
-            + ProgressBar.clock(1e-9 * (System.nanoTime() - start) / current * left());
+        : place + ", all in " + ProgressBar.clock(seconds.getAsDouble());
+  }
+
+  /** Returns the place and the time of {@link #place} as values for JSON. */
+  public Map<String, Number> placeValues() {
+    Map<String, Number> place = new LinkedHashMap<>();
+    place.put("frame", current + 1);
+    place.put("frames", targets.size());
+    secondsLeft().ifPresent(seconds -> place.put("seconds_left_in_all", seconds));
+    return place;
+  }
+
+  private OptionalDouble secondsLeft() {
+    return current == 0
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(1e-9 * (System.nanoTime() - start) / current * left());
   }
 
   /** Returns the place and name of the current frame, {@code 3/12 c.png}; empty if it is single. */

@@ -93,7 +93,8 @@ public final class JoinedFrames implements AutoCloseable {
    */
   public void join(List<Path> frames, RenderMonitor monitor) throws TaskException {
     try {
-      if (monitor.unlessStopped(() -> written(frames)).isEmpty()) {
+      String activity = "writing " + target.getFileName();
+      if (monitor.unlessStopped(activity, () -> written(frames)).isEmpty()) {
         throw incomplete(monitor.isOutOfTime());
       }
     } catch (UncheckedIOException e) {

@@ -53,7 +53,7 @@ public final class RenderMonitor implements LabHost.Display {
    */
   public <T> T reading(Path scene, Interruption.Reading<T> action)
       throws TaskException, SceneFormatException {
-    display.get().reading(String.valueOf(scene.getFileName()));
+    display.get().busy("reading " + scene.getFileName());
     return interruption.reading(deadline, action);
   }
 
@@ -64,6 +64,12 @@ public final class RenderMonitor implements LabHost.Display {
    */
   public <T> Optional<T> unlessStopped(Interruption.Waiting<T> action) {
     return interruption.unlessStopped(deadline, action);
+  }
+
+  /** Runs a computation as {@link #unlessStopped(Interruption.Waiting)}, and shows what it does. */
+  <T> Optional<T> unlessStopped(String activity, Interruption.Waiting<T> action) {
+    display.get().busy(activity);
+    return unlessStopped(action);
   }
 
   /** Shows the limits of the render other than its samples. */

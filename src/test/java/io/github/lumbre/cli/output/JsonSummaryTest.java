@@ -11,6 +11,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -138,11 +139,15 @@ class JsonSummaryTest {
 
   @Test
   void progressTellsRateTimeLeftAndTheErrorIfThereIsOne() {
-    assertThat(JsonProgress.line(250, 1000, 50, OptionalDouble.empty(), OptionalDouble.of(.125)))
+    Map<String, Number> place = Map.of("frame", 3);
+    assertThat(
+            JsonProgress.line(
+                place, 250, 1000, 50, OptionalDouble.empty(), OptionalDouble.of(.125)))
         .isEqualTo(
-            "{\"done\":250,\"total\":1000,\"seconds\":50.0,\"rate\":5.0,"
+            "{\"frame\":3,\"done\":250,\"total\":1000,\"seconds\":50.0,\"rate\":5.0,"
                 + "\"seconds_left\":150.0,\"relative_error\":0.125}");
-    assertThat(JsonProgress.line(0, 1000, 0, OptionalDouble.empty(), OptionalDouble.empty()))
+    assertThat(
+            JsonProgress.line(Map.of(), 0, 1000, 0, OptionalDouble.empty(), OptionalDouble.empty()))
         .isEqualTo("{\"done\":0,\"total\":1000,\"seconds\":0.0,\"rate\":0.0}");
   }
 }

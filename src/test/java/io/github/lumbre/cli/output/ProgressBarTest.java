@@ -52,7 +52,7 @@ class ProgressBarTest {
     now = 1;
     bar.tick();
     assertThat(printed()).startsWith("\r3/12 \\u001bwooden-ch:  25 % 0:00:03 left, 250 samples/s");
-    bar.reading("chair.glb");
+    bar.busy("reading chair.glb");
     now = 2;
     bar.tick();
     assertThat(printed()).startsWith("\r3/12 \\u001bwooden-ch: reading chair.glb ... 0:00:01");
@@ -85,7 +85,7 @@ class ProgressBarTest {
   @Test
   void readingIsShownOnceItTakesAWhile() {
     ProgressBar bar = bar(true);
-    bar.reading("big\033.json");
+    bar.busy("reading big\033.json");
     now = 0.5;
     bar.tick();
     assertThat(printed()).isEmpty();

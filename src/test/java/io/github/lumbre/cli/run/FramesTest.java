@@ -11,6 +11,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
@@ -68,6 +69,17 @@ class FramesTest {
     assertThatThrownBy(() -> render(frames, complete, event))
         .isInstanceOfSatisfying(TaskException.class, e -> assertThat(e.kind()).isEqualTo(kind))
         .hasMessage(message.replace("a-", directory.resolve("a-").toString()));
+  }
+
+  @Test
+  void placesStateTheTimeThatIsLeftOnceAFrameIsComplete() throws Exception {
+    Frames frames = after(0);
+    assertThat(frames.place()).isEqualTo("1/4");
+    assertThat(frames.placeValues()).containsOnly(Map.entry("frame", 1), Map.entry("frames", 4));
+    render(frames, true, () -> {});
+    assertThat(frames.place()).matches("2/4, all in 0:0[0-9]:[0-9]{2}");
+    assertThat(frames.placeValues().keySet())
+        .containsExactly("frame", "frames", "seconds_left_in_all");
   }
 
   @Test
