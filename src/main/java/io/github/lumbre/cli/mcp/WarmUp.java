@@ -14,15 +14,15 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 
 /**
- * Renders small pictures until the first call, so that Java has compiled most of the code by then.
- * Speed hack: docs/measurements/2026-11-start.md.
+ * Renders small pictures until the first call, and then searches by vectors, so that Java has
+ * compiled most of the code by then. Speed hack: docs/measurements/2026-11-start.md.
  */
 final class WarmUp {
   private static final int PICTURES = 36;
   private static final int WIDTH = 160;
   private static final int HEIGHT = 120;
 
-  /** Number of triangles around, of enough for the traversal by vectors. */
+  /** Triangles around each cone: enough for the traversal by vectors. */
   private static final int SIDES = 64;
 
   private final Thread thread = new Thread(this::render, "lumbre-mcp-warm-up");
