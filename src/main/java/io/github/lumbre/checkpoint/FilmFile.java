@@ -222,9 +222,11 @@ public record FilmFile(FilmHeader header, Film film) {
     private static Film emptyFilm(FilmHeader header) throws FilmFormatException {
       int first = header.parts().stream().mapToInt(FilmPart::first).min().orElse(0);
       try {
-        return new Film(header.window(), header.hasAlpha(), first, header.layers().ofFilm());
+        return header.newFilm(header.window(), first);
       } catch (ArithmeticException e) {
         throw new FilmFormatException("its layers are too large for its window");
+      } catch (IllegalArgumentException e) {
+        throw new FilmFormatException("is damaged: " + e.getMessage());
       }
     }
 

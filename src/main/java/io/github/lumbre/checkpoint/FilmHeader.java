@@ -1,5 +1,6 @@
 package io.github.lumbre.checkpoint;
 
+import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.sampling.internal.SobolSampler;
@@ -107,6 +108,24 @@ public record FilmHeader(
     identity.put(SAMPLER, SobolSampler.ID);
     identity.put(REVISION, String.valueOf(FilmRenderer.REVISION));
     return identity;
+  }
+
+  /**
+   * Returns an empty film of a window, with the layers and the poses of this header.
+   *
+   * @throws ArithmeticException if its layers are too large for its window
+   * @throws IllegalArgumentException if the identity has an invalid number of poses, or the first
+   *     sample is not the first of a round of poses
+   */
+  Film newFilm(Crop ofWindow, int firstSample) {
+    return new Film(ofWindow, hasAlpha, firstSample, layers.ofFilm(), poses());
+  }
+
+  private int poses() {
+    return identity.containsKey(Setting.SHUTTER.name())
+        ? Integer.parseInt(
+            identity.getOrDefault(Setting.POSES.name(), missing(Setting.POSES.name())))
+        : 1;
   }
 
   /**

@@ -39,7 +39,7 @@ public final class FilmMerge {
     films.forEach(film -> parts.addAll(film.file().header().parts()));
     List<FilmPart> joined = joined(parts);
     int firstSample = joined.stream().mapToInt(FilmPart::first).min().orElse(0);
-    Film sum = new Film(window, header.hasAlpha(), firstSample, header.layers().ofFilm());
+    Film sum = header.newFilm(window, firstSample);
     // Add the films in the order of their samples, which keeps the halves of the pixels known if
     // possible.
     films.stream()

@@ -241,6 +241,10 @@ public final class FilmRenderer implements PassRenderer {
     }
     // Compares references first: the methods that compare records are made at run time, which
     // takes milliseconds at the start of a command.
+    if (film.poses() != scene.poses().size()) {
+      throw new IllegalArgumentException(
+          "film: expected " + scene.poses().size() + " poses, found " + film.poses());
+    }
     if (!Objects.equals(film.layers(), layers)) {
       throw new IllegalArgumentException("film: expected " + layers + ", found " + film.layers());
     }

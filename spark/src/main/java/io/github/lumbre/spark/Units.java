@@ -50,6 +50,11 @@ final class Units {
     return all.units;
   }
 
+  /** Returns the next number of samples that has equally many of each pose. */
+  private int whole(int samples) {
+    return samples + Math.floorMod(-samples, film.poses());
+  }
+
   /** Returns the largest power of two whose square is at most a number of pixels, within limits. */
   private static int side(long pixels) {
     int side = SMALLEST;
@@ -64,10 +69,10 @@ final class Units {
    */
   private void divide(int x, int y, int width, int height) {
     int have = film.samples(x, y);
-    int want = target.samples(x, y);
+    int want = whole(target.samples(x, y));
     for (int row = y; row < y + height; row++) {
       for (int column = x; column < x + width; column++) {
-        if (film.samples(column, row) != have || target.samples(column, row) != want) {
+        if (film.samples(column, row) != have || whole(target.samples(column, row)) != want) {
           boolean isWide = width >= height;
           int w = isWide ? width / 2 : width;
           int h = isWide ? height : height / 2;
@@ -81,7 +86,9 @@ final class Units {
         }
       }
     }
-    long most = Math.max(1, samplesPerUnit / ((long) width * height));
+    // All poses of a scene in motion.
+    int poses = film.poses();
+    long most = Math.max(1, samplesPerUnit / ((long) width * height * poses)) * poses;
     for (int first = have; first < want; ) {
       int end = (int) Math.min(want, first + most);
       if (first > 0) {

@@ -104,7 +104,7 @@ public final class SampleFlags extends Flags {
     int poses = whole.poses();
     int all = whole.samples() / poses;
     try {
-      firstOfShare = poses * part.first(all, poses == 1 ? "sample" : "exposure");
+      firstOfShare = poses * part.first(all, poses == 1 ? "sample" : "pose set");
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), "--share: " + e.getMessage(), e);
     }

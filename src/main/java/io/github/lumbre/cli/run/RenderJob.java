@@ -358,10 +358,11 @@ public record RenderJob(
       return Optional.of(
           "warning: " + Numbers.percent(share) + " of the pixels have no sample and are black");
     }
-    return budget.isOutOfTime() && film.mostSamples() == 1
+    return budget.isOutOfTime() && film.mostSamples() == film.poses()
         ? Optional.of(
-            "warning: --time was too short: only the first pass of 1 sample per pixel was rendered,"
-                + " which is always completed")
+            "warning: --time was too short: only the first pass of "
+                + Numbers.count(film.poses(), "sample")
+                + " per pixel was rendered, which is always completed")
         : Optional.empty();
   }
 
