@@ -132,6 +132,9 @@ public final class SceneWriter {
   }
 
   private static Parts parts(Scene scene, RenderSettings settings) {
+    if (scene.poses().size() > 1) {
+      throw new Unwritable("a scene that stands still", "one in motion");
+    }
     SceneInside inside = SceneInside.of(scene);
     SceneDescription description =
         inside

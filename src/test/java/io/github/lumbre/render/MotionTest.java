@@ -12,6 +12,7 @@ import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.SceneWriter;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Guiding;
 import io.github.lumbre.scene.Scene;
@@ -173,6 +174,9 @@ class MotionTest {
             .seenBy(Lens.pinhole(60).camera(new Vec3(0, 0, 40), Frame.WORLD, 1));
     assertThat(render(moving, settings).rgb()).containsOnly(1);
     assertThat(moving.poses()).hasSize(4);
+    assertThatThrownBy(() -> SceneWriter.file(moving, settings))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("expected a scene that stands still, found one in motion");
     assertThat(ball(0).poses()).hasSize(1);
   }
 }
