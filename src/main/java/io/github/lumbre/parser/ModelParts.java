@@ -208,9 +208,8 @@ final class ModelParts {
             int first = scene.primitiveCount();
             other.ifPresentOrElse(
                 own -> own.add(surface.shape(), scene), () -> surface.addTo(scene));
-            for (int primitive = first;
-                isCounted && primitive < scene.primitiveCount();
-                primitive++) {
+            int end = isCounted ? scene.primitiveCount() : first;
+            for (int primitive = first; primitive < end; primitive++) {
               surfaces.put(primitive, shown);
             }
           });

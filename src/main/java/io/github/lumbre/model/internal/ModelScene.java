@@ -107,30 +107,23 @@ public final class ModelScene {
     this.sharesAll = sharesAll;
   }
 
-  private ModelScene(ModelScene other, Transform toWorld, boolean sharesAll) {
-    model = other.model;
+  private ModelScene(
+      ModelScene other,
+      Model model,
+      Transform toWorld,
+      ModelMaterials materials,
+      Map<ModelPart, ModelSurface> made,
+      boolean sharesAll) {
+    this.model = model;
     this.toWorld = toWorld;
     kernel = other.kernel;
-    materials = other.materials.at(toWorld);
+    this.materials = materials;
     meshes = other.meshes;
     clouds = other.clouds;
     shared = other.shared;
-    made = new IdentityHashMap<>();
+    this.made = made;
     uses = other.uses;
     this.sharesAll = sharesAll;
-  }
-
-  private ModelScene(ModelScene other, Model pose) {
-    model = pose;
-    toWorld = other.toWorld;
-    kernel = other.kernel;
-    materials = other.materials;
-    meshes = other.meshes;
-    clouds = other.clouds;
-    shared = other.shared;
-    made = other.made;
-    uses = other.uses;
-    sharesAll = other.sharesAll;
   }
 
   private static Map<ModelGeometry, Integer> uses(Model model) {
@@ -147,7 +140,7 @@ public final class ModelScene {
    * all meshes that move and keep their shape.
    */
   public ModelScene posed(Model pose) {
-    return new ModelScene(this, pose);
+    return new ModelScene(this, pose, toWorld, materials, made, sharesAll);
   }
 
   /**
@@ -157,7 +150,8 @@ public final class ModelScene {
    * @param sharing whether all meshes have hierarchies in their local space, which are built once
    */
   public ModelScene at(Transform newToWorld, boolean sharing) {
-    return new ModelScene(this, newToWorld, sharing);
+    return new ModelScene(
+        this, model, newToWorld, materials.at(newToWorld), new IdentityHashMap<>(), sharing);
   }
 
   /**
