@@ -47,6 +47,7 @@ final class RenderSequence {
   private List<Integer> part = List.of();
   private List<Integer> missing = List.of();
   private int written;
+  private boolean isDenoised;
 
   /** Renders the current frame and returns its exit code. */
   interface FrameRender {
@@ -141,10 +142,11 @@ final class RenderSequence {
       report.put("fps", options.sequence.rate().toString());
       report.put("seconds", 1e-9 * sinceStart().toNanos());
       options.run.summarize(
-          "%s: %s, %s frames per second%s"
+          "%s: %s%s, %s frames per second%s"
               .formatted(
                   target,
                   Numbers.count(all.size(), "frame"),
+                  isDenoised ? ", denoised" : "",
                   options.sequence.rate(),
                   kept() > 0 ? "; " + keptText() : ""),
           sinceStart());
@@ -160,12 +162,15 @@ final class RenderSequence {
     }
   }
 
-  /** Returns {@code 30 of 36 pictures written, 6 were complete: a-000.png to a-035.png}. */
+  /**
+   * Returns {@code 30 of 36 pictures written, denoised, 6 were complete: a-000.png to a-035.png}.
+   */
   private String summary() {
     return written
         + " of "
         + Numbers.count(part.size(), "picture")
         + " written"
+        + (isDenoised ? ", denoised" : "")
         + (kept() > 0 ? ", " + keptText() : "")
         + ": "
         + all.get(part.get(0))
@@ -196,7 +201,7 @@ final class RenderSequence {
   /** Finds out which frames there are, and which of them are complete. */
   private int plan() throws SceneFormatException, TaskException {
     Path pictures = isJoined ? JoinedFrames.picture(target) : target;
-    options.denoising(pictures, engine);
+    isDenoised = options.denoising(pictures, engine).isPresent();
     if (isJoined) {
       options.checkOutputs(course.scenes(), List.of());
       requireNoFrames();

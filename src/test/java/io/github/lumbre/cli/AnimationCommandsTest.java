@@ -110,16 +110,17 @@ class AnimationCommandsTest {
   @ValueSource(strings = {"--turntable 3", "--animation lift --fps 3 --view front"})
   void missingFramesAreContinued(String what) throws IOException {
     String line = "render T/sample.glb " + what + " --continue -o T/a.png" + SMALL;
-    assertThat(runs(line)).contains("3 of 3 pictures written: a-000.png");
+    assertThat(runs(line)).contains("3 of 3 pictures written, denoised: a-000.png");
     byte[] second = Files.readAllBytes(directory.resolve("a-001.png"));
     Files.delete(directory.resolve("a-001.png"));
     Object before = Files.getLastModifiedTime(directory.resolve("a-000.png"));
-    assertThat(runs(line)).contains("1 of 3 pictures written, 2 were complete: a-000.png to");
+    assertThat(runs(line))
+        .contains("1 of 3 pictures written, denoised, 2 were complete: a-000.png to");
     assertThat(Files.getLastModifiedTime(directory.resolve("a-000.png"))).isEqualTo(before);
     assertThat(PictureTexts.read(directory.resolve("a-001.png"))).containsKey("SceneHash");
     assertThat(Files.size(directory.resolve("a-001.png")))
         .isBetween(second.length - 9L, second.length + 9L);
-    assertThat(runs(line)).contains("0 of 3 pictures written, 3 were complete");
+    assertThat(runs(line)).contains("0 of 3 pictures written, denoised, 3 were complete");
   }
 
   @ParameterizedTest
@@ -239,7 +240,8 @@ class AnimationCommandsTest {
   void framesAreJoinedIntoOneFile() throws IOException {
     String line = "render T/sample.glb --turntable 3 --fps 10 -o T/a.";
     String printed = runs(line + "gif" + SMALL);
-    assertThat(printed).containsPattern("a.gif: 3 frames, 10 frames per second; [0-9.]+ s\n");
+    assertThat(printed)
+        .containsPattern("a.gif: 3 frames, denoised, 10 frames per second; [0-9.]+ s\n");
     assertThat(files("a.")).containsExactly("a.gif");
     ImageReader gif = ImageIO.getImageReadersByFormatName("gif").next();
     try (ImageInputStream in =

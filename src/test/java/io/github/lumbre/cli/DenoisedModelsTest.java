@@ -128,8 +128,10 @@ class DenoisedModelsTest {
     }
     assertThat(pixels("views/views.png")).isNotEqualTo(pixels("noisy/views.png"));
     String turned = runs("render T/sample.glb --view iso --turntable 2 -o T/turn.png" + SMALL);
-    assertThat(turned.split(DENOISED.replace("(", "\\("), -1)).hasSize(3);
-    runs("render T/sample.glb --view iso --turntable 2 --no-denoise -o T/no.png" + SMALL);
+    assertThat(turned).contains("2 of 2 pictures written, denoised: ");
+    assertThat(
+            runs("render T/sample.glb --view iso --turntable 2 --no-denoise -o T/no.png" + SMALL))
+        .contains("2 of 2 pictures written: ");
     for (String frame : new String[] {"000", "001"}) {
       assertThat(pixels("turn-" + frame + ".png")).isNotEqualTo(pixels("no-" + frame + ".png"));
     }
