@@ -35,6 +35,7 @@ public final class FinishedFrames {
    */
   public FinishedFrames(Set<String> keywords) {
     List<String> ordered = new ArrayList<>(new TreeSet<>(keywords));
+    ordered.remove(PictureMetadata.DENOISED);
     // Whatever changes a setting often changes the scene around a model, too.
     if (ordered.remove(PictureMetadata.SCENE_HASH)) {
       ordered.add(PictureMetadata.SCENE_HASH);
@@ -57,14 +58,12 @@ public final class FinishedFrames {
     if (found.containsKey(PictureMetadata.PARTIAL)) {
       return;
     }
+    boolean isDenoised = found.containsKey(PictureMetadata.DENOISED);
+    if (isDenoised != expected.containsKey(PictureMetadata.DENOISED)) {
+      throw refused(picture, isDenoised ? "it is denoised" : "it is not denoised");
+    }
     for (String keyword : keywords) {
-      boolean isAny = keyword.equals(PictureMetadata.DENOISED) && found.containsKey(keyword);
-      String wanted = expected.get(keyword);
-      requireSame(
-          picture,
-          keyword,
-          isAny && wanted != null ? found.get(keyword) : wanted,
-          found.get(keyword));
+      requireSame(picture, keyword, expected.get(keyword), found.get(keyword));
     }
     Optional<String> chosen = Optional.ofNullable(found.get(PictureMetadata.CHOSEN_EXPOSURE));
     if (exposure.isPresent()) {
@@ -87,20 +86,16 @@ public final class FinishedFrames {
   private static void requireSame(Path picture, String keyword, String expected, String found)
       throws TaskException {
     if (!Objects.equals(expected, found)) {
-      boolean isOfDenoiser = keyword.equals(PictureMetadata.DENOISED);
-      String what =
-          isOfDenoiser
-              ? (found == null ? "it is not denoised" : "it is denoised")
-              : keyword.equals(PictureMetadata.SCENE_HASH)
-                  ? "its scene is another one: the model, one of its files or a flag of the model,"
-                      + " such as --view, has changed"
-                  : "its metadata have "
-                      + keyword
-                      + " "
-                      + Objects.requireNonNullElse(found, NOTHING)
-                      + ", expected "
-                      + Objects.requireNonNullElse(expected, NOTHING);
-      throw refused(picture, what);
+      throw refused(
+          picture,
+          keyword.equals(PictureMetadata.SCENE_HASH)
+              ? "its scene is another one: the model, one of its files or a flag of the model, such"
+                  + " as --view, has changed"
+              : "its metadata have %s %s, expected %s"
+                  .formatted(
+                      keyword,
+                      Objects.requireNonNullElse(found, NOTHING),
+                      Objects.requireNonNullElse(expected, NOTHING)));
     }
   }
 
@@ -109,7 +104,7 @@ public final class FinishedFrames {
         picture
             + ": cannot be continued: "
             + reason
-            + "; choose another path with -o, or leave out --continue to replace it");
+            + "; choose another path with -o, or remove it");
   }
 
   public boolean contains(Path picture) {
