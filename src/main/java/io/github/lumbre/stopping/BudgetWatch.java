@@ -58,12 +58,18 @@ public final class BudgetWatch implements StopRule {
    */
   public void resume(Film film) {
     int fewest = film.fewestSamples();
-    for (int end = Passes.next(0, fewest); end < fewest; end = Passes.next(end, fewest)) {
+    for (int end = passEnd(0, film); end < fewest; end = passEnd(end, film)) {
       int due = StoppingSchedule.due(end);
       looks += due == lastDue || StoppingSchedule.isEarly(end) ? 0 : 1;
       lastDue = due;
     }
     isMet = fewest == film.mostSamples() && isReachedBy(film) || isHopeless(film);
+  }
+
+  /** Returns the end of the pass after some samples per pixel, which has all poses. */
+  private static int passEnd(int done, Film film) {
+    int end = Passes.next(done, film.fewestSamples());
+    return end + Math.floorMod(-end, film.poses());
   }
 
   /**

@@ -20,6 +20,8 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Effort;
+import java.util.Collections;
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
@@ -103,6 +105,21 @@ class MotionCoverageTest {
     }
     assertThat(failures).as(told).isLessThan(Effort.count(8, 14));
     assertThat(ratio).as(told).isBetween(.7, 1.6);
+  }
+
+  /** Passes are longer than without poses, so that there are fewer checks. */
+  @Test
+  void resumedRendersCountTheSameChecks() throws Exception {
+    List<Scene> poses =
+        Collections.nCopies(16, moving().poses()).stream().flatMap(List::stream).toList();
+    FilmRenderer renderer = new FilmRenderer(settings(3 * 128, 0), Scene.inMotion(poses));
+    Film film = renderer.newFilm();
+    Budget budget = new Budget(1 << 14, OptionalDouble.of(1e-4), CONFIDENCE);
+    BudgetWatch watch = new BudgetWatch(budget);
+    new PassLoop(renderer, film).run(watch, PassListener.NONE, Progress.NONE);
+    BudgetWatch resumed = new BudgetWatch(budget);
+    resumed.resume(film);
+    assertThat(resumed.estimate(film)).isEqualTo(watch.estimate(film)).isPresent();
   }
 
   /** Halves with other poses would differ by the motion, which is no noise. */
