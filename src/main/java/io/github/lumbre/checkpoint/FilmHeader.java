@@ -123,8 +123,9 @@ public record FilmHeader(
 
   private int poses() {
     return identity.containsKey(Setting.SHUTTER.name())
-        ? Integer.parseInt(
-            identity.getOrDefault(Setting.POSES.name(), missing(Setting.POSES.name())))
+        ? Setting.POSES
+            .type()
+            .parse(identity.getOrDefault(Setting.POSES.name(), missing(Setting.POSES.name())))
         : 1;
   }
 

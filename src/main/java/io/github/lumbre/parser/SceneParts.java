@@ -65,7 +65,8 @@ final class SceneParts {
    * @param poses number of poses; all parts that move have so many
    * @param backplate color that the camera sees instead of environment lights
    * @param kernel traversal kernel of the bounding volume hierarchies
-   * @param known the same scene, if code has built it: it gets the names of the file
+   * @param known the same scene, if code has built it: it gets the names of the file; not used if
+   *     there are several poses
    */
   Scene scene(
       List<Camera> cameras,
@@ -82,7 +83,8 @@ final class SceneParts {
       all.add(scene);
     }
     return known
-        .map(same -> same.named(all.get(poses / 2)))
+        .filter(same -> poses == 1)
+        .map(same -> same.named(all.get(0)))
         .orElseGet(() -> SceneAssembly.inMotion(all));
   }
 

@@ -35,8 +35,8 @@ import java.util.stream.Collectors;
  * such a file has the same samples, bit for bit, and the hash of {@link #file}.
  *
  * <p>The format has no place for textures, materials and apertures that a program computes itself,
- * and for a few combinations; a scene with one of them is refused with an {@link
- * IllegalArgumentException} that names the object. Such scenes can be rendered all the same.
+ * for a scene in motion, and for a few combinations; a scene with one of them is refused with an
+ * {@link IllegalArgumentException} that names the object. Such scenes can be rendered all the same.
  * Stateless.
  */
 public final class SceneWriter {
@@ -50,7 +50,8 @@ public final class SceneWriter {
   /**
    * Returns a scene as it would be read from the file that {@link #write} writes: with its hash,
    * and the places of its objects. Its scene is the given one, seen for the aspect ratio of the
-   * settings, with the names that the file gives. Everything that takes a {@link SceneFile} takes
+   * settings, with the names that the file gives; if the settings have a {@link Setting#SHUTTER},
+   * it is read anew, and its animated models move. Everything that takes a {@link SceneFile} takes
    * it.
    *
    * @param settings are part of the hash, as the {@code renderOptions} of a file are

@@ -127,6 +127,21 @@ class SceneWriterTest {
     assertThat(SceneWriter.file(simple().build(), SETTINGS).hash()).isEqualTo(file.hash());
   }
 
+  /** The format has moving models, but no scenes whose parts code moves. */
+  @Test
+  void scenesInMotionAreRefusedAndOthersHaveThePosesOfTheSettings() {
+    Scene still = simple().build();
+    RenderSettings moving =
+        SETTINGS.toBuilder().set(Setting.SHUTTER, .1).set(Setting.POSES, 4).build();
+    assertThat(SceneWriter.file(still, moving).scene().poses()).hasSize(moving.poses());
+    assertThat(SceneWriter.file(still, SETTINGS).scene().poses()).hasSize(1);
+    Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GREY).build();
+    Scene inMotion = Scene.inMotion(List.of(still, other));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SceneWriter.file(inMotion, SETTINGS))
+        .withMessage("expected a scene that stands still, found one in motion");
+  }
+
   @Test
   void existingFilesAreKept() throws Exception {
     Path path = folder.resolve("scene.json");
