@@ -41,7 +41,7 @@ record Hierarchies(Bvh all, Bvh blockers, KernelChange change) {
     Kernel kernel = poses.get(0).kernel;
     List<List<Shape>> shapes = poses.stream().map(SceneAssembly::shapes).toList();
     BitSet still = still(shapes);
-    if (still.cardinality() == shapes.get(0).size()) {
+    if (shapes.stream().allMatch(pose -> pose.size() == still.cardinality())) {
       Hierarchies first = over(shapes.get(0), kernel, poses.get(0).allLights());
       return poses.stream()
           .map(pose -> first.of(pose.allLights().equals(poses.get(0).allLights())))

@@ -194,7 +194,7 @@ public final class Scene {
 
   /** Returns whether {@link #changeKernel} has something to do, if vectors are available. */
   public boolean mayChangeKernel() {
-    return hierarchies.change().isPossible();
+    return changes().stream().anyMatch(KernelChange::isPossible);
   }
 
   /**
@@ -206,7 +206,13 @@ public final class Scene {
    * @throws InterruptedException if the thread is interrupted; nothing has changed then
    */
   public void changeKernel(BooleanSupplier isWanted) throws InterruptedException {
-    hierarchies.change().run(isWanted);
+    for (KernelChange change : changes()) {
+      change.run(isWanted);
+    }
+  }
+
+  private List<KernelChange> changes() {
+    return poses().stream().map(pose -> pose.hierarchies.change()).distinct().toList();
   }
 
   private List<Shape> shapes() {

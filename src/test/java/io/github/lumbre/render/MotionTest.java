@@ -16,6 +16,7 @@ import io.github.lumbre.parser.SceneWriter;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Guiding;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.scene.Setting;
 import java.util.Collections;
 import java.util.List;
@@ -164,6 +165,25 @@ class MotionTest {
     RenderSettings moving = settings.toBuilder().set(Setting.SHUTTER, .02).build();
     assertThat(moving.poses()).isEqualTo(64);
     assertThat(moving.withWholePoses().samples()).isEqualTo(128);
+  }
+
+  @Test
+  void kernelsChangeInAllPoses() throws Exception {
+    List<Scene> poses = IntStream.range(0, 4).mapToObj(i -> balls(i)).toList();
+    Scene moving = Scene.inMotion(poses);
+    assertThat(poses).allMatch(Scene::mayChangeKernel);
+    moving.changeKernel(() -> true);
+    assertThat(poses).noneMatch(Scene::mayChangeKernel);
+    assertThat(moving.mayChangeKernel()).isFalse();
+  }
+
+  /** Returns as many balls as vectors need. */
+  private static Scene balls(double y) {
+    SceneBuilder scene = Scene.builder().seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1));
+    for (int i = 0; i < 20; i++) {
+      scene.add(new Sphere(Transform.translation(new Vec3(3 * i, y, 9)), 1), Matte.GREY);
+    }
+    return scene.build();
   }
 
   @Test
