@@ -280,9 +280,8 @@ public final class SampleLayers implements PathListener {
       return;
     }
     double weight = misWeight / lightPdf;
-    int group = emitter < 0 ? -1 : groups.ofEmitter(emitter);
     int times = scatterings + (source == Source.MIRROR || source == Source.REFRACTION ? 2 : 1);
-    add(group, times, r * weight, g * weight, b * weight);
+    add(group(source, emitter), times, r * weight, g * weight, b * weight);
   }
 
   @Override
@@ -304,16 +303,22 @@ public final class SampleLayers implements PathListener {
     if (source == Source.EMISSION && isFirst()) {
       setColor(albedo, Rgb.BLACK);
     }
-    int group = emitter < 0 ? groupOfEmission(source) : groups.ofEmitter(emitter);
     add(
-        group,
+        group(source, emitter),
         isAmbient ? scatterings + 1 : scatterings,
         r * misWeight,
         g * misWeight,
         b * misWeight);
   }
 
-  private int groupOfEmission(Source source) {
+  /** Returns the group of a light, or -1 if it has none or groups are not collected. */
+  private int group(Source source, int emitter) {
+    if (lights.length == 0) {
+      return -1;
+    }
+    if (emitter >= 0) {
+      return groups.ofEmitter(emitter);
+    }
     return source == Source.EMISSION ? groups.ofPrimitive(primitive) : -1;
   }
 
@@ -329,7 +334,7 @@ public final class SampleLayers implements PathListener {
       direct[1] += green * g;
       direct[2] += blue * b;
     }
-    if (group >= 0 && lights.length != 0) {
+    if (group >= 0) {
       lights[3 * group] += red * r;
       lights[3 * group + 1] += green * g;
       lights[3 * group + 2] += blue * b;

@@ -16,6 +16,7 @@ import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
@@ -439,19 +440,22 @@ public final class SceneParser {
     LineDrawing.lack(scene, settings).ifPresent(spot::warn);
   }
 
-  /** Requires that all poses number their parts alike if the settings record these numbers. */
+  /** Requires that all poses number their parts and lights alike if layers record the numbers. */
   static void requireNumbers(Scene scene, RenderSettings settings, Problems problems)
       throws SceneFormatException {
-    boolean areAlike =
-        scene.poses().stream().mapToInt(pose -> pose.primitives().size()).distinct().count() == 1;
-    boolean areRecorded =
+    SceneInside middle = SceneInside.of(scene);
+    List<SceneInside> poses = scene.poses().stream().map(SceneInside::of).toList();
+    boolean haveParts = poses.stream().allMatch(pose -> pose.names().equals(middle.names()));
+    boolean haveLights =
+        poses.stream().allMatch(pose -> pose.lightGroups().isLike(middle.lightGroups()));
+    boolean areParts =
         settings.layers().contains(Layer.OBJECT) || settings.layers().contains(Layer.MATERIAL);
-    if (!areAlike && areRecorded) {
+    if (areParts && !haveParts || settings.layers().contains(Layer.LIGHTS) && !haveLights) {
       problems.error(
           Kind.INVALID,
           () -> "layers",
-          "expected the same parts in all poses for layers of objects and materials, found parts"
-              + " that appear or vanish");
+          "expected the same parts and lights in all poses for layers of objects, materials and"
+              + " lights, found some that appear or vanish");
       throw problems.exception();
     }
   }

@@ -28,6 +28,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,6 +43,9 @@ class MotionModelTest {
 
   /** Of a picture in motion: the same on every machine, and with every version of Java. */
   private static final int HASH = -724606369;
+
+  /** The light of the sky behind the lamp. */
+  private static final double SKY = .25;
 
   @TempDir private Path directory;
 
@@ -254,7 +258,53 @@ class MotionModelTest {
                         .build());
     assertThatThrownBy(() -> recording.parse("a.glb", glb, at(.75)))
         .isInstanceOf(SceneFormatException.class)
-        .hasMessageContaining("expected the same parts in all poses for layers of objects");
+        .hasMessageContaining("expected the same parts and lights in all poses");
+  }
+
+  /** A panel, which is a lamp and appears, before a sky of another light group; the rest is cut. */
+  private SceneFile lamp(Set<Layer> layers) throws Exception {
+    file.set("extensionsUsed", "['KHR_materials_emissive_strength']");
+    int material = file.add("materials", "{'emissiveFactor': [1, 1, 1], 'doubleSided': true}");
+    file.add("nodes", "{'mesh': %d}".formatted(file.triangle(", 'material': " + material)));
+    file.add("nodes", "{'mesh': %d, 'translation': [9, 0, 0]}".formatted(file.triangle("")));
+    animate(0, "scale", "VEC3", "STEP", 0, 0, 0, 1, 1, 1);
+    Files.write(directory.resolve("a.glb"), glb());
+    String scene =
+        """
+        {"mainCameraId": 1, "renderOptions": {"shutter": 0.5, "poses": 8}, "objects": [
+        {"type": "Camera", "id": 1, "localPosition": {"x": -0.3, "y": 0.3, "z": -2}},
+        {"type": "Model", "file": "a.glb", "pose": "go", "seconds": 0.75,
+         "lightGroup": "lamp", "section": ["x=5"]},
+        {"type": "Light", "lightType": "Dome", "intensity": 0.25, "lightGroup": "sky"}]}
+        """;
+    return parser(SHUTTER, POSES)
+        .overriding(
+            s ->
+                s.toBuilder()
+                    .size(WIDTH, HEIGHT)
+                    .samples(POSES)
+                    .set(Setting.LAYERS, layers)
+                    .build())
+        .parse(scene.getBytes(StandardCharsets.UTF_8), directory.resolve("scene.json"));
+  }
+
+  @Test
+  void sceneMayBeEmptyAtFirst() throws Exception {
+    SceneFile scene = lamp(Layer.FOR_DENOISING);
+    assertThat(scene.scene().poses())
+        .extracting(pose -> pose.primitives().size())
+        .containsExactly(0, 0, 0, 0, 1, 1, 1, 1);
+    float[] rgb = render(scene).rgb();
+    double most = IntStream.range(0, rgb.length).mapToDouble(i -> rgb[i]).max().getAsDouble();
+    // Half of the time, the lamp hides the sky, and shines and reflects its light.
+    assertThat(most).isBetween((1 + SKY) / 2, (1 + SKY) / 2 + SKY);
+  }
+
+  @Test
+  void lightGroupsWithOtherLightsInSomePosesAreRefused() {
+    assertThatThrownBy(() -> lamp(Set.of(Layer.LIGHTS)))
+        .isInstanceOf(SceneFormatException.class)
+        .hasMessageContaining("expected the same parts and lights in all poses");
   }
 
   @ParameterizedTest

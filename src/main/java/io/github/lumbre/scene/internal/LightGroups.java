@@ -1,6 +1,7 @@
 package io.github.lumbre.scene.internal;
 
 import io.github.lumbre.scene.Primitive;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -60,11 +61,18 @@ public final class LightGroups {
 
   /** Returns the number of the group of an emitter of the scene, or -1. */
   public int ofEmitter(int emitter) {
-    return names.isEmpty() ? -1 : ofEmitter[emitter];
+    return ofEmitter[emitter];
   }
 
   /** Returns the number of the group of a primitive's emission, or -1. */
   public int ofPrimitive(int primitive) {
-    return names.isEmpty() ? -1 : ofPrimitive[primitive];
+    return ofPrimitive[primitive];
+  }
+
+  /** Returns whether other emitters and primitives have the same groups, in the same order. */
+  public boolean isLike(LightGroups other) {
+    return names.equals(other.names)
+        && Arrays.equals(ofEmitter, other.ofEmitter)
+        && Arrays.equals(ofPrimitive, other.ofPrimitive);
   }
 }
