@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +14,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -92,26 +94,37 @@ class ExternalProgramTest {
         .hasMessage("frame-003.png: PNG is truncated");
   }
 
+  /** The program and one that it has started write their ids; both would sleep for an hour. */
   @Test
-  void anInterruptEndsTheProgram() throws Exception {
-    ExternalProgram program = program("echo $$ > \"$1\"; sleep 60\n");
-    Path id = folder.resolve("id");
+  void anInterruptEndsTheProgramAndItsChildren() throws Exception {
+    ExternalProgram program = program("sleep 3600 & echo $$ $! > \"$1\"; wait\n");
+    Path ids = folder.resolve("ids");
     Thread thread = Thread.currentThread();
     Thread interrupter =
         new Thread(
             () -> {
-              while (!Files.exists(id)) {
+              while (!hasLine(ids)) {
                 Thread.onSpinWait();
               }
               thread.interrupt();
             });
     interrupter.start();
-    assertThatThrownBy(() -> program.run(List.of(id.toString()), ENDLESS))
+    assertThatThrownBy(() -> program.run(List.of(ids.toString()), ENDLESS))
         .isInstanceOf(InterruptedException.class);
     interrupter.join();
-    String process = Files.readString(id).strip();
-    if (!process.isEmpty()) {
-      ProcessHandle.of(Long.parseLong(process)).ifPresent(p -> p.onExit().join());
+    for (String id : Files.readString(ids).strip().split(" ")) {
+      Optional<ProcessHandle> process = ProcessHandle.of(Long.parseLong(id));
+      if (process.isPresent()) {
+        process.get().onExit().get(30, TimeUnit.SECONDS);
+      }
+    }
+  }
+
+  private static boolean hasLine(Path file) {
+    try {
+      return Files.exists(file) && Files.readString(file).endsWith("\n");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 
