@@ -116,6 +116,8 @@ public final class Lumbre implements Runnable {
 
   /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
+    // The digits of numbers are 0 to 9, also in the names of files.
+    Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
     redirectErrors();
     if (!Version.isAskedForBy(args)) {
       Interruption.install();

@@ -124,20 +124,42 @@ class DiffCommandTest {
     write("brass.obj", PLATE.replace("steel", "brass"));
     for (String z : new String[] {"1", "-1"}) {
       write("gone.obj", PLATE + bolt.replace("%s", z));
-      run("diff T/gone.obj T/brass.obj -o T/page.html --view front");
-      String page = Files.readString(directory.resolve("page.html"));
-      String data = page.substring(page.lastIndexOf("base64,") + 7);
-      byte[] png = Base64.getDecoder().decode(data.substring(0, data.indexOf('"')));
-      BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
       long mixed = 0;
-      for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
-        int rgb = image.getRGB(i % image.getWidth(), i / image.getWidth());
+      for (int rgb : changes("diff T/gone.obj T/brass.obj")) {
         double green = Srgb.decode((rgb >> 8 & 255) / 255.) / Srgb.decode((rgb >> 16 & 255) / 255.);
         // Green by red: 0.44 of what changed, 0.17 of what is gone; blue is in pale parts only.
         mixed += (rgb & 255) < 20 && green > .2 && green < .38 ? 1 : 0;
       }
       assertThat(mixed > 1000).as(z + ": " + mixed).isEqualTo(z.equals("1"));
     }
+  }
+
+  /** Its old place is not drawn over it: the colors of both are mixed nowhere in its middle. */
+  @Test
+  void aMovedPartIsShownWhereItIs() throws IOException {
+    write("old.obj", PLATE.replace(" 0\n", " .5\n"));
+    write("moved.obj", PLATE);
+    long moved = 0;
+    long mixed = 0;
+    for (int rgb : changes("diff T/old.obj T/moved.obj")) {
+      // What moved has no red, what is gone no blue, and what is pale has red, green and blue.
+      boolean isBlue = (rgb & 255) > (rgb >> 8 & 255) + 20;
+      moved += isBlue && (rgb >> 16 & 255) < 20 ? 1 : 0;
+      mixed += (rgb >> 16 & 255) > (rgb >> 8 & 255) + 20 && (rgb & 255) > 60 ? 1 : 0;
+    }
+    assertThat(moved).isGreaterThan(10_000);
+    assertThat(mixed).isLessThan(moved / 5);
+  }
+
+  /** Returns the pixels of the last picture on the page of a comparison, seen from the front. */
+  private int[] changes(String line) throws IOException {
+    run(line + " -o T/page.html --view front");
+    String page = Files.readString(directory.resolve("page.html"));
+    String data = page.substring(page.lastIndexOf("base64,") + 7);
+    byte[] png = Base64.getDecoder().decode(data.substring(0, data.indexOf('"')));
+    BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
+    int width = image.getWidth();
+    return image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
   }
 
   @ParameterizedTest

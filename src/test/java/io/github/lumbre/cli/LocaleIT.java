@@ -91,4 +91,14 @@ class LocaleIT {
     Outcome outcome = sh(without("export LC_ALL=C") + jar() + " render tiny.json");
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
   }
+
+  @Test
+  void numbersHaveTheSameDigitsEverywhere() throws IOException, InterruptedException {
+    ModelSample.write(directory);
+    String render = " render sample.glb --turntable 1 -o a.png --size 8x6 -s 1";
+    String persian = jar().replace(" -jar ", " -Duser.language=fa -jar ");
+    Outcome outcome = sh(without("export LC_ALL=C.UTF-8") + persian + render);
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(directory.resolve("a-000.png")).exists();
+  }
 }
