@@ -31,7 +31,7 @@ public final class BuiltInDenoiser {
    * How much larger the squared error is than the filtered noise, since kernels also mix different
    * light. Measured on scenes that were held out in the training.
    */
-  private static final double UNSEEN = 2.2;
+  static final double UNSEEN = 2.2;
 
   private final NoisyPicture noisy;
   private final Features features;
@@ -50,7 +50,7 @@ public final class BuiltInDenoiser {
     features = new Features(noisy);
     filtered = FilteredUnits.of(features, workers);
     result = new float[noisy.light().mean().length];
-    errorsInRow = units(features.right());
+    errorsInRow = FilteredUnits.count(features.right());
     errors = new double[Math.multiplyExact(features.bottom(), errorsInRow)];
   }
 
@@ -84,14 +84,14 @@ public final class BuiltInDenoiser {
     }
   }
 
-  private static int units(int pixels) {
-    return FilteredUnits.count(pixels);
-  }
-
   private Denoised denoise(int tile) throws InterruptedException {
     int[] counts = counts(tile);
-    int across = units(units(features.right()) * TileFilter.UNIT / counts[0]) * TileFilter.UNIT;
-    int down = units(units(features.bottom()) * TileFilter.UNIT / counts[1]) * TileFilter.UNIT;
+    int across =
+        FilteredUnits.count(FilteredUnits.count(features.right()) * TileFilter.UNIT / counts[0])
+            * TileFilter.UNIT;
+    int down =
+        FilteredUnits.count(FilteredUnits.count(features.bottom()) * TileFilter.UNIT / counts[1])
+            * TileFilter.UNIT;
     for (int top = 0; top < features.bottom(); top += down) {
       for (int left = 0; left < features.right(); left += across) {
         filter(left, top, across, down);
@@ -111,7 +111,7 @@ public final class BuiltInDenoiser {
   /** Returns the result with its light given back, and not farther than the noise allows. */
   private float[] corrected() throws InterruptedException {
     float[] corrected = result.clone();
-    int width = units(features.right()) * TileFilter.UNIT;
+    int width = FilteredUnits.count(features.right()) * TileFilter.UNIT;
     FilteredPart whole = new FilteredPart(filtered, 0, 0, width, 0);
     LostLight lost = new LostLight(features, result);
     workers.compute(
@@ -145,10 +145,10 @@ public final class BuiltInDenoiser {
 
   /** Returns the numbers of tiles beside and below each other with the least work. */
   private int[] counts(int tile) {
-    int[] best = {units(features.right()), units(features.bottom())};
+    int[] best = {FilteredUnits.count(features.right()), FilteredUnits.count(features.bottom())};
     double least = Double.POSITIVE_INFINITY;
-    for (int x = 1; x <= units(features.right()); x++) {
-      for (int y = 1; y <= units(features.bottom()); y++) {
+    for (int x = 1; x <= FilteredUnits.count(features.right()); x++) {
+      for (int y = 1; y <= FilteredUnits.count(features.bottom()); y++) {
         double width = side(features.right(), x);
         double height = side(features.bottom(), y);
         double work = x * width * y * height;
@@ -167,8 +167,8 @@ public final class BuiltInDenoiser {
   }
 
   private void filter(int left, int top, int across, int down) throws InterruptedException {
-    int allAcross = units(features.right()) * TileFilter.UNIT;
-    int allDown = units(features.bottom()) * TileFilter.UNIT;
+    int allAcross = FilteredUnits.count(features.right()) * TileFilter.UNIT;
+    int allDown = FilteredUnits.count(features.bottom()) * TileFilter.UNIT;
     int x = Math.max(0, left - MARGIN);
     int y = Math.max(0, top - MARGIN);
     int width = Math.min(allAcross, left + across + MARGIN) - x;

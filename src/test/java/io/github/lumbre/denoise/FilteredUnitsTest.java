@@ -2,7 +2,9 @@ package io.github.lumbre.denoise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -16,8 +18,11 @@ class FilteredUnitsTest {
   /** Less noise than this, relative to the light, is invisible whatever the network does. */
   private static final double LIMIT = 1. / 1024;
 
+  /** Along both axes: 3 pixels over which variances are smoothed, 8 of context, 15 of a square. */
+  private static final double FAR = (3 + 8 + 15) * Math.sqrt(2);
+
   private static double distance(int x, int y) {
-    return Math.min(Math.hypot(x - 60, y - 16), Math.hypot(x - 225, y - 22)) - 14;
+    return Math.min(Math.hypot(x - 60, y - 16), Math.hypot(x - 222, y - 38)) - 14;
   }
 
   private static boolean isDisc(int i) {
@@ -65,7 +70,7 @@ class FilteredUnitsTest {
     int same = 0;
     int far = 0;
     for (int i = 0; i < clean.length; i++) {
-      boolean isFar = distance(i / 3 % WIDTH, i / 3 / WIDTH) > 8 + 3 + 16 * Math.sqrt(2);
+      boolean isFar = distance(i / 3 % WIDTH, i / 3 / WIDTH) > FAR;
       far += isFar ? 1 : 0;
       same += isFar && clean[i] == noisy.light().mean()[i] ? 1 : 0;
       if (!isDisc(i) && distance(i / 3 % WIDTH, i / 3 / WIDTH) > 3) {
@@ -103,6 +108,28 @@ class FilteredUnitsTest {
     Denoised tiled = BuiltInDenoiser.denoise(noisy, 3, half);
     assertThat(tiled.image().rgb()).isEqualTo(expected.image().rgb());
     assertThat(tiled.relativeError()).isEqualTo(expected.relativeError());
+  }
+
+  @Test
+  void noiseOfPixelsThatAreNotFilteredIsInTheError() throws InterruptedException {
+    float[] light = new float[3 * WIDTH * HEIGHT];
+    float[] noise = new float[light.length];
+    Arrays.fill(light, BACKGROUND);
+    Arrays.fill(noise, (float) (.9 * LIMIT * BACKGROUND));
+    NoisyPicture quiet =
+        new NoisyPicture(
+            WIDTH,
+            HEIGHT,
+            new NoisyPicture.Halves(light, noise),
+            Optional.empty(),
+            Optional.empty(),
+            new float[0],
+            0);
+    Denoised clean = BuiltInDenoiser.denoise(quiet, 2);
+    assertThat(clean.image().rgb()).isEqualTo(light);
+    double squared = Math.pow(noise[0], 2) / (Math.pow(BACKGROUND, 2) + Denoised.FLOOR);
+    assertThat(clean.relativeError().getAsDouble())
+        .isCloseTo(Math.sqrt(BuiltInDenoiser.UNSEEN * squared), withinPercentage(.01));
   }
 
   /** Black is filtered, since samples may have missed its light, unless it is transparent. */
