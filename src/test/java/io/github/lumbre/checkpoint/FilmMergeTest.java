@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.Setting;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -68,6 +71,33 @@ class FilmMergeTest {
     assertThat(FilmMerge.of(List.of(joined, named("d", frame, 7, 1))).header().parts()).hasSize(2);
     assertThatThrownBy(() -> FilmMerge.of(List.of(joined, named("e", frame, 6, 1))))
         .isInstanceOf(FilmMismatchException.class);
+  }
+
+  /** Four samples of four poses have no halves with all of them. */
+  @Test
+  void sumsKeepTheirPoses() throws FilmMismatchException {
+    RenderSettings moving =
+        new RenderSettings.Builder()
+            .size(FilmFixture.FRAME.width(), FilmFixture.FRAME.height())
+            .set(Setting.SHUTTER, .1)
+            .set(Setting.POSES, 4)
+            .build();
+    List<FilmMerge.Named> films = new ArrayList<>();
+    for (int first : new int[] {0, 4}) {
+      Film film = new Film(FilmFixture.FRAME, true, first, FilmLayers.NONE, 4);
+      film.addAll(FilmFixture.file(FilmFixture.FRAME, first, (x, y) -> 4).film());
+      FilmFile file =
+          FilmFile.of(
+              FilmHeader.identity("ab12", moving),
+              film,
+              RecordedLayers.NONE,
+              FilmFixture.NOTES,
+              RenderStatistics.ZERO);
+      films.add(new FilmMerge.Named("from " + first, file));
+    }
+    assertThat(FilmMerge.of(films.subList(0, 1)).film().halves(3, 4)).isEmpty();
+    assertThat(FilmMerge.of(films).film().halves(3, 4)).isPresent();
+    assertThat(FilmMerge.of(films).film().poses()).isEqualTo(4);
   }
 
   @Test

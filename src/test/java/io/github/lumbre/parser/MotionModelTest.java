@@ -12,6 +12,7 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.Layer;
@@ -246,6 +247,11 @@ class MotionModelTest {
     assertThat(appearing.scene().poses())
         .extracting(pose -> pose.primitives().size())
         .containsExactly(3, 3, 3, 3, 4, 4, 4, 4);
+    // What is known of the scene is known of its middle pose.
+    ParsedScene parsed = ParsedScene.of(appearing);
+    assertThat(parsed.origins().primitives()).hasSize(4);
+    assertThat(parsed.contents().triangles()).isEqualTo(4);
+    assertThat(parsed.model().orElseThrow().parts(appearing.scene()).parts()).hasSize(4);
     Image picture = render(appearing);
     assertThat(picture.rgb()).isNotEqualTo(render(read(glb, at(.4), SHUTTER)).rgb());
     SceneParser recording =

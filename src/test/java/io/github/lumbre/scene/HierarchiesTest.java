@@ -2,6 +2,8 @@ package io.github.lumbre.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Bvh;
 import io.github.lumbre.geometry.Kernel;
@@ -17,6 +19,7 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.texture.Texture;
@@ -33,8 +36,7 @@ class HierarchiesTest {
   private static final Shape FLOOR = Rectangle.facing(Vec3.ZERO, Vec3.Y, 4, 4);
   private static final Shape CEILING =
       Rectangle.facing(new Vec3(0, 2, 0), new Vec3(0, -1, 0), 4, 4);
-  private static final Shape WALL =
-      Rectangle.facing(new Vec3(-2, 1, 0), new Vec3(1, .1, .2), 4, 4);
+  private static final Shape WALL = Rectangle.facing(new Vec3(-2, 1, 0), new Vec3(1, .1, .2), 4, 4);
 
   /** A shelf whose lower side is open: it faces up, to the lamp. */
   private static final Shape SHELF = Rectangle.facing(new Vec3(.4, 1, 0), new Vec3(.1, 1, 0), 1, 1);
@@ -44,6 +46,8 @@ class HierarchiesTest {
   /** Faces down, between the lamp and the floor. */
   private static final Shape SCREEN =
       Rectangle.facing(new Vec3(-.5, 1.2, 0), new Vec3(0, -1, 0), 1, 1);
+
+  private static final Shape WALL_TO_THE_LEFT = Rectangle.facing(new Vec3(-2, 0, 0), Vec3.X, 4, 4);
 
   private static final List<Shape> ROOM =
       List.of(LAMP, FLOOR, CEILING, WALL, SHELF, BOX, SCREEN, Plane.floor(-1));
@@ -98,16 +102,14 @@ class HierarchiesTest {
   /** A scene of an animation shares hierarchies, but another lamp may lie behind a wall. */
   @Test
   void anotherLampIsHiddenByTheWallsOfASharedHierarchy() {
-    Rectangle wall = Rectangle.facing(new Vec3(-2, 0, 0), Vec3.X, 4, 4);
     Scene first =
         Scene.builder()
             .lookingAt(new Vec3(0, 0, 3), Vec3.ZERO, 60)
-            .add(wall, new Matte(Texture.constant(Rgb.grey(.5))))
+            .add(WALL_TO_THE_LEFT, new Matte(Texture.constant(Rgb.grey(.5))))
             .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
             .build();
     Scene second =
-        first
-            .toBuilder()
+        first.toBuilder()
             .add(new PointLight(new Vec3(-3, 0, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE))
             .build();
     NearestHit ray = new NearestHit();
@@ -115,6 +117,31 @@ class HierarchiesTest {
     assertThat(first.isLightOccluded(ray, true)).isFalse();
     ray.aim(1, 0, 0, -4, 0, 0, 1);
     assertThat(second.isLightOccluded(ray, true)).isTrue();
+  }
+
+  /** Returns a room whose wall hides the light from the rest if the light is on the left. */
+  private static SceneAssembly room(Camera camera, double x) {
+    return new SceneAssembly(camera)
+        .add(WALL_TO_THE_LEFT, Matte.GREY)
+        .add(new PointLight(new Vec3(x, 0, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE));
+  }
+
+  @Test
+  void cameraOrLightMayMoveAlone() {
+    Camera camera = Lens.pinhole(60).camera(new Vec3(0, 0, 3), Frame.WORLD, 1);
+    Camera other = Lens.pinhole(60).camera(new Vec3(0, 1, 3), Frame.WORLD, 1);
+    List<Scene> poses =
+        SceneAssembly.inMotion(
+                List.of(room(camera, 0), room(camera, 0), room(other, 0), room(other, -3)))
+            .poses();
+    assertThat(poses.get(1)).isSameAs(poses.get(0));
+    assertThat(poses.get(2).camera()).isSameAs(other);
+    assertThat(poses.get(3).hierarchy()).isSameAs(poses.get(0).hierarchy());
+    NearestHit ray = new NearestHit();
+    ray.aim(1, 0, 0, -4, 0, 0, 1);
+    assertThat(poses.get(2).isLightOccluded(ray, true)).isFalse();
+    ray.aim(1, 0, 0, -4, 0, 0, 1);
+    assertThat(poses.get(3).isLightOccluded(ray, true)).isTrue();
   }
 
   /** Returns the second hierarchy, and stores its shapes. */

@@ -17,8 +17,10 @@ import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import io.github.lumbre.testing.Effort;
 import java.util.Collections;
 import java.util.List;
@@ -125,13 +127,16 @@ class MotionCoverageTest {
   /** Halves with other poses would differ by the motion, which is no noise. */
   @Test
   void noiseIsKnownFromTwoSamplesOfEachPoseOn() throws Exception {
-    FilmRenderer renderer = new FilmRenderer(settings(64, 0), moving());
+    RenderSettings settings =
+        settings(64, 0).toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build();
+    FilmRenderer renderer = new FilmRenderer(settings, moving());
     Film film = renderer.newFilm();
     renderer.addSamples(film, 1, Progress.NONE);
     assertThat(film.fewestSamples()).isEqualTo(POSES);
     assertThat(film.halves(8, 8)).isEmpty();
     assertThat(NoiseEstimate.of(film, CONFIDENCE)).isEmpty();
     assertThat(film.developNoise()).containsOnly(Float.NaN);
+    assertThat(film.developNoise(Layer.DENOISING_NORMAL)).containsOnly(Float.NaN);
     renderer.addSamples(film, 3 * POSES, Progress.NONE);
     assertThat(film.halves(8, 8).orElseThrow().firstCount()).isEqualTo(2 * POSES);
     assertThat(NoiseEstimate.of(film, CONFIDENCE)).isPresent();
