@@ -154,7 +154,7 @@ class AnimationCommandsTest {
   @Test
   void partialFramesAreRenderedAnew() throws IOException {
     String line = "render T/sample.glb --turntable 2 --size 16x12 -o T/a.png";
-    run(line + " -s 100000000 --timeout 1s");
+    run(line + " -s 100000000 --timeout 3s");
     assertThat(texts("a-000.png")).containsKey("Partial");
     assertThat(runs(line + " -s 2 --continue")).contains("2 of 2 pictures written");
     assertThat(texts("a-000.png")).doesNotContainKey("Partial");
@@ -276,6 +276,12 @@ class AnimationCommandsTest {
         .contains("a.gif: 3 frames, 25 frames per second; 2 were complete");
     assertThat(files("a.gif")).containsExactly("a.gif");
     runs(line + "--frames 0..1");
+    // Another file stays, and its folder.
+    Path notes = Files.writeString(directory.resolve("a.gif.frames/notes.txt"), "from me");
+    runs(line + "--continue");
+    assertThat(directory.resolve("a.gif.frames").toFile().list()).containsExactly("notes.txt");
+    Files.delete(notes);
+    runs(line + "--frames 0..1");
     run(line.replace("-s 1", "-s 2") + "--continue")
         .assertFailed(ExitCodes.USAGE, "a-000.png: cannot be continued: its metadata have Samples");
     run(line).assertFailed(ExitCodes.OUTPUT, "a.gif.frames: exists, with frames of an earlier run");
@@ -284,11 +290,11 @@ class AnimationCommandsTest {
   @Test
   void stoppedSequencesKeepTheirFrames() throws IOException {
     String line = "render T/sample.glb --turntable 2 --size 16x12 -o T/a.gif";
-    Outcome outcome = run(line + " -s 100000000 --timeout 1s");
+    Outcome outcome = run(line + " -s 100000000 --timeout 3s");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.LIMIT);
     assertThat(outcome.err()).contains("a-000.png is partial", "the same command with --continue");
     assertThat(files("a.gif")).containsExactly("a.gif.frames");
-    Outcome last = run(line + " -s 100000000 --timeout 1s --continue");
+    Outcome last = run(line + " -s 100000000 --timeout 3s --continue");
     assertThat(last.exitCode()).isEqualTo(ExitCodes.LIMIT);
     runs(line + " -s 2 --continue");
     assertThat(files("a.gif")).containsExactly("a.gif");
@@ -298,7 +304,7 @@ class AnimationCommandsTest {
   @Test
   void partialLastFramesAreNotJoined() throws IOException {
     String line = "render T/sample.glb --turntable 1 --size 16x12 -o T/a.gif";
-    run(line + " --quiet -s 100000000 --timeout 1s")
+    run(line + " --quiet -s 100000000 --timeout 3s")
         .assertFailed(
             ExitCodes.LIMIT,
             "--timeout: the time ended before " + directory.resolve("a.gif") + " was written",

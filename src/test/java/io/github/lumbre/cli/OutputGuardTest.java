@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.cli.output.ExitCodes;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Base64;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -285,6 +288,20 @@ class OutputGuardTest {
     assertThat(run(command).exitCode()).isZero();
     Files.write(own, new byte[0]);
     assertThat(run(command).exitCode()).isZero();
+  }
+
+  @Test
+  void animationsReplaceAnimationsAndPictures() throws IOException {
+    String line = "render T/wood.json T/wood.json -s 1 --size 8x6 -o T/own.apng";
+    Path own = directory.resolve("own.apng");
+    Files.copy(directory.resolve("notes"), own);
+    assertRefused(line, "own.apng: exists and is not a GIF, PNG, MP4 or WebM file");
+    Files.copy(directory.resolve("wood.png"), own, StandardCopyOption.REPLACE_EXISTING);
+    for (String start : List.of("GIF89a", "....ftypmp42", "\u001aE\u00df\u00a3")) {
+      assertThat(run(line).exitCode()).isZero();
+      Files.writeString(own, start, StandardCharsets.ISO_8859_1);
+    }
+    assertThat(run(line).exitCode()).isZero();
   }
 
   @Test

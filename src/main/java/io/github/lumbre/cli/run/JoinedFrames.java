@@ -13,6 +13,7 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -60,7 +61,7 @@ public final class JoinedFrames implements AutoCloseable {
   public static JoinedFrames reserve(Path target, FrameRate rate, Optional<Path> ffmpeg)
       throws TaskException {
     try {
-      AnimationFormat.of(target).orElseThrow().requireFits(1, 1, rate);
+      AnimationFormat.of(target).orElseThrow().requireFits(rate);
       JoinedFrames joined = new JoinedFrames(target, rate, writer(target, ffmpeg));
       joined.file = Optional.of(OutputFile.open(target));
       return joined;
@@ -86,7 +87,7 @@ public final class JoinedFrames implements AutoCloseable {
   }
 
   /**
-   * Writes the file, and deletes the frames and their folder.
+   * Writes the file, and deletes the frames and their folder, unless it has other files.
    *
    * @param frames all frames, complete
    * @throws TaskException if that fails, or a signal or the deadline ends it; the frames are kept
@@ -98,14 +99,22 @@ public final class JoinedFrames implements AutoCloseable {
         throw incomplete(monitor.isOutOfTime());
       }
     } catch (UncheckedIOException e) {
-      throw Kind.OUTPUT.failure(
-          target + ": cannot be written: " + FileFailure.reason(e.getCause()) + "; " + advice(), e);
+      // A terminal's Ctrl-C also ends the program that writes a video.
+      throw monitor.isCancelled()
+          ? incomplete(monitor.isOutOfTime())
+          : Kind.OUTPUT.failure(
+              "%s: cannot be written: %s; %s"
+                  .formatted(target, FileFailure.reason(e.getCause()), advice()),
+              e);
     }
     try {
       for (Path frame : frames) {
         Files.deleteIfExists(frame);
       }
       Files.deleteIfExists(folder(target));
+    } catch (DirectoryNotEmptyException e) {
+      // Other files are not ours to delete.
+      return;
     } catch (IOException e) {
       throw Kind.OUTPUT.failure(
           target + ": is complete, but its frames cannot be deleted: " + FileFailure.reason(e), e);

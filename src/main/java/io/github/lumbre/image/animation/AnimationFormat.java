@@ -27,8 +27,6 @@ public enum AnimationFormat {
   /** WebM, written by the installed program ffmpeg. */
   WEBM;
 
-  private static final int MAX_GIF_SIDE = 65535;
-
   /** Viewers show a GIF frame of less than 1/50 s for 1/10 s. */
   private static final int MAX_GIF_RATE = 50;
 
@@ -54,21 +52,12 @@ public enum AnimationFormat {
   }
 
   /**
-   * Checks that the format can hold frames of a size and a rate; to be called before they are
-   * rendered.
+   * Checks that the format can hold a rate of frames; to be called before they are rendered.
    *
    * @throws IllegalArgumentException if it cannot; the message states what to choose instead
    */
-  public void requireFits(int width, int height, FrameRate rate) {
-    if (this != GIF) {
-      return;
-    }
-    if (width > MAX_GIF_SIDE || height > MAX_GIF_SIDE) {
-      throw new IllegalArgumentException(
-          "a GIF has at most %d pixels per side, found %dx%d; choose %s"
-              .formatted(MAX_GIF_SIDE, width, height, APNG.ending()));
-    }
-    if (rate.isAbove(MAX_GIF_RATE)) {
+  public void requireFits(FrameRate rate) {
+    if (this == GIF && rate.isAbove(MAX_GIF_RATE)) {
       throw new IllegalArgumentException(
           "a GIF has at most %d frames per second, found %s, which viewers play slowly; choose %s"
               .formatted(MAX_GIF_RATE, rate, APNG.ending()));
@@ -92,7 +81,7 @@ public enum AnimationFormat {
 
   private void write(AnimationFrames frames, Map<String, String> texts, OutputFile output)
       throws IOException, InterruptedException {
-    requireFits(frames.width(), frames.height(), frames.rate());
+    requireFits(frames.rate());
     if (this == GIF) {
       commit(output, out -> GifWriter.write(frames, out));
     } else {

@@ -32,7 +32,7 @@ public final class GifWriter {
   /**
    * Writes an animation.
    *
-   * @param frames of at most 65535 pixels per side
+   * @param frames at most 50 per second, since viewers show shorter frames for 1/10 s
    * @throws IOException if a frame cannot be read or the stream not be written
    * @throws java.util.concurrent.CancellationException if the calling thread is interrupted; the
    *     interrupt status stays set

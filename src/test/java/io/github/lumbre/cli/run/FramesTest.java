@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -73,10 +74,15 @@ class FramesTest {
 
   @Test
   void placesStateTheTimeThatIsLeftOnceAFrameIsComplete() throws Exception {
+    long start = System.nanoTime();
     Frames frames = after(0);
     assertThat(frames.place()).isEqualTo("1/4");
     assertThat(frames.placeValues()).containsOnly(Map.entry("frame", 1), Map.entry("frames", 4));
+    TimeUnit.MILLISECONDS.sleep(50);
     render(frames, true, () -> {});
+    double left = frames.placeValues().get("seconds_left_in_all").doubleValue();
+    // One of four frames is complete.
+    assertThat(left).isBetween(3 * .05, 3e-9 * (System.nanoTime() - start));
     assertThat(frames.place()).matches("2/4, all in 0:0[0-9]:[0-9]{2}");
     assertThat(frames.placeValues().keySet())
         .containsExactly("frame", "frames", "seconds_left_in_all");
