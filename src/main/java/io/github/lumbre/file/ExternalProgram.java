@@ -74,7 +74,7 @@ public record ExternalProgram(Path path, Duration limit) {
     }
     String found =
         named.map(file -> file + ": not a program").orElse(name + ": not found on the PATH");
-    throw new IOException(found + "; " + advice + "; name it in " + variable);
+    throw new IOException(found + "; " + advice + "; or state its path in " + variable);
   }
 
   private static List<Path> onPath(String path) {

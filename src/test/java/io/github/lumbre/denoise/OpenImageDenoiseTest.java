@@ -128,7 +128,7 @@ class OpenImageDenoiseTest {
         .hasMessageContaining("pip install pyoidn");
     assertThatThrownBy(() -> OpenImageDenoise.find(Optional.of(Path.of("/none")), Map.of()))
         .hasMessageContaining("/none")
-        .hasMessageEndingWith("name it in LUMBRE_OIDN");
+        .hasMessageEndingWith("state its path in LUMBRE_OIDN");
   }
 
   /** Runs only where the real program is installed. */

@@ -135,11 +135,11 @@ class ExternalProgramTest {
                 ExternalProgram.find(
                     "tool", Optional.empty(), "TOOL", Map.of("PATH", "/nowhere"), "make it"))
         .isInstanceOf(IOException.class)
-        .hasMessage("tool: not found on the PATH; make it; name it in TOOL");
+        .hasMessage("tool: not found on the PATH; make it; or state its path in TOOL");
     assertThatThrownBy(
             () ->
                 ExternalProgram.find(
                     "tool", Optional.empty(), "TOOL", Map.of("TOOL", "/no/tool"), "make it"))
-        .hasMessage("/no/tool: not a program; make it; name it in TOOL");
+        .hasMessage("/no/tool: not a program; make it; or state its path in TOOL");
   }
 }

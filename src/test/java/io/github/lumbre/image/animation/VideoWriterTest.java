@@ -103,9 +103,10 @@ class VideoWriterTest {
                 + ": cannot write .mp4: it lacks the encoders libx264 and mpeg4; install a build"
                 + " that has one of them");
     assertThatThrownBy(() -> AnimationFormat.WEBM.writer(Optional.of(folder), environment))
-        .hasMessage(folder + ": not a program; install it; name it in LUMBRE_FFMPEG");
+        .hasMessage(folder + ": not a program; install it; or state its path in LUMBRE_FFMPEG");
     assertThatThrownBy(() -> AnimationFormat.WEBM.writer(Optional.empty(), Map.of()))
-        .hasMessage("ffmpeg: not found on the PATH; install it; name it in LUMBRE_FFMPEG");
+        .hasMessage(
+            "ffmpeg: not found on the PATH; install it; or state its path in LUMBRE_FFMPEG");
   }
 
   @Test
