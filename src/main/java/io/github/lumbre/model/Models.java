@@ -5,6 +5,7 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -84,10 +85,15 @@ public final class Models {
    * @param folder reads other files that the model names
    * @throws ModelFormatException if the file is damaged, unsupported or too large
    * @throws IOException if the thread is interrupted
+   * @throws IllegalArgumentException if the pose is in motion: a scene that code builds has a model
+   *     for each pose of {@link Scene#inMotion}
    */
   public static ModelFile read(
       String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
+    if (options.pose().filter(pose -> pose.poses() > 1).isPresent()) {
+      throw new IllegalArgumentException("pose: expected one that stands still, found motion");
+    }
     ModelLimits.require("", "bytes", options.limits().bytes(), content.length);
     Map<String, byte[]> files = new LinkedHashMap<>();
     ModelFolder recording =

@@ -9,8 +9,10 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.model.gltf.GltfFile;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.render.PictureRenderer;
@@ -344,6 +346,18 @@ class MotionModelTest {
             "animations: 256 poses: expected at most 20000000 bytes of memory for the model")
         .extracting(e -> ((SceneFormatException) e).kind())
         .isEqualTo(SceneFormatException.Kind.LIMIT);
+  }
+
+  @Test
+  void codeAddsModelsThatStandStill() throws Exception {
+    addParts();
+    byte[] glb = glb();
+    ModelOptions still = ModelOptions.DEFAULT.posed(new Pose("go", .5));
+    assertThat(Models.read("a.glb", glb, ModelFolder.NONE, still).options()).isEqualTo(still);
+    ModelOptions moving = ModelOptions.DEFAULT.posed(new Pose("go", .5, SHUTTER, POSES));
+    assertThatThrownBy(() -> Models.read("a.glb", glb, ModelFolder.NONE, moving))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("pose: expected one that stands still, found motion");
   }
 
   @Test
