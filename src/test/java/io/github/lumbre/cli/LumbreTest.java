@@ -54,7 +54,9 @@ class LumbreTest {
         "render s.json --kernel fast    | one of auto, vector, scalar",
         "benchmark --kernel fast        | one of auto, vector, scalar",
         "render s.json --bits 12        | --bits: expected 8 or 16, found 12",
-        "render s.json -o p.gif         | p.gif: expected a name that ends in one of .png",
+        "render s.json -o p.gif         | p.gif: requires --turntable, --animation or several"
+            + " scenes",
+        "render s.json -o p.bmp         | p.bmp: expected a name that ends in one of .png",
         "render s.json -o s.json        | one of .png",
         "render s.json --strict --lenient | lumbre: --strict, --lenient are mutually exclusive",
         "render s.json --seed 1.5       | expected an integer up to 9223372036854775807, found"
