@@ -79,6 +79,25 @@ class McpToolsTest {
         .containsExactly("front", "back", "left", "right", "top", "bottom", "iso");
   }
 
+  @Test
+  void viewsTellOfAllTheirSamplesAndOfLabelsWithoutRoom() throws Exception {
+    String arguments =
+        "'model':'sample.glb','width':160,'height':120,'samples':16,'labels':['parts']";
+    String call = McpClient.line(1, "views", arguments);
+    client.send(call.replace("\"_meta\":{", "\"_meta\":{\"progressToken\":7,"));
+    JsonObject answer = client.next();
+    assertThat(answer.has("method")).as(answer.toString()).isTrue();
+    for (; answer.has("method"); answer = client.next()) {
+      assertThat(answer.getAsJsonObject("params").get("total").getAsInt())
+          .isEqualTo(160 * 120 * 16 * 7);
+    }
+    JsonArray notes =
+        client
+            .numbers("views", "'model':'sample.glb','width':16,'height':16,'labels':['parts']")
+            .getAsJsonArray("notes");
+    assertThat(notes.get(0).getAsString()).startsWith("front: ");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
