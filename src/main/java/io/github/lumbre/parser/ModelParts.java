@@ -4,6 +4,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelMaterial;
@@ -26,6 +27,7 @@ final class ModelParts {
   private final SceneParts parts;
   private final Allowance allowance;
   private final Kernel kernel;
+  private final DecodedPictures decoded;
   private final Set<ModelGeometry> meshes = identitySet();
   private final Set<ModelMaterial> ownMaterials = identitySet();
   private final Map<Integer, PartSurface> surfaces = new HashMap<>();
@@ -38,11 +40,13 @@ final class ModelParts {
 
   /**
    * @param kernel traversal kernel of shared meshes
+   * @param decoded the pictures of models that were read before
    */
-  ModelParts(SceneParts parts, Allowance allowance, Kernel kernel) {
+  ModelParts(SceneParts parts, Allowance allowance, Kernel kernel, DecodedPictures decoded) {
     this.parts = parts;
     this.allowance = allowance;
     this.kernel = kernel;
+    this.decoded = decoded;
   }
 
   private static <T> Set<T> identitySet() {
@@ -127,7 +131,8 @@ final class ModelParts {
     ModelPlace place = placement.place;
     model.warnings().forEach(place::warn);
     Transform toWorld = placement.toWorld.times(ModelScene.TO_LEFT_HANDED);
-    ModelScene scene = new ModelScene(model, toWorld, kernel, allowance.left(), placement.isShared);
+    ModelScene scene =
+        new ModelScene(model, toWorld, kernel, allowance.left(), placement.isShared, decoded);
     try {
       if (model.poses().isEmpty()) {
         add(scene, placement, parts, true);

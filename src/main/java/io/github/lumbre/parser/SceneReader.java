@@ -5,6 +5,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.parser.internal.SceneContents;
@@ -65,7 +66,7 @@ final class SceneReader {
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
     cameras = new CameraReader(textures);
     profiles = new LightProfiles(data);
-    modelParts = new ModelParts(parts, data.allowance(), kernel);
+    modelParts = new ModelParts(parts, data.allowance(), kernel, new DecodedPictures());
     models = new ModelObjects(data, materials, modelParts, settings, sceneName, assets.isLenient());
   }
 

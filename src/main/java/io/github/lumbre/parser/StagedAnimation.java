@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.text.PrintableText;
@@ -12,7 +13,7 @@ import java.util.Optional;
 
 /**
  * An animation of a model from its start to before its end, where a loop begins again. The model is
- * read anew for each pose.
+ * read anew for each pose, and its pictures are decoded once.
  *
  * <p>A camera that is not the model's stands still. It has in its frame the poses at 0, 1/16, 2/16
  * and so on of the animation, whatever the number of frames, and the ground is below them all.
@@ -32,6 +33,7 @@ final class StagedAnimation extends StagedFrames {
   private final int count;
   private final boolean hasOwnCamera;
   private final boolean isFramed;
+  private final DecodedPictures pictures = new DecodedPictures();
   private Optional<StagedModel> built = Optional.empty();
   private Optional<StagedModel> framed = Optional.empty();
 
@@ -132,7 +134,7 @@ final class StagedAnimation extends StagedFrames {
     if (built.isEmpty()) {
       model.keepFiles();
     }
-    SceneFile scene = model.scene(parser);
+    SceneFile scene = model.scene(parser, pictures);
     if (built.isEmpty()) {
       built = Optional.of(model);
     }

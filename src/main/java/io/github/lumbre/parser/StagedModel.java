@@ -16,6 +16,7 @@ import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
@@ -165,6 +166,15 @@ final class StagedModel {
 
   /** Returns the scene. Call it once. */
   SceneFile scene(SceneParser parser) throws SceneFormatException {
+    return scene(parser, new DecodedPictures());
+  }
+
+  /**
+   * Returns the scene. Call it once.
+   *
+   * @param decoded the pictures of other poses of the model
+   */
+  SceneFile scene(SceneParser parser, DecodedPictures decoded) throws SceneFormatException {
     StageCamera camera = camera(stage, parser.settings().frameAspect(), framing);
     RenderSettings settings = parser.settings().changed(settings(camera, parser), "size", problems);
     byte[] text = text(stage, camera, parser);
@@ -175,7 +185,7 @@ final class StagedModel {
     if (stage.ground()) {
       addGround(parts);
     }
-    ModelParts models = new ModelParts(parts, data.allowance(), parser.kernel());
+    ModelParts models = new ModelParts(parts, data.allowance(), parser.kernel(), decoded);
     models.add(model, ModelParts.Placement.alone(place));
     addSky(parts, parser);
     problems.throwIfAny();

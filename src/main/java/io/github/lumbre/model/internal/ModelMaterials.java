@@ -1,7 +1,6 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.image.ImageFormatException;
-import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
@@ -40,30 +39,40 @@ final class ModelMaterials {
   /** Empty for pictures that cannot be decoded. */
   private final Map<ModelImage, Optional<Pixels>> pictures;
 
+  private final DecodedPictures decoded;
+
   private final Map<ModelMaterial, Map<Boolean, Material>> made = new IdentityHashMap<>();
 
   /**
    * @param toWorld from the model's world space to the scene's
    * @param limits of all pictures
+   * @param decoded the pictures of other poses of the model
    */
-  ModelMaterials(Transform toWorld, Limits limits) {
-    this(toWorld, limits, Collections.synchronizedMap(new IdentityHashMap<>()), new Warnings());
+  ModelMaterials(Transform toWorld, Limits limits, DecodedPictures decoded) {
+    this(
+        toWorld,
+        limits,
+        Collections.synchronizedMap(new IdentityHashMap<>()),
+        decoded,
+        new Warnings());
   }
 
   private ModelMaterials(
       Transform toWorld,
       Limits limits,
       Map<ModelImage, Optional<Pixels>> pictures,
+      DecodedPictures decoded,
       Warnings warnings) {
     unit = toWorld.vector(Vec3.X).length();
     this.limits = limits;
     this.pictures = pictures;
+    this.decoded = decoded;
     this.warnings = warnings;
   }
 
   /** Returns the materials of the model at another place, with the same textures. */
   ModelMaterials at(Transform toWorld) {
-    return new ModelMaterials(toWorld, limits, pictures, warnings);
+    return new ModelMaterials(toWorld, limits, pictures, decoded, warnings);
   }
 
   /**
@@ -300,8 +309,7 @@ final class ModelMaterials {
 
   private Optional<Pixels> decoded(ModelImage image) throws ModelFormatException {
     try {
-      Pixels pixels =
-          ImageReader.decode(image.encoded(), limits.withTexels(limits.texels() - texels));
+      Pixels pixels = decoded.of(image.encoded(), limits.withTexels(limits.texels() - texels));
       texels += (long) pixels.width() * pixels.height();
       return Optional.of(pixels);
     } catch (ImageFormatException e) {

@@ -95,10 +95,23 @@ public final class ModelScene {
    */
   public ModelScene(
       Model model, Transform toWorld, Kernel kernel, Limits limits, boolean sharesAll) {
+    this(model, toWorld, kernel, limits, sharesAll, new DecodedPictures());
+  }
+
+  /**
+   * @param pictures decoded for other poses of the model
+   */
+  public ModelScene(
+      Model model,
+      Transform toWorld,
+      Kernel kernel,
+      Limits limits,
+      boolean sharesAll,
+      DecodedPictures pictures) {
     this.model = Objects.requireNonNull(model, "model");
     this.toWorld = Objects.requireNonNull(toWorld, "toWorld");
     this.kernel = Objects.requireNonNull(kernel, "kernel");
-    materials = new ModelMaterials(toWorld, limits);
+    materials = new ModelMaterials(toWorld, limits, pictures);
     meshes = new ConcurrentHashMap<>();
     clouds = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());

@@ -216,7 +216,9 @@ class MaterialParameterTest {
     ModelMaterial read = model.parts().get(0).material();
     assertThat(read.uses(parameter)).isTrue();
     MetallicRoughness material =
-        (MetallicRoughness) new ModelMaterials(Transform.IDENTITY, Limits.NONE).of(read, true);
+        (MetallicRoughness)
+            new ModelMaterials(Transform.IDENTITY, Limits.NONE, new DecodedPictures())
+                .of(read, true);
     boolean hasFactor = !parameter.gltfFactor().isEmpty() || parameter.kind() == Kind.NORMALS;
     Rgb expected = (hasFactor ? factor(parameter) : Rgb.WHITE).times(parameter.gltfUnit());
     if (parameter.kind() == Kind.COLOR && parameter.isTextured()) {
@@ -240,7 +242,8 @@ class MaterialParameterTest {
       boolean isMap = statement.startsWith("map");
       MetallicRoughness material =
           (MetallicRoughness)
-              new ModelMaterials(Transform.IDENTITY, Limits.NONE).of(file.part().material(), true);
+              new ModelMaterials(Transform.IDENTITY, Limits.NONE, new DecodedPictures())
+                  .of(file.part().material(), true);
       Rgb texel =
           parameter.kind() == Kind.COLOR
               ? texel(ImageTexture.Role.COLOR)

@@ -46,7 +46,7 @@ class SpecularGlossinessTest {
     file.add("materials", "{'doubleSided': true, 'extensions': {" + extension + ": " + json + "}}");
     Model model = file.read();
     assertThat(model.warnings()).isEmpty();
-    return new ModelMaterials(Transform.IDENTITY, Limits.NONE)
+    return new ModelMaterials(Transform.IDENTITY, Limits.NONE, new DecodedPictures())
         .of(model.parts().get(0).material(), true);
   }
 
