@@ -58,6 +58,11 @@ final class SceneParts {
                 .toList()));
   }
 
+  /** Returns whether some parts move. */
+  boolean areMoving() {
+    return entries.stream().anyMatch(entry -> entry.poses.size() > 1);
+  }
+
   /**
    * Returns the scene of the parts.
    *

@@ -184,6 +184,10 @@ final class SceneReader {
         ofModel.isEmpty()
             ? List.of(camera.orElseThrow())
             : StageCamera.placed(ofModel, settings.aspect());
+    if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
+      root.object("renderOptions")
+          .ifPresent(o -> o.warn("shutter", "changes nothing, because no model has a pose"));
+    }
     return parts.scene(cameras, settings.poses(), backplate, kernel, known);
   }
 

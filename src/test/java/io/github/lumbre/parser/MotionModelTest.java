@@ -331,11 +331,28 @@ class MotionModelTest {
   /** 2,000 triangles with a new shape in each pose: half a megabyte a pose. */
   @Test
   void memoryOfAllPosesIsEstimatedFirst() throws Exception {
-    double[] corners = new Random(0).doubles(9 * 2000).toArray();
-    int positions = file.floats("VEC3", corners);
+    int positions = manyTriangles();
     String target = ", 'targets': [{'POSITION': " + positions + "}]";
     file.add("nodes", "{'mesh': %d}".formatted(file.mesh("'POSITION': " + positions, target)));
     animate(0, "weights", "SCALAR", "LINEAR", 0, 1);
+    requireMemoryForAllPoses();
+  }
+
+  /** A lamp of 2,000 triangles that keeps its shape, but is divided into emitters in each pose. */
+  @Test
+  void memoryOfMovingLampsIsEstimatedFirst() throws Exception {
+    int material = file.add("materials", "{'emissiveFactor': [1, 1, 1]}");
+    int lamp = file.mesh("'POSITION': " + manyTriangles(), ", 'material': " + material);
+    file.add("nodes", "{'mesh': %d}".formatted(lamp));
+    animate(0, "translation", "VEC3", "LINEAR", 0, 0, 0, 1, 0, 0);
+    requireMemoryForAllPoses();
+  }
+
+  private int manyTriangles() {
+    return file.floats("VEC3", new Random(0).doubles(9 * 2000).toArray());
+  }
+
+  private void requireMemoryForAllPoses() throws Exception {
     byte[] glb = glb();
     Limits limits = Limits.NONE.withMemory(20_000_000);
     SceneFile few = parser(SHUTTER, 2).limitedTo(limits).parse("a.glb", glb, at(0));
@@ -346,6 +363,20 @@ class MotionModelTest {
             "animations: 256 poses: expected at most 20000000 bytes of memory for the model")
         .extracting(e -> ((SceneFormatException) e).kind())
         .isEqualTo(SceneFormatException.Kind.LIMIT);
+  }
+
+  @Test
+  void aShutterWithoutMotionIsSaid() throws Exception {
+    String scene =
+        """
+        {"mainCameraId": 1, "renderOptions": {"shutter": 0.5},
+         "objects": [{"type": "Camera", "id": 1}]}
+        """;
+    assertThat(
+            new SceneParser()
+                .parse(scene.getBytes(StandardCharsets.UTF_8), directory.resolve("a.json"))
+                .warnings())
+        .anyMatch(warning -> warning.toString().contains("shutter: changes nothing"));
   }
 
   @Test

@@ -54,6 +54,8 @@ class RenderSettingsTest {
         .samples(11)
         .adaptive(true)
         .filter(PixelFilter.TENT)
+        .set(Setting.SHUTTER, .02)
+        .set(Setting.POSES, 8)
         .seed(-42)
         .exposure(Exposure.AUTO)
         .set(Setting.LINE_WIDTH, 1.5)
@@ -82,6 +84,7 @@ class RenderSettingsTest {
     assertThat(settings.samples()).isEqualTo(11);
     assertThat(settings.adaptive()).isTrue();
     assertThat(settings.filter()).isEqualTo(PixelFilter.TENT);
+    assertThat(settings.poses()).isEqualTo(8);
     assertThat(settings.seed()).isEqualTo(-42);
     assertThat(settings.exposure()).isEqualTo(Exposure.AUTO);
     assertThat(settings.toneCurve()).isEqualTo(ToneCurve.ACES);

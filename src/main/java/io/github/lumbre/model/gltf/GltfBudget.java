@@ -7,6 +7,7 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelPart;
+import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -60,14 +61,18 @@ final class GltfBudget {
   /**
    * Adds a pose of a model in motion.
    *
-   * @param poses all so far; they share the meshes that keep their shape
+   * @param poses all so far; they share the meshes that keep their shape, but for lights that move
    * @param all number of poses that there will be
    * @throws ModelFormatException if their scenes, with as many new meshes in each pose to come as
    *     in those that were read, do not fit into the memory
    */
   void addPose(List<Model> poses, int all) throws ModelFormatException {
-    for (ModelPart part : poses.get(poses.size() - 1).parts()) {
-      if (shapes.put(part.geometry(), true) == null && poses.size() > 1) {
+    List<ModelPart> now = poses.get(poses.size() - 1).parts();
+    List<ModelPart> before = poses.size() > 1 ? poses.get(poses.size() - 2).parts() : now;
+    for (int i = 0; i < now.size(); i++) {
+      ModelPart part = now.get(i);
+      boolean isNew = shapes.put(part.geometry(), true) == null;
+      if ((isNew || part.isLight() && !isAt(part, i, before)) && poses.size() > 1) {
         moved += part.geometry().itemCount();
       }
     }
@@ -78,6 +83,12 @@ final class GltfBudget {
     }
     items = 0;
     parts = 0;
+  }
+
+  /** Returns whether a part is where it was, if parts appear and vanish only behind it. */
+  private static boolean isAt(ModelPart part, int index, List<ModelPart> before) {
+    return index < before.size()
+        && Arrays.equals(part.toWorld().toArray(), before.get(index).toWorld().toArray());
   }
 
   /** Returns the number of tokens of JSON that may be read. */

@@ -37,6 +37,11 @@ public record ModelPart(
     return node.name();
   }
 
+  /** Returns whether the surface emits light. */
+  public boolean isLight() {
+    return material.unlit() || !material.emission().factor().isBlack();
+  }
+
   /** Returns whether the surface is not divided into connected pieces: points, and lights. */
   public boolean isOnePiece() {
     return geometry.isPoints() || !material.emission().factor().isBlack();
