@@ -3,6 +3,7 @@ package io.github.lumbre.model.internal;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.limit.Limits;
 import java.nio.ByteBuffer;
 import java.util.Map;
@@ -27,6 +28,8 @@ public final class DecodedPictures {
     if (pixels == null) {
       pixels = ImageReader.decode(file, limits);
       known.put(key, pixels);
+    } else {
+      PictureLimits.checkPixels(pixels.width(), pixels.height(), limits.texels());
     }
     return pixels;
   }

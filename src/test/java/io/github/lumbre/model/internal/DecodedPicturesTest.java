@@ -24,6 +24,15 @@ class DecodedPicturesTest {
   }
 
   @Test
+  void aKnownPictureKeepsToTheLimits() throws ImageFormatException {
+    pictures.of(png(7), Limits.NONE);
+
+    assertThatThrownBy(() -> pictures.of(png(7), Limits.NONE.withTexels(0)))
+        .isInstanceOf(ImageFormatException.class)
+        .hasMessageContaining("1x1 pixels, expected at most 0");
+  }
+
+  @Test
   void aPictureThatCannotBeDecodedFailsEachTime() {
     for (int i = 0; i < 2; i++) {
       assertThatThrownBy(() -> pictures.of(new byte[] {1, 2, 3}, Limits.NONE))
