@@ -34,7 +34,7 @@ final class TextureReader {
   private static final Point2 NO_SCALE = new Point2(1, 1);
 
   /** The keys of the sun's place: its azimuth and its elevation. */
-  static final List<String> SUN_KEYS = List.of("sunAzimuth", "sunElevation");
+  private static final List<String> SUN_KEYS = List.of("sunAzimuth", "sunElevation");
 
   private enum Sky {
     STUDIO,
@@ -211,8 +211,15 @@ final class TextureReader {
 
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
-    if (light.has("sky")) {
-      return switch (light.choice("sky", Sky.STUDIO)) {
+    Optional<Sky> sky =
+        light.has("sky") ? Optional.of(light.choice("sky", Sky.STUDIO)) : Optional.empty();
+    if (sky.isEmpty() || sky.get() == Sky.STUDIO) {
+      SUN_KEYS.stream()
+          .filter(light::has)
+          .forEach(key -> light.warn(key, "is ignored, because only clear and sun have a sun"));
+    }
+    if (sky.isPresent()) {
+      return switch (sky.get()) {
         case STUDIO -> change.studio(axes, radiance);
         case CLEAR -> change.clear(axes, radiance, clearSky(light));
         case SUN -> change.sun(axes, radiance, clearSky(light));

@@ -183,4 +183,19 @@ class SunAndSkyTest {
     String light = SceneFixture.json("{'type': 'Light', 'lightType': 'Dome', " + keys + "}");
     assertThat(fixture.refusal(SceneFixture.scene(light, ""))).hasMessageContaining(message);
   }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "'sunAzimuth': 3 | true",
+        "'sky': 'studio', 'sunElevation': 3 | true",
+        "'sky': 'clear', 'sunAzimuth': 3 | false"
+      })
+  void aSunThatIsIgnoredIsSaid(String keys, boolean isIgnored) {
+    SceneFixture fixture = new SceneFixture(folder);
+    String light = SceneFixture.json("{'type': 'Light', 'lightType': 'Dome', " + keys + "}");
+    String warnings = fixture.parse(SceneFixture.scene(light, "")).warnings().toString();
+    assertThat(warnings.contains("is ignored, because only clear and sun")).isEqualTo(isIgnored);
+  }
 }
