@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A binary glTF 2.0 file of one scene: a node for each part, some of which turn about axes. Mutable
+ * A binary glTF 2.0 file of one scene: a node for each part; some nodes turn about axes. Mutable
  * while it is built.
  */
 final class GlbFile {

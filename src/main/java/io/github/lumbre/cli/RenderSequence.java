@@ -136,6 +136,9 @@ final class RenderSequence {
       try (RenderMonitor monitor = monitor()) {
         joined.join(all, monitor);
       }
+      joined
+          .loss()
+          .ifPresent(loss -> options.run.errors().line("warning: " + target + ": " + loss));
       report.put("output", target.toString());
       report.put("frames", all.size());
       report.put("frames_kept", finished.size());

@@ -343,4 +343,13 @@ class AnimationCommandsTest {
     assertThat(stats.lines().filter(text -> text.contains("peak heap"))).hasSize(3);
     assertThat(stats).contains("{\"frame\":3,\"frames\":3,\"seconds_left_in_all\":");
   }
+
+  @Test
+  void transparencyThatTheFileLacksIsSaid() {
+    String line = "render T/sample.glb --turntable 1 --background transparent -o T/";
+    assertThat(runs(line + "a.gif" + SMALL)).contains("warning: a.gif: a GIF has no partial");
+    assertThat(runs(line + "a.apng" + SMALL)).doesNotContain("warning: a.apng");
+    assertThat(runs("render T/sample.glb --turntable 1 -o T/b.gif" + SMALL))
+        .doesNotContain("warning: b.gif");
+  }
 }

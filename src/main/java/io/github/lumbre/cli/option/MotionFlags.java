@@ -24,8 +24,8 @@ public final class MotionFlags extends Flags {
       names = "--poses",
       paramLabel = "N",
       description =
-          "Poses, a power of two up to 256, of which the blur is made (16). Each pixel gets equally"
-              + " many samples of each.")
+          "Number of poses that make the blur, a power of two up to 256 (16). Each pixel gets"
+              + " equally many samples of each pose.")
   private Optional<Integer> poses;
 
   /**

@@ -30,6 +30,7 @@ public final class JoinedFrames implements AutoCloseable {
   private final FrameRate rate;
   private final AnimationWriter writer;
   private Optional<OutputFile> file = Optional.empty();
+  private Optional<String> loss = Optional.empty();
 
   private JoinedFrames(Path target, FrameRate rate, AnimationWriter writer) {
     this.target = target;
@@ -121,11 +122,20 @@ public final class JoinedFrames implements AutoCloseable {
     }
   }
 
+  /** Returns what the frames have and the file lacks; empty if it lacks nothing. */
+  public Optional<String> loss() {
+    return loss;
+  }
+
   private Path written(List<Path> frames) throws InterruptedException {
     try {
       Map<String, String> texts = PictureTexts.read(frames.get(0));
       texts.keySet().retainAll(PictureMetadata.ofAllFrames());
-      writer.write(AnimationFrames.open(frames, rate), texts, file.orElseThrow());
+      AnimationFrames opened = AnimationFrames.open(frames, rate);
+      if (opened.haveAlpha()) {
+        loss = AnimationFormat.of(target).flatMap(AnimationFormat::lostTransparency);
+      }
+      writer.write(opened, texts, file.orElseThrow());
       return target;
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -51,6 +51,16 @@ public enum AnimationFormat {
     return this == MP4 || this == WEBM;
   }
 
+  /** Returns what the format makes of transparent frames, for people; empty if it keeps them. */
+  public Optional<String> lostTransparency() {
+    return switch (this) {
+      case APNG -> Optional.empty();
+      case GIF ->
+          Optional.of("a GIF has no partial transparency: alpha below one half is transparent");
+      case MP4, WEBM -> Optional.of("a video has no transparency: the frames are shown over black");
+    };
+  }
+
   /**
    * Checks that the format can hold a rate of frames; to be called before they are rendered.
    *

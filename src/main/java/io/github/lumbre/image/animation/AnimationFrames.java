@@ -47,6 +47,15 @@ public record AnimationFrames(List<Path> files, FrameRate rate, int width, int h
   }
 
   /**
+   * Returns whether the first frame has alpha.
+   *
+   * @throws IOException as {@link #bytes}
+   */
+  public boolean haveAlpha() throws IOException {
+    return ImageReader.decode(bytes(0)).hasAlpha();
+  }
+
+  /**
    * Returns the bytes of a frame, a PNG file whose checksums are right.
    *
    * @param frame counted from 0

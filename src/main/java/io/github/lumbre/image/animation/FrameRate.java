@@ -60,7 +60,7 @@ public record FrameRate(int frames, int seconds) {
     return new FrameRate(Integer.parseInt(decimal.group(1) + digits), scale);
   }
 
-  /** Returns the largest number that divides both, at least one of which is more than 0. */
+  /** Returns the greatest common divisor of two numbers that are not both 0. */
   private static int divisor(int a, int b) {
     return b == 0 ? a : divisor(b, a % b);
   }

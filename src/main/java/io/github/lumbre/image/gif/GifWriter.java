@@ -118,7 +118,7 @@ public final class GifWriter {
 
   /** A rectangle of pixels, at least one. */
   private record Box(int left, int top, int width, int height) {
-    /** Returns the smallest rectangle outside of which two pictures are equal. */
+    /** Returns the smallest rectangle that holds all pixels in which two pictures differ. */
     static Box ofChange(int[] before, int[] after, int width) {
       int left = width;
       int right = 0;

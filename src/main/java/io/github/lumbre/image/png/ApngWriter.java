@@ -115,7 +115,7 @@ public final class ApngWriter {
     return ByteBuffer.wrap(file).getInt(at + 4);
   }
 
-  /** Returns the position of the chunk after another one, all of which were checked. */
+  /** Returns the position of the next chunk. All chunks were checked before. */
   private static int next(byte[] file, int at) {
     return at + PngFile.FRAME_BYTES + ByteBuffer.wrap(file).getInt(at);
   }

@@ -14,7 +14,7 @@ import java.util.Map;
 final class SharedParts {
   private Map<Key, ModelPart> before = new HashMap<>();
 
-  /** The surface of a place in the file, of which there may be several. */
+  /** A surface, by its place in the file and its number among the surfaces of this place. */
   private record Key(String location, int number) {}
 
   /** Returns the parts of the next pose. */
