@@ -83,7 +83,7 @@ class LayersTest {
                   + " light scene outline label model"),
           Map.entry("checkpoint", "file image scene render"),
           Map.entry("denoise", "file math image sampling scene render"),
-          Map.entry("stopping", "math scene render"),
+          Map.entry("stopping", "math image scene render"),
           Map.entry("preview", "image scene render checkpoint stopping"),
           Map.entry(
               "audit",
@@ -98,7 +98,7 @@ class LayersTest {
           Map.entry(
               "lab.checks",
               "math image sampling texture geometry material camera light scene integrator render"
-                  + " lab"),
+                  + " stopping lab"),
           Map.entry(
               "lab.trade",
               "math image sampling geometry scene integrator render denoise stopping lab"

@@ -95,6 +95,7 @@ public final class Lumbre implements Runnable {
             DiffCommand.class,
             TradeCommand.class,
             PerfCommand.class,
+            CoverageCommand.class,
             SelfTestCommand.class));
     SECTIONS.put("The 2016 report", List.of(BenchmarkCommand.class));
     SECTIONS.put("Other", List.of(CompletionCommand.class, HelpCommand.class));

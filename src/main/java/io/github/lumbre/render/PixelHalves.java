@@ -21,6 +21,12 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
   public static final double FLOOR = .01;
 
   /**
+   * How far a pixel's mean is moved towards its neighbors', as a multiple of James and Stein's. With
+   * 1, the errors of small lamps beside rough metal are estimated 4 % too low in large frames.
+   */
+  private static final double SHRINKAGE = 1.25;
+
+  /**
    * Returns an estimate of the relative squared error of the mean of all samples, averaged over the
    * channels.
    *
@@ -42,15 +48,29 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
   }
 
   /**
-   * Returns a conservative estimate of the same error, for few samples. There, a bright spot in one
-   * half makes both m1 m2 and m1 − m2 large, which hides its error. This estimate divides by m √(m1
-   * m2) instead, where m is the smaller of the two means.
+   * Returns an estimate of the same error that a rare bright sample cannot hide, whatever half it is
+   * in: it divides by the square of the mean that the pixel most likely converges to, seen from its
+   * neighbors, instead of by m1 m2, which contains the bright sample.
+   *
+   * <p>This mean is the positive-part estimator of James and Stein (1961), which moves the pixel's
+   * own mean m towards the neighbors' mean s: s + max(0, 1 − {@value #SHRINKAGE} v / (m − s)²) (m −
+   * s), where v is the squared change of m by what the brighter half has more. If the halves agree,
+   * as in a highlight or at an edge, v is small, and m stays. If one half alone is bright, v is
+   * about (m − s)², and s replaces m.
+   *
+   * @param surroundings the mean of the neighboring pixels, without this one
    */
-  public double cautiousSquaredError() {
+  public double squaredErrorAmong(Rgb surroundings) {
     return mean(
-        cautious(first.r(), second.r()),
-        cautious(first.g(), second.g()),
-        cautious(first.b(), second.b()));
+        among(first.r(), second.r(), surroundings.r()),
+        among(first.g(), second.g(), surroundings.g()),
+        among(first.b(), second.b(), surroundings.b()));
+  }
+
+  /** Returns the mean of all samples. */
+  public Rgb mean() {
+    double all = (double) firstCount + secondCount;
+    return first.times(firstCount / all).plus(second.times(secondCount / all));
   }
 
   private double mean(double r, double g, double b) {
@@ -63,8 +83,12 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
     return (a - b) * (a - b) / (Math.max(0, a * b) + FLOOR);
   }
 
-  private static double cautious(double a, double b) {
-    double smaller = Math.max(0, Math.min(a, b));
-    return (a - b) * (a - b) / (smaller * Math.sqrt(Math.max(0, a * b)) + FLOOR);
+  private double among(double a, double b, double surroundings) {
+    double all = (double) firstCount + secondCount;
+    double excess = (a > b ? firstCount : secondCount) / all * (a - b);
+    double off = (firstCount * a + secondCount * b) / all - surroundings;
+    double kept = Math.max(0, off * off - SHRINKAGE * excess * excess);
+    double converged = kept == 0 ? surroundings : surroundings + kept / off;
+    return (a - b) * (a - b) / (converged * converged + FLOOR);
   }
 }

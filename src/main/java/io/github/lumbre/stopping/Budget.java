@@ -32,8 +32,13 @@ public record Budget(int samples, OptionalDouble targetError, double confidence)
     return new Budget(samples, OptionalDouble.empty(), CONFIDENCE);
   }
 
-  /** Returns whether there is a target error and the estimate's error bound is at most that. */
+  /**
+   * Returns whether there is a target error, and the estimate's error bound is at most that and not
+   * {@linkplain NoiseEstimate#isDoubtful doubtful}.
+   */
   public boolean isReachedBy(NoiseEstimate estimate) {
-    return targetError.isPresent() && estimate.upperRelativeRmse() <= targetError.getAsDouble();
+    return targetError.isPresent()
+        && estimate.upperRelativeRmse() <= targetError.getAsDouble()
+        && !estimate.isDoubtful();
   }
 }

@@ -108,13 +108,12 @@ public final class BudgetWatch implements StopRule {
     samplesAtLook = film.totalSamples();
     looks += StoppingSchedule.isEarly(samples) ? 0 : 1;
     Optional<NoiseEstimate> noise = estimate(film, looks);
-    if (StoppingSchedule.isEarly(samples)) {
-      return noise.filter(n -> budget.isReachedBy(n) && !n.hasHeavyTail()).isPresent();
+    if (!StoppingSchedule.isEarly(samples)) {
+      forecast =
+          noise
+              .filter(n -> Double.isFinite(n.upperRelativeMse()))
+              .map(n -> Forecast.of(n, samples, target));
     }
-    forecast =
-        noise
-            .filter(n -> Double.isFinite(n.upperRelativeMse()))
-            .map(n -> Forecast.of(n, samples, target));
     return noise.filter(budget::isReachedBy).isPresent();
   }
 
@@ -172,18 +171,13 @@ public final class BudgetWatch implements StopRule {
    * the confidence.
    */
   private Optional<NoiseEstimate> estimate(Film film, int look) {
-    boolean isEarly = StoppingSchedule.isEarly(film.meanSamples());
     double confidence = budget.confidence();
     if (budget.targetError().isPresent()) {
       confidence =
-          isEarly
+          StoppingSchedule.isEarly(film.meanSamples())
               ? StoppingSchedule.earlyConfidence(confidence)
               : StoppingSchedule.confidence(confidence, look);
     }
-    Optional<NoiseEstimate> noise =
-        isEarly
-            ? NoiseEstimator.ofFewSamples(film, confidence)
-            : NoiseEstimator.of(film, confidence);
-    return noise.map(n -> n.claiming(budget.confidence()));
+    return NoiseEstimator.of(film, confidence).map(n -> n.claiming(budget.confidence()));
   }
 }

@@ -14,14 +14,14 @@ import java.util.Optional;
  *     half of the samples is less evenly distributed than all of them
  * @param upperRelativeMse upper bound of this picture's error, with the given confidence
  * @param confidence confidence of the bound, in (0,1)
- * @param tailShare fraction of the estimate that comes from the noisiest 0.1 % of the pixels, at
- *     least one pixel
+ * @param outlierShare fraction of the noise that comes from outliers: pixels that a few bright
+ *     samples have made several times as bright as they converge to, in [0,1]
  * @param pixels number of pixels of the estimate
  */
 public record NoiseEstimate(
-    double relativeMse, double upperRelativeMse, double confidence, double tailShare, long pixels) {
-  /** Above this fraction, the estimate depends on few bright pixels. */
-  private static final double HEAVY = .5;
+    double relativeMse, double upperRelativeMse, double confidence, double outlierShare, long pixels) {
+  /** Above this fraction, the estimate depends on few bright samples. */
+  private static final double DOUBTFUL = .25;
 
   /**
    * Returns the noise estimate of a film.
@@ -49,25 +49,14 @@ public record NoiseEstimate(
    * together.
    */
   NoiseEstimate claiming(double jointConfidence) {
-    return new NoiseEstimate(relativeMse, upperRelativeMse, jointConfidence, tailShare, pixels);
-  }
-
-  /** Returns the same estimate with an upper bound of at least the given one. */
-  NoiseEstimate withBoundOf(double upper) {
-    return new NoiseEstimate(
-        relativeMse, Math.max(upperRelativeMse, upper), confidence, tailShare, pixels);
-  }
-
-  /** Returns the number of pixels of the tail: 0.1 % of the pixels, at least one. */
-  public long tailPixels() {
-    return Math.max(1, pixels / 1000);
+    return new NoiseEstimate(relativeMse, upperRelativeMse, jointConfidence, outlierShare, pixels);
   }
 
   /**
-   * Returns whether more than half of the error comes from 0.1 % of the pixels. More such pixels
-   * may still appear, and the bound does not account for them.
+   * Returns whether more than a quarter of the noise comes from outliers. Their number and their
+   * brightness are then uncertain, and the bound may not hold.
    */
-  public boolean hasHeavyTail() {
-    return tailShare > HEAVY && relativeMse > 0;
+  public boolean isDoubtful() {
+    return outlierShare > DOUBTFUL;
   }
 }

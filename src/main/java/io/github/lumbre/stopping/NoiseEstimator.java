@@ -1,19 +1,28 @@
 package io.github.lumbre.stopping;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PixelHalves;
 import java.util.Optional;
-import java.util.function.ToDoubleFunction;
 
 /**
  * Estimates a picture's noise from the difference between the two halves of each pixel's samples.
  * Mutable: collects pixels, then estimates.
  *
- * <p>Pixels are independent random variables, so the standard error of their mean is their standard
- * deviation divided by the square root of their number. The same holds for the deviation of the
- * picture's own error from its expectation. The bound includes both, on a logarithmic scale because
- * the distribution of the sum is skewed.
+ * <p>Two estimates of a pixel's error differ in the squared brightness that they divide by. The
+ * first takes it from the pixel alone ({@link PixelHalves#relativeSquaredError}); a bright sample
+ * that few pixels have makes it too low. The second also looks at the neighbors ({@link
+ * PixelHalves#squaredErrorAmong}); a small highlight that the neighbors lack makes it too high. The
+ * picture's estimate is their geometric mean, and the bound starts from the larger of this and the
+ * second estimate.
+ *
+ * <p>Let e1 and e2 be the errors of the two halves of a pixel. The pixel's error is (e1 + e2)² / 4,
+ * its estimate (e1 − e2)² / 4, and their difference e1 e2. For independent normal halves, its
+ * variance is 4/3 of the expected square of the estimate, and pixels are independent of each other.
+ * The bound is therefore above the estimate by the quantile of a normal distribution, on a
+ * logarithmic scale because the sum over the pixels is skewed. For rare bright samples, e1 e2 varies
+ * less than that: it is small unless both halves have one.
  */
 final class NoiseEstimator {
   /**
@@ -21,127 +30,96 @@ final class NoiseEstimator {
    */
   static final int FEWEST_PIXELS = 64;
 
-  /** Histogram bins per factor of two, on a logarithmic scale. */
-  private static final int BINS_PER_OCTAVE = 4;
+  /**
+   * Above this relative squared error, a pixel is an outlier: it is about {@code √10} times its
+   * converged value away from it.
+   */
+  private static final double OUTLIER = 10;
 
-  private static final int LOWEST_OCTAVE = -200;
-  private static final int BINS = BINS_PER_OCTAVE * 400;
+  /**
+   * With fewer samples per pixel than this, single samples weigh more, and an outlier's error must
+   * be larger by the square of the ratio.
+   */
+  private static final double OUTLIER_SAMPLES = 32;
 
-  private final long[] counts = new long[BINS];
-  private final double[] sums = new double[BINS];
+  /** The mean square of a variable over its squared mean, if it is the square of a normal one. */
+  private static final double LEAST_SPREAD = 3;
+
   private long pixels;
-  private double sum;
+  private double alone;
+  private double among;
   private double squares;
+  private double outliers;
 
   /**
    * Returns the estimate of a film.
-   *
-   * <p>The ratio of the bound to the estimate is applied to the cautious estimate ({@link
-   * PixelHalves#cautiousSquaredError}) too, and the larger of the two bounds is used. If most
-   * pixels have rare bright samples, the usual estimate is too low in all of them, and their spread
-   * does not show that.
    *
    * @param confidence confidence of the upper bound, in (0,1)
    * @return the estimate; empty if the halves of a pixel's samples are unknown
    */
   static Optional<NoiseEstimate> of(Film film, double confidence) {
-    Optional<NoiseEstimate> cautious = cautious(film, confidence);
-    return usual(film, confidence)
-        .map(noise -> noise.withBoundOf(cautious.orElseThrow().relativeMse() * factor(noise)));
-  }
-
-  /**
-   * Returns the estimate of a film with few samples per pixel. Its bound is at least the bound of
-   * the cautious estimate, computed with that estimate's own spread.
-   */
-  static Optional<NoiseEstimate> ofFewSamples(Film film, double confidence) {
-    Optional<NoiseEstimate> cautious = cautious(film, confidence);
-    return usual(film, confidence)
-        .map(noise -> noise.withBoundOf(cautious.orElseThrow().upperRelativeMse()));
-  }
-
-  private static Optional<NoiseEstimate> usual(Film film, double confidence) {
-    return of(film, confidence, PixelHalves::relativeSquaredError);
-  }
-
-  private static Optional<NoiseEstimate> cautious(Film film, double confidence) {
-    return of(film, confidence, PixelHalves::cautiousSquaredError);
-  }
-
-  /** Returns the ratio of the upper bound to the estimate; 1 if the estimate is 0. */
-  private static double factor(NoiseEstimate noise) {
-    return noise.relativeMse() == 0 ? 1 : noise.upperRelativeMse() / noise.relativeMse();
-  }
-
-  private static Optional<NoiseEstimate> of(
-      Film film, double confidence, ToDoubleFunction<PixelHalves> error) {
-    NoiseEstimator estimator = new NoiseEstimator();
-    int left = film.window().x();
     int top = film.window().y();
-    for (int y = top; y < top + film.window().height(); y++) {
-      for (int x = left; x < left + film.window().width(); x++) {
-        Optional<PixelHalves> halves = film.halves(x, y);
-        if (halves.isEmpty()) {
-          return Optional.empty();
-        }
-        estimator.add(error.applyAsDouble(halves.get()));
+    int height = film.window().height();
+    NoiseEstimator estimator = new NoiseEstimator();
+    HalvesRow above = HalvesRow.NONE;
+    HalvesRow row = HalvesRow.of(film, top);
+    for (int y = 1; y <= height; y++) {
+      HalvesRow below = y < height ? HalvesRow.of(film, top + y) : HalvesRow.NONE;
+      if (!row.isKnown()) {
+        return Optional.empty();
       }
+      estimator.add(above, row, below);
+      above = row;
+      row = below;
     }
     return Optional.of(estimator.estimate(confidence));
   }
 
-  void add(double relativeError) {
-    pixels++;
-    sum += relativeError;
-    squares += relativeError * relativeError;
-    int bin = bin(relativeError);
-    counts[bin]++;
-    sums[bin] += relativeError;
+  private void add(HalvesRow above, HalvesRow row, HalvesRow below) {
+    for (int x = 0; x < row.width(); x++) {
+      PixelHalves halves = row.halves(x);
+      double samples = (double) halves.firstCount() + halves.secondCount();
+      Rgb surroundings = HalvesRow.surroundings(above, row, below, x);
+      add(halves.relativeSquaredError(), halves.squaredErrorAmong(surroundings), samples);
+    }
   }
 
-  private static int bin(double value) {
-    if (value <= 0) {
-      return 0;
-    }
-    double octave = Elementary.log(value) / Elementary.log(2) - LOWEST_OCTAVE;
-    return (int) Math.max(0, Math.min(octave * BINS_PER_OCTAVE, BINS - 1.0));
+  /**
+   * Adds a pixel.
+   *
+   * @param errorAlone its error, estimated from its own samples
+   * @param errorAmong its error, estimated with those of its neighbors
+   * @param samples its number of samples
+   */
+  void add(double errorAlone, double errorAmong, double samples) {
+    pixels++;
+    alone += errorAlone;
+    among += errorAmong;
+    squares += errorAmong * errorAmong;
+    double weight = Math.min(1, samples / OUTLIER_SAMPLES);
+    outliers += errorAmong * weight * weight > OUTLIER ? errorAmong : 0;
   }
 
   NoiseEstimate estimate(double confidence) {
-    double mean = sum / pixels;
-    double upper = mean * Elementary.exp(Normal.exceeded(1 - confidence) * relativeSpread(mean));
+    double mean = Math.sqrt(alone * among) / pixels;
+    double upper =
+        Math.max(mean, among / pixels)
+            * Elementary.exp(Normal.exceeded(1 - confidence) * relativeSpread());
     return new NoiseEstimate(
         mean,
         pixels < FEWEST_PIXELS ? Double.POSITIVE_INFINITY : upper,
         confidence,
-        sum > 0 ? tail() / sum : 0,
+        outliers > 0 ? outliers / among : 0,
         pixels);
   }
 
-  /**
-   * Returns the standard error of the estimate and of the picture's own error together, relative to
-   * the mean.
-   */
-  private double relativeSpread(double mean) {
-    if (mean == 0) {
+  /** Returns the standard deviation of the picture's error about its estimate, relative to it. */
+  private double relativeSpread() {
+    if (among == 0) {
       return 0;
     }
-    double variance = Math.max(0, squares / pixels - mean * mean);
-    // The square of a normal variable has a variance of twice its squared mean. A smaller value is
-    // chance.
-    double relative = Math.max(variance / (mean * mean), 2) / pixels;
-    return Math.sqrt(2 * relative);
-  }
-
-  /** Returns the sum over the noisiest 0.1 % of the pixels, at least one pixel. */
-  private double tail() {
-    double left = Math.max(1, pixels / 1000);
-    double tail = 0;
-    for (int bin = BINS - 1; bin >= 0 && left > 0; bin--) {
-      double taken = Math.min(left, counts[bin]);
-      tail += counts[bin] == 0 ? 0 : sums[bin] * taken / counts[bin];
-      left -= taken;
-    }
-    return tail;
+    // A smaller value than that of equally noisy pixels is chance.
+    double square = Math.max(squares / among * (pixels / among), LEAST_SPREAD);
+    return Math.sqrt(4 / 3.0 * square / pixels);
   }
 }

@@ -8,9 +8,7 @@ package io.github.lumbre.stopping;
  * probability α of any of them being wrong (a spending rule: Lan &amp; DeMets 1983, with
  * Bonferroni's bound). Nine tenths of α belong to the checks from 32 samples per pixel on, of which
  * the j-th spends a fraction of 1 / (j (j + 1)). The three early checks, after 4, 8 and 16 samples,
- * share the remaining tenth, and use a cautious estimate ({@link NoiseEstimator#ofFewSamples}).
- * With the usual estimate, 47 to 82 of 100 bounds failed in a scene whose light is mostly rare
- * bright paths.
+ * share the remaining tenth.
  *
  * <p>An early check also requires enough samples to find all light that matters. Light that no
  * sample has found adds at most 1 to the relative squared error of a pixel. To hide an error ε, it

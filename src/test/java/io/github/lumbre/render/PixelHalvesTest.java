@@ -39,29 +39,49 @@ class PixelHalvesTest {
     assertThat(halves.relativeSquaredError()).isCloseTo(expected, within(1e-9 * expected));
   }
 
+  private static PixelHalves even(double first, double second) {
+    return new PixelHalves(16, Rgb.grey(first), 16, Rgb.grey(second));
+  }
+
+  /** A pixel of .3 and one sample of 182.7 in 32: its error is 2.85² / (.3² + .01). */
+  @Test
+  void aBrightSampleIsComparedWithWhatSurroundsIt() {
+    double expected = 2.85 * 2.85 / .1;
+    assertThat(even(6, .3).squaredErrorAmong(Rgb.grey(.3))).isCloseTo(expected, within(1e-9));
+    assertThat(even(.3, 6).squaredErrorAmong(Rgb.grey(.3))).isCloseTo(expected, within(1e-9));
+    assertThat(even(6, .3).relativeSquaredError()).isLessThan(.06 * expected);
+  }
+
   /**
-   * The cautious error divides by m √(m1 m2) plus a floor, for the smaller mean m: it does not
-   * depend on the order of halves of equal size, and is not below the other estimate.
+   * Of 48 samples, the first 32 and the last 16 are the halves. A bright sample of 144 on black adds
+   * 3 to the mean, whichever half has it.
    */
   @Test
-  void cautiousErrorDividesByTheSmallerMean() {
-    double[] means = {0, .01, 1, 4, 9};
-    for (double m1 : means) {
-      for (double m2 : means) {
-        PixelHalves halves = new PixelHalves(4, new Rgb(m1, 0, 0), 4, new Rgb(m2, 0, 0));
-        PixelHalves turned = new PixelHalves(4, new Rgb(0, m2, 0), 4, new Rgb(0, m1, 0));
-        PixelHalves blue = new PixelHalves(4, new Rgb(0, 0, m1), 4, new Rgb(0, 0, m2));
-        double divisor = Math.min(m1, m2) * Math.sqrt(m1 * m2) + PixelHalves.FLOOR;
-        double expected = (m1 - m2) * (m1 - m2) / 4 / divisor / 3;
-        assertThat(halves.cautiousSquaredError()).isCloseTo(expected, within(1e-12));
-        assertThat(turned.cautiousSquaredError()).isCloseTo(expected, within(1e-12));
-        assertThat(blue.cautiousSquaredError()).isCloseTo(expected, within(1e-12));
-        assertThat(halves.cautiousSquaredError())
-            .isGreaterThanOrEqualTo(halves.relativeSquaredError() - 1e-12);
-      }
-    }
-    PixelHalves negative = new PixelHalves(1, Rgb.grey(1), 1, Rgb.grey(-1e-6));
-    assertThat(negative.cautiousSquaredError()).isCloseTo(.25 / PixelHalves.FLOOR, within(1e-3));
+  void aBrightSampleOfUnevenHalvesIsComparedWithWhatSurroundsIt() {
+    PixelHalves first = new PixelHalves(32, Rgb.grey(4.5), 16, Rgb.BLACK);
+    PixelHalves second = new PixelHalves(32, Rgb.BLACK, 16, Rgb.grey(9));
+    assertThat(first.mean()).isEqualTo(Rgb.grey(3)).isEqualTo(second.mean());
+    assertThat(first.squaredErrorAmong(Rgb.BLACK)).isCloseTo(4.5 * 4.5 * 2 / 9 / .01, within(1e-9));
+    assertThat(second.squaredErrorAmong(Rgb.BLACK)).isCloseTo(81 * 2 / 9. / .01, within(1e-9));
+  }
+
+  /** Halves of 60 and 58 agree: the pixel is brighter than its neighbors, and not by chance. */
+  @Test
+  void aHighlightIsComparedWithItself() {
+    double expected = 1 / (59 * 59 + .01);
+    assertThat(even(60, 58).squaredErrorAmong(Rgb.WHITE))
+        .isCloseTo(expected, within(.01 * expected));
+    assertThat(even(.01, .012).squaredErrorAmong(Rgb.WHITE))
+        .isCloseTo(1e-6 / .010121, within(1e-6));
+  }
+
+  @Test
+  void eachChannelHasItsOwnSurroundings() {
+    PixelHalves red = new PixelHalves(4, new Rgb(2, 0, 0), 4, new Rgb(0, 0, 0));
+    double expected = 1 / (.25 + .01) / 3;
+    assertThat(red.squaredErrorAmong(new Rgb(.5, 9, 9))).isCloseTo(expected, within(1e-12));
+    PixelHalves blue = new PixelHalves(4, new Rgb(0, 0, 2), 4, new Rgb(0, 0, 0));
+    assertThat(blue.squaredErrorAmong(new Rgb(9, 9, .5))).isCloseTo(expected, within(1e-12));
   }
 
   /** Uniform numbers around 100 have the variance 1/12, and the mean of n of them has 1/(12 n). */

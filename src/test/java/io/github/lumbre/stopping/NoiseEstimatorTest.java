@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.render.PixelHalves;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -14,7 +15,7 @@ class NoiseEstimatorTest {
   private static NoiseEstimate estimate(double confidence, double... errors) {
     NoiseEstimator estimator = new NoiseEstimator();
     for (double error : errors) {
-      estimator.add(error);
+      estimator.add(error, error, 32);
     }
     return estimator.estimate(confidence);
   }
@@ -44,17 +45,6 @@ class NoiseEstimatorTest {
     Rgb bright = Rgb.grey(1000);
     double error = new PixelHalves(32, bright, 32, Rgb.BLACK).relativeSquaredError();
     assertThat(error).isCloseTo(1000 * 1000 / 4.0 / .01, within(1.0));
-  }
-
-  /** A bright spot on a lit surface: the error is (.3 − 3)² / (.3² + .01), 73, in all channels. */
-  @Test
-  void brightSpotsOnLitSurfacesDoNotHideFromTheCautiousEstimate() {
-    PixelHalves halves = new PixelHalves(2, Rgb.grey(6), 2, Rgb.grey(.3));
-    assertThat(halves.relativeSquaredError()).isLessThan(6);
-    assertThat(halves.cautiousSquaredError()).isGreaterThan(3 * halves.relativeSquaredError());
-    PixelHalves even = new PixelHalves(2, Rgb.grey(.31), 2, Rgb.grey(.3));
-    assertThat(even.cautiousSquaredError())
-        .isCloseTo(even.relativeSquaredError(), within(.03 * even.relativeSquaredError()));
   }
 
   @Test
@@ -91,14 +81,69 @@ class NoiseEstimatorTest {
     assertThat(estimate(.95, new double[64]).upperRelativeMse()).isZero();
   }
 
+  /** An outlier of 5,000 has half of the noise of 10,000 pixels of .5 each. */
   @Test
-  void heavyTailsAreFound() {
+  void outliersMakeABoundDoubtful() {
     double[] errors = new Random(3).doubles(10_000).toArray();
-    assertThat(estimate(.95, errors).hasHeavyTail()).isFalse();
-    assertThat(estimate(.95, errors).tailShare()).isCloseTo(.002, within(.0005));
-    errors[500] = 1e5;
-    assertThat(estimate(.95, errors).hasHeavyTail()).isTrue();
-    assertThat(estimate(.95, errors).tailShare()).isGreaterThan(.9);
+    assertThat(estimate(.95, errors).isDoubtful()).isFalse();
+    assertThat(estimate(.95, errors).outlierShare()).isZero();
+    errors[500] = 1000;
+    assertThat(estimate(.95, errors).isDoubtful()).isFalse();
+    assertThat(estimate(.95, errors).outlierShare()).isCloseTo(1 / 6.0, within(.01));
+    errors[500] = 5000;
+    assertThat(estimate(.95, errors).isDoubtful()).isTrue();
+    assertThat(estimate(.95, errors).outlierShare()).isCloseTo(.5, within(.01));
+  }
+
+  @Test
+  void doubtfulBoundsEndNoRender() {
+    Budget budget = new Budget(64, OptionalDouble.of(.5), .95);
+    assertThat(budget.isReachedBy(new NoiseEstimate(.1, .2, .95, .25, 100))).isTrue();
+    assertThat(budget.isReachedBy(new NoiseEstimate(.1, .2, .95, .26, 100))).isFalse();
+    assertThat(budget.isReachedBy(new NoiseEstimate(.1, .3, .95, 0, 100))).isFalse();
+  }
+
+  /** Nine pixels of 1 to 9 in a film of 3x3: each is compared with the mean of the others. */
+  @Test
+  void surroundingsLeaveOutThePixelAndWhatIsOutsideTheFilm() {
+    HalvesRow[] rows = new HalvesRow[3];
+    for (int y = 0; y < 3; y++) {
+      double[] means = new double[9];
+      for (int i = 0; i < 9; i++) {
+        means[i] = 3 * y + i / 3 + 1;
+      }
+      rows[y] = new HalvesRow(new PixelHalves[3], means);
+    }
+    assertThat(HalvesRow.surroundings(rows[0], rows[1], rows[2], 1)).isEqualTo(Rgb.grey(5));
+    assertThat(HalvesRow.surroundings(rows[0], rows[1], rows[2], 0).g())
+        .isCloseTo((1 + 2 + 5 + 7 + 8) / 5.0, within(1e-12));
+    assertThat(HalvesRow.surroundings(HalvesRow.NONE, rows[0], rows[1], 2).b())
+        .isCloseTo((2 + 5 + 6) / 3.0, within(1e-12));
+    HalvesRow single = new HalvesRow(new PixelHalves[1], new double[] {4, 4, 4});
+    assertThat(HalvesRow.surroundings(HalvesRow.NONE, single, HalvesRow.NONE, 0))
+        .isEqualTo(Rgb.BLACK);
+  }
+
+  /** The error of a sample that is 20 times as bright as what surrounds it, of few samples. */
+  @Test
+  void singleSamplesOfFewAreNoOutliers() {
+    NoiseEstimator few = new NoiseEstimator();
+    few.add(25, 25, 4);
+    assertThat(few.estimate(.95).outlierShare()).isZero();
+    NoiseEstimator many = new NoiseEstimator();
+    many.add(25, 25, 32);
+    assertThat(many.estimate(.95).outlierShare()).isEqualTo(1);
+  }
+
+  @Test
+  void estimateLiesBetweenThoseOfPixelsAloneAndAmongOthers() {
+    NoiseEstimator estimator = new NoiseEstimator();
+    for (int i = 0; i < 100; i++) {
+      estimator.add(1, 4, 32);
+    }
+    assertThat(estimator.estimate(.95).relativeMse()).isEqualTo(2);
+    // exp(1.645 √(4 / 100)) = 1.39 times the larger.
+    assertThat(estimator.estimate(.95).upperRelativeMse()).isCloseTo(4 * 1.3896, within(.001));
   }
 
   @Test

@@ -32,6 +32,11 @@ public record FilmReport(FilmFile file) {
     if (header.hasGaps()) {
       messages.warning(written + ": samples are missing; it has " + parts());
     }
+    if (noise.noise().isEmpty() && file.film().fewestSamples() > 1) {
+      messages.line(
+          "noise: not known; parts that meet at 2, 4, 8, ... samples per pixel, from the first on,"
+              + " would keep it");
+    }
     noise.printDoubts(messages);
   }
 

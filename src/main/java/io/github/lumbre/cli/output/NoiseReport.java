@@ -61,13 +61,9 @@ public record NoiseReport(
         : "at most " + Numbers.percent(noise.upperRelativeRmse());
   }
 
-  /** Prints warnings about a heavy-tailed noise estimate and a missed target error. */
+  /** Prints warnings about a bound that may not hold and a missed target error. */
   public void printDoubts(Messages messages) {
-    if (noise.filter(NoiseEstimate::hasHeavyTail).isPresent()) {
-      messages.line(
-          "warning: %s%s of the noise, so the noise may be underestimated; take more samples"
-              .formatted(tail(noise.get()), Numbers.percent(noise.get().tailShare())));
-    }
+    noise.filter(NoiseEstimate::isDoubtful).map(NoiseReport::doubt).ifPresent(messages::warning);
     if (isMissed()) {
       messages.line(
           "warning: the target error of "
@@ -77,9 +73,10 @@ public record NoiseReport(
     }
   }
 
-  /** Returns which pixels carry the tail. */
-  private static String tail(NoiseEstimate noise) {
-    return noise.tailPixels() == 1 ? "one pixel carries " : "0.1 % of the pixels carry ";
+  /** Returns why the bound of a doubtful estimate may not hold. */
+  public static String doubt(NoiseEstimate noise) {
+    return "few bright samples carry %s of the noise, so its bound may not hold; take more samples"
+        .formatted(Numbers.percent(noise.outlierShare()));
   }
 
   /** Returns whether a target error was given but not reached. */
@@ -96,9 +93,8 @@ public record NoiseReport(
           metadata.put("Noise", Numbers.percent(n.relativeRmse()));
           metadata.put(
               "NoiseBound", bound(n) + " with a confidence of " + Numbers.percent(n.confidence()));
-          if (n.hasHeavyTail()) {
-            String pixels = n.tailPixels() == 1 ? "one pixel" : "0.1 % of the pixels";
-            metadata.put("NoiseTail", Numbers.percent(n.tailShare()) + " of it in " + pixels);
+          if (n.isDoubtful()) {
+            metadata.put("NoiseDoubt", doubt(n));
           }
         });
   }
@@ -120,7 +116,10 @@ public record NoiseReport(
             values.put("at_most", n.upperRelativeRmse());
           }
           values.put("confidence", n.confidence());
-          values.put("tail_share", n.tailShare());
+          values.put("outlier_share", n.outlierShare());
+          if (n.isDoubtful()) {
+            values.put("doubt", doubt(n));
+          }
           report.put("noise", values);
         });
     target.ifPresent(

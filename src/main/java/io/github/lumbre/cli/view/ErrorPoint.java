@@ -7,5 +7,7 @@ package io.github.lumbre.cli.view;
  * @param samples mean number of samples per pixel
  * @param error relative root mean squared error, an estimate
  * @param bound upper bound of the error, which may be infinite
+ * @param isDoubtful whether the bound may not hold
  */
-record ErrorPoint(double seconds, double samples, double error, double bound) {}
+record ErrorPoint(
+    double seconds, double samples, double error, double bound, boolean isDoubtful) {}

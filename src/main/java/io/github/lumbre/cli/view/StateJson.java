@@ -111,7 +111,7 @@ final class StateJson {
     for (ErrorPoint p : points) {
       // An infinite bound has no number in JSON.
       double bound = Double.isFinite(p.bound()) ? p.bound() : -1;
-      all.add(numbers(p.seconds(), p.samples(), p.error(), bound));
+      all.add(numbers(p.seconds(), p.samples(), p.error(), bound, p.isDoubtful() ? 1 : 0));
     }
     return all;
   }

@@ -107,7 +107,8 @@ public final class ViewSession {
                         clock.seconds(),
                         preview.samples(),
                         n.relativeRmse(),
-                        n.upperRelativeRmse())));
+                        n.upperRelativeRmse(),
+                        n.isDoubtful())));
   }
 
   /** Shows the denoised picture of a job, if it is still the current one. */

@@ -409,7 +409,7 @@
     $('left').textContent = state.status === 'finished' ? '–' : r.secondsLeft < 0 ? '–' : duration(r.secondsLeft);
     const last = r.errors[r.errors.length - 1];
     $('error').textContent = last ? `${percent(last[2])} ${r.estimatedAt}`.trim() : '–';
-    $('bound').textContent = last ? percent(last[3]) : '–';
+    $('bound').textContent = last ? `${percent(last[3])}${last[4] ? ', may not hold: few bright samples' : ''}` : '–';
     drawChart($('chart'), r.errors);
   };
 

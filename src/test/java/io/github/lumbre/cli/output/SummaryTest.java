@@ -26,7 +26,9 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
@@ -216,14 +218,24 @@ class SummaryTest {
         .startsWith("standard output: 4x2 pixels, 1 sample per pixel, 2.00 s");
   }
 
-  @ParameterizedTest
-  @CsvSource({"9, one pixel carries 60 %", "1999, one pixel carries 60 %", "2000, 0.1 % of the"})
-  void fewPixelsWithMostNoiseAreCounted(long pixels, String text) {
-    NoiseEstimate noise = new NoiseEstimate(.1, .2, .95, .6, pixels);
-    Film film = new Film(new RenderSettings.Crop(0, 0, 4, 2), false, 0);
-    NoiseReport report =
-        new NoiseReport(film, Optional.of(noise), OptionalDouble.empty(), false, "samples");
-    assertThat(lines(report::printDoubts)).startsWith("warning: " + text);
+  private static NoiseReport report(Optional<NoiseEstimate> noise) {
+    Film film = new Film(new RenderSettings.Crop(0, 0, 1, 1), false, 0);
+    return new NoiseReport(film, noise, OptionalDouble.empty(), false, "samples");
+  }
+
+  @Test
+  void aBoundOfFewBrightSamplesIsSaidToBeDoubtful() {
+    NoiseEstimate noise = new NoiseEstimate(.1, .2, .95, .6, 100);
+    NoiseReport report = report(Optional.of(noise));
+    assertThat(lines(report::printDoubts))
+        .isEqualTo(
+            "warning: few bright samples carry 60 % of the noise, so its bound may not hold; take"
+                + " more samples\n");
+    Map<String, String> metadata = new LinkedHashMap<>();
+    report.putInto(metadata);
+    assertThat(metadata).containsKey("NoiseDoubt");
+    NoiseEstimate sound = new NoiseEstimate(.1, .2, .95, .2, 100);
+    assertThat(lines(report(Optional.of(sound))::printDoubts)).isEmpty();
   }
 
   @Test

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 /** The points of the chart of errors stay few, and show the beginning as well as the end. */
 class ErrorHistoryTest {
   private static ErrorPoint at(double seconds) {
-    return new ErrorPoint(seconds, 10 * seconds, .1, .2);
+    return new ErrorPoint(seconds, 10 * seconds, .1, .2, false);
   }
 
   @Test

@@ -51,7 +51,7 @@ class StateJsonTest {
   @CsvSource({"800, ''", "801, at 4 samples", "200000, at 4 samples"})
   void errorOfFewerSamplesThanThePictureHasIsLabeled(long samples, String label) {
     List<ErrorPoint> errors =
-        List.of(new ErrorPoint(.1, 1, .99, 1.2), new ErrorPoint(1, 4, .86, 1));
+        List.of(new ErrorPoint(.1, 1, .99, 1.2, true), new ErrorPoint(1, 4, .86, 1, false));
     assertThat(estimatedAt(errors, samples)).isEqualTo(label);
   }
 
