@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 
 /**
  * A value in the JSON of a glTF file. Its queries throw an exception that names its place in the
@@ -22,6 +23,11 @@ import java.util.function.Predicate;
 record GltfJson(JsonValue value) {
   /** The largest nesting depth of arrays and objects; glTF itself needs about ten. */
   private static final int MAX_LEVELS = 256;
+
+  /** Where a wrong number is replaced instead of refused. */
+  private static final Pattern REPLACED =
+      Pattern.compile(
+          "[$][.](?:(?:materials|cameras|samplers)\\[|extensions[.]KHR_lights_punctual[.])");
 
   /**
    * Returns the outermost object of a text.
@@ -38,15 +44,26 @@ record GltfJson(JsonValue value) {
           e.isTooLarge() ? Kind.TOO_LARGE : Kind.MALFORMED, shown(e.path()), e.getMessage());
     }
     budget.allocate("", JsonTree.BYTES_PER_TOKEN * read.tokens());
-    if (!read.flaws().isEmpty()) {
-      JsonTree.Flaw first = read.flaws().get(0);
-      throw new GltfJson(first.value()).malformed(first.message());
+    for (JsonTree.Flaw flaw : read.flaws()) {
+      if (!isReplaceable(flaw.value())) {
+        throw new GltfJson(flaw.value()).malformed(flaw.message());
+      }
     }
     if (!read.root().isObject()) {
       throw new GltfJson(read.root())
           .malformed("expected a JSON object, found " + read.root().found());
     }
     return new GltfJson(read.root());
+  }
+
+  /** Returns whether a flaw is a number that {@link GltfValues} replaces. */
+  private static boolean isReplaceable(JsonValue value) {
+    return value.isInfinite() && REPLACED.matcher(value.path()).lookingAt();
+  }
+
+  /** Returns whether a value is a finite number. */
+  static boolean isFinite(JsonValue value) {
+    return value.isNumber() && !value.isInfinite();
   }
 
   /** Returns the place in the file, such as {@code nodes[3].mesh}; empty for the root. */
@@ -77,7 +94,8 @@ record GltfJson(JsonValue value) {
     return value.members();
   }
 
-  private Optional<JsonValue> find(String member) {
+  /** Returns a member of any type; empty if it is missing. */
+  Optional<JsonValue> find(String member) {
     return Optional.ofNullable(members().get(member));
   }
 
@@ -119,7 +137,7 @@ record GltfJson(JsonValue value) {
 
   /** Returns the numbers in a member that is an array; empty if it is missing. */
   double[] numbers(String member) throws ModelFormatException {
-    return items(member, JsonValue::isNumber, "a number").stream()
+    return items(member, GltfJson::isFinite, "a number").stream()
         .mapToDouble(JsonValue::number)
         .toArray();
   }
@@ -212,16 +230,7 @@ record GltfJson(JsonValue value) {
 
   /** Returns a member that is a finite number. */
   double number(String member, double fallback) throws ModelFormatException {
-    return checked(member, JsonValue::isNumber, "a number").map(JsonValue::number).orElse(fallback);
-  }
-
-  /** Returns a member that is a number above 0, and must exist. */
-  double requirePositive(String member) throws ModelFormatException {
-    double number = number(member, 0);
-    if (!(number > 0)) {
-      throw expected(member, "a number > 0");
-    }
-    return number;
+    return checked(member, GltfJson::isFinite, "a number").map(JsonValue::number).orElse(fallback);
   }
 
   /** Returns a member that is a text. */

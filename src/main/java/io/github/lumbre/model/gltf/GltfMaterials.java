@@ -28,8 +28,16 @@ final class GltfMaterials {
   /** An extension that replaces {@link #GLOSSY}, too. */
   static final String UNLIT = "KHR_materials_unlit";
 
+  private static final String CORE = MaterialParameter.BASE_COLOR.gltfObject();
+
+  /** The largest reflectance head-on of a material that is not metallic. */
+  private static final double MAX_DIELECTRIC = .3;
+
+  private static final List<String> ALPHA_MODES = List.of("OPAQUE", "MASK", "BLEND");
+
   private final GltfDocument document;
   private final GltfTextures textures;
+  private final GltfValues values;
   private final ModelMaterial standard = ModelMaterial.builder("", "").build();
   private final Map<Integer, ModelMaterial> materials = new HashMap<>();
   private final Map<ModelMaterial, ModelMaterial> ofPoints = new IdentityHashMap<>();
@@ -37,6 +45,7 @@ final class GltfMaterials {
   GltfMaterials(GltfDocument document, GltfTextures textures) {
     this.document = document;
     this.textures = textures;
+    values = new GltfValues(document.warnings(), "material");
   }
 
   /**
@@ -76,24 +85,26 @@ final class GltfMaterials {
 
   private ModelMaterial read(GltfJson json) throws ModelFormatException, IOException {
     Optional<ModelTexture> bumps = textures.read(json, "normalTexture");
+    boolean isUnlit = values.extension(json, UNLIT).isPresent();
     ModelMaterial.Builder material =
-        ModelMaterial.builder(json.text("name", ""), json.location())
-            .normalMap(bumps.isPresent() ? normals(json, "normalTexture", bumps) : Optional.empty())
+        ModelMaterial.builder(values.name(json), json.location())
+            .normalMap(normals(json, "normalTexture", bumps))
             .alphaMode(
-                AlphaMode.valueOf(
-                    json.choice("alphaMode", "OPAQUE", List.of("OPAQUE", "MASK", "BLEND"))))
-            .alphaCutoff(json.number("alphaCutoff", .5))
-            .doubleSided(json.flag("doubleSided", false))
-            .unlit(json.extension(UNLIT).isPresent())
+                AlphaMode.valueOf(values.choice(json, "alphaMode", ALPHA_MODES, "OPAQUE")))
+            .alphaCutoff(values.upTo(Double.MAX_VALUE, json, "alphaCutoff", .5))
+            .doubleSided(values.flag(json, "doubleSided", false))
+            .unlit(isUnlit)
             .emission(emission(json));
-    Optional<GltfJson> glossy = json.extension(GLOSSY);
-    boolean isGlossy = glossy.isPresent() && json.extension(UNLIT).isEmpty();
+    Optional<GltfJson> glossy =
+        isUnlit ? Optional.empty() : values.extension(json, GLOSSY);
+    boolean isGlossy = glossy.isPresent() && isGlossy(json, glossy.get());
     if (isGlossy) {
       readGlossy(glossy.get(), material);
     }
     for (String name : MaterialParameter.gltfObjects()) {
       boolean isExtension = name.startsWith("KHR_");
-      Optional<GltfJson> found = isExtension ? json.extension(name) : json.object(name);
+      Optional<GltfJson> found =
+          isExtension ? values.extension(json, name) : values.object(json, name);
       if (found.isPresent() && isGlossy && isExtension) {
         warn(
             "an extension of a material is left out",
@@ -106,13 +117,39 @@ final class GltfMaterials {
     return material.build();
   }
 
+  /**
+   * Returns whether specular-glossiness counts; warns if there is metallic-roughness, too. That
+   * counts if it has a texture of base color, or is a dielectric that cannot reflect as much as the
+   * extension states: converters such as assimp up to version 5.2 write the same colors into both,
+   * with a reflectance that they do not mean.
+   */
+  private boolean isGlossy(GltfJson json, GltfJson glossy)
+      throws ModelFormatException, IOException {
+    Optional<GltfJson> found = values.object(json, CORE);
+    if (found.isEmpty() || found.get().keys().isEmpty()) {
+      return true;
+    }
+    GltfJson core = found.get();
+    double[] specular = values.color(1, glossy, "specularFactor", 1, 1, 1);
+    boolean isTooBright =
+        !glossy.has("specularGlossinessTexture")
+            && Math.max(specular[0], Math.max(specular[1], specular[2])) > MAX_DIELECTRIC
+            && values.upTo(1, core, "metallicFactor", 1) == 0;
+    boolean isCore = isTooBright || textures.read(core, "baseColorTexture").isPresent();
+    warn(
+        "a material is described twice",
+        isCore ? glossy.location() : core.location(),
+        "has no effect beside " + (isCore ? CORE : GLOSSY));
+    return !isCore;
+  }
+
   private void readGlossy(GltfJson json, ModelMaterial.Builder out)
       throws ModelFormatException, IOException {
-    double[] color = clamped(json, "diffuseFactor", 1, 1, 1, 1, 1);
-    double opacity = clamped(json, "diffuseFactor", color[3], 1);
+    double[] color = values.color(1, json, "diffuseFactor", 1, 1, 1, 1);
+    double opacity = opacity(json, "diffuseFactor", color);
     Optional<ModelTexture> diffuse = textures.read(json, "diffuseTexture");
-    double[] f0 = clamped(json, "specularFactor", 1, 1, 1, 1);
-    double glossiness = clamped(json, "glossinessFactor", json.number("glossinessFactor", 1), 1);
+    double[] f0 = values.color(1, json, "specularFactor", 1, 1, 1);
+    double glossiness = values.upTo(1, json, "glossinessFactor", 1);
     Optional<ModelTexture> specular = textures.read(json, "specularGlossinessTexture");
     // With the index 0, the specular color alone is the reflectance (KHR_materials_ior).
     out.glossy(true)
@@ -125,10 +162,9 @@ final class GltfMaterials {
   }
 
   /** Returns whether the parameters of an object count: a volume needs a thickness. */
-  private boolean isValid(String name, GltfJson json) throws ModelFormatException {
+  private boolean isValid(String name, GltfJson json) {
     return !name.equals(MaterialParameter.VOLUME_EXTENSION)
-        || clamped(json, "thicknessFactor", json.number("thicknessFactor", 0), Double.MAX_VALUE)
-            > 0;
+        || values.upTo(Double.MAX_VALUE, json, "thicknessFactor", 0) > 0;
   }
 
   private void readParameters(GltfJson json, String object, ModelMaterial.Builder out)
@@ -147,8 +183,7 @@ final class GltfMaterials {
   }
 
   private Optional<MaterialInput> input(
-      GltfJson json, MaterialParameter parameter, Optional<ModelTexture> texture)
-      throws ModelFormatException {
+      GltfJson json, MaterialParameter parameter, Optional<ModelTexture> texture) {
     return switch (parameter.kind()) {
       case NORMALS -> normals(json, parameter.gltfTexture(), texture);
       case COLOR -> Optional.of(new MaterialInput(rgb(json, parameter), texture, 0));
@@ -160,86 +195,74 @@ final class GltfMaterials {
   }
 
   private MaterialInput emission(GltfJson json) throws ModelFormatException, IOException {
-    Optional<GltfJson> extension = json.extension("KHR_materials_emissive_strength");
-    double strength = 1;
-    if (extension.isPresent()) {
-      double stated = extension.get().number("emissiveStrength", 1);
-      strength = clamped(extension.get(), "emissiveStrength", stated, Double.MAX_VALUE);
-    }
-    double[] factor = clamped(json, "emissiveFactor", Double.MAX_VALUE, 0, 0, 0);
+    double[] factor = values.color(Double.MAX_VALUE, json, "emissiveFactor", 0, 0, 0);
     Optional<ModelTexture> texture = textures.read(json, "emissiveTexture");
     // Without its texture, a surface would glow all over.
     boolean isLost = json.has("emissiveTexture") && texture.isEmpty();
-    Rgb radiance = isLost ? Rgb.BLACK : new Rgb(factor[0], factor[1], factor[2]).times(strength);
-    if (!radiance.isFinite()) {
-      throw json.malformed("emissiveFactor", "expected a finite radiance, found an infinite one");
-    }
+    Rgb radiance = isLost ? Rgb.BLACK : rgb(factor).times(strength(json, rgb(factor)));
     return new MaterialInput(radiance, texture, 0);
   }
 
-  private static Optional<MaterialInput> normals(
-      GltfJson json, String member, Optional<ModelTexture> texture) throws ModelFormatException {
-    if (texture.isEmpty()) {
-      return Optional.empty();
+  /** Returns the strength of an emission; 1 if the radiance would be infinite. */
+  private double strength(GltfJson json, Rgb factor) {
+    Optional<GltfJson> extension = values.extension(json, "KHR_materials_emissive_strength");
+    if (extension.isEmpty()) {
+      return 1;
     }
-    double scale = json.requireObject(member).number("scale", 1);
-    return Optional.of(new MaterialInput(Rgb.grey(scale), texture, 0));
+    double strength = values.upTo(Double.MAX_VALUE, extension.get(), "emissiveStrength", 1);
+    if (factor.times(strength).isFinite()) {
+      return strength;
+    }
+    String location = extension.get().location("emissiveStrength");
+    values.replaced(location, "a finite radiance", PrintableText.number(strength), "1");
+    return 1;
   }
 
-  private double number(GltfJson json, MaterialParameter parameter) throws ModelFormatException {
+  private Optional<MaterialInput> normals(
+      GltfJson json, String member, Optional<ModelTexture> texture) {
+    double scale =
+        values.object(json, member).map(info -> values.number(info, "scale", 1)).orElse(1.);
+    return texture.map(map -> new MaterialInput(Rgb.grey(scale), Optional.of(map), 0));
+  }
+
+  private double number(GltfJson json, MaterialParameter parameter) {
     String member = parameter.gltfFactor();
+    double missing = parameter.missing().r();
     if (parameter == MaterialParameter.OPACITY) {
-      return clamped(json, member, json.numbers(member, 1, 1, 1, 1)[3], 1);
+      return opacity(json, member, values.numbers(json, member, 1, 1, 1, 1));
     }
     if (member.isEmpty()) {
-      return parameter.missing().r();
+      return missing;
     }
-    double value = json.number(member, parameter.missing().r());
-    if (parameter.least() == 0) {
-      return clamped(json, member, value, parameter.most());
+    if (parameter.most() > Double.MAX_VALUE) {
+      return values.positive(json, member, "infinity").orElse(missing);
     }
-    if (!parameter.accepts(value)) {
-      throw json.expected(member, parameter.expected());
-    }
-    return value * parameter.gltfUnit();
+    double value = values.number(json, member, missing) * parameter.gltfUnit();
+    return parameter.accepts(value)
+        ? value
+        : values.clamped(
+            json.location(member), value, parameter.least(), parameter.most(), expected(parameter));
   }
 
-  private Rgb rgb(GltfJson json, MaterialParameter parameter) throws ModelFormatException {
+  private static String expected(MaterialParameter parameter) {
+    return parameter.least() < 0 ? "an angle" : parameter.expected();
+  }
+
+  private double opacity(GltfJson json, String member, double... color) {
+    return values.clamped(json.location(member), color[3], 0, 1, "0 to 1");
+  }
+
+  private Rgb rgb(GltfJson json, MaterialParameter parameter) {
     Rgb missing = parameter.missing();
     double[] fallback =
         parameter == MaterialParameter.BASE_COLOR
             ? new double[] {1, 1, 1, 1}
             : new double[] {missing.r(), missing.g(), missing.b()};
-    return rgb(clamped(json, parameter.gltfFactor(), parameter.most(), fallback));
+    return rgb(values.color(parameter.most(), json, parameter.gltfFactor(), fallback));
   }
 
   private static Rgb rgb(double... c) {
     return new Rgb(c[0], c[1], c[2]);
-  }
-
-  /** Returns an array of numbers whose first three are clamped. */
-  private double[] clamped(GltfJson json, String member, double max, double... fallback)
-      throws ModelFormatException {
-    double[] c = json.numbers(member, fallback);
-    for (int i = 0; i < 3; i++) {
-      c[i] = clamped(json, member, c[i], max);
-    }
-    return c;
-  }
-
-  private double clamped(GltfJson json, String member, double value, double max) {
-    double clamped = Math.max(0, Math.min(value, max));
-    if (clamped != value) {
-      warn(
-          "a number of a material is out of range",
-          json.location(member),
-          "expected %s, found %s; %s is used"
-              .formatted(
-                  max == 1 ? "0 to 1" : "at least 0",
-                  PrintableText.number(value),
-                  PrintableText.number(clamped)));
-    }
-    return clamped;
   }
 
   private void warn(String kind, String location, String message) {

@@ -93,6 +93,58 @@ final class GltfMatrix {
     return new GltfMatrix(product);
   }
 
+  /** Returns whether this neither mirrors a solid nor flattens it. */
+  boolean isPositive() {
+    return dimensions() == 3 && column(0).cross(column(1)).dot(column(2)) > 0;
+  }
+
+  /**
+   * Returns the rotation to the directions of the z-axis and, as far as it is perpendicular, of the
+   * y-axis; other ones where these have no length.
+   */
+  GltfMatrix orientation() {
+    Vec3 x = direction(column(0));
+    Vec3 y = direction(column(1));
+    Vec3 z = firstDirection(direction(column(2)), direction(x.cross(y)), Vec3.Z);
+    Vec3 other = Math.abs(z.y()) < .9 ? Vec3.Y : Vec3.X;
+    Vec3 up =
+        firstDirection(
+            perpendicular(y, z), direction(z.cross(perpendicular(x, z))), perpendicular(other, z));
+    Vec3 right = up.cross(z);
+    return new GltfMatrix(
+        right.x(), up.x(), z.x(), 0, right.y(), up.y(), z.y(), 0, right.z(), up.z(), z.z(), 0);
+  }
+
+  /** Returns a vector with length 1; zero if it has no direction. */
+  private static Vec3 direction(Vec3 vector) {
+    double size = vector.maxAbs();
+    return size > 0 && Double.isFinite(size) ? vector.normalized() : Vec3.ZERO;
+  }
+
+  /** Returns the direction of the part of a unit vector that is perpendicular to another one. */
+  private static Vec3 perpendicular(Vec3 vector, Vec3 to) {
+    Vec3 rest = vector.plus(-vector.dot(to), to);
+    return rest.maxAbs() > THINNEST ? direction(rest) : Vec3.ZERO;
+  }
+
+  private static Vec3 firstDirection(Vec3... vectors) {
+    return Arrays.stream(vectors).filter(v -> v.maxAbs() > 0).findFirst().orElseThrow();
+  }
+
+  /** Returns this map's translation after a map of directions. */
+  GltfMatrix withAxesOf(GltfMatrix axes) {
+    double[] rows = axes.m.clone();
+    for (int i = 3; i < rows.length; i += COLUMNS) {
+      rows[i] = m[i];
+    }
+    return new GltfMatrix(rows);
+  }
+
+  /** Returns whether all numbers are finite. */
+  boolean isFinite() {
+    return Arrays.stream(m).allMatch(Double::isFinite);
+  }
+
   /** Returns the map; not invertible if this is singular. */
   Transform toTransform() {
     return Transform.ofAxes(column(0), column(1), column(2), column(3));
@@ -104,7 +156,7 @@ final class GltfMatrix {
    */
   int dimensions() {
     double size = Math.max(column(0).maxAbs(), Math.max(column(1).maxAbs(), column(2).maxAbs()));
-    if (!(size > 0) || !Arrays.stream(m).allMatch(Double::isFinite)) {
+    if (!(size > 0) || !isFinite()) {
       return 1;
     }
     Vec3 a = column(0).times(1 / size);

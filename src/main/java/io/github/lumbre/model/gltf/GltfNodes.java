@@ -158,6 +158,28 @@ final class GltfNodes {
     return toWorld.get(node);
   }
 
+  /**
+   * Returns where a camera or a light is that a node places: scales do not change it, not even if
+   * they mirror or flatten (glTF 2.0, section 3.10.2; KHR_lights_punctual).
+   *
+   * @param pose in which the nodes were {@linkplain #place placed}
+   */
+  GltfMatrix rigid(int node, GltfPose pose) {
+    int[] chain = IntStream.iterate(node, n -> n != NONE, n -> parents[n]).toArray();
+    GltfMatrix placed = toWorld.get(node);
+    boolean isPositive =
+        Arrays.stream(chain).allMatch(n -> pose.isPositive(n, nodes.get(n)))
+            && placed.toTransform().isInvertible();
+    if (isPositive) {
+      return placed;
+    }
+    GltfMatrix axes = GltfMatrix.IDENTITY;
+    for (int i = chain.length - 1; i >= 0; i--) {
+      axes = axes.times(pose.orientation(chain[i], nodes.get(chain[i])));
+    }
+    return placed.withAxesOf(axes);
+  }
+
   /** Returns the nodes of the default scene, else of the first one, else all, by their indices. */
   int[] shown() throws ModelFormatException {
     int[] shown = withDescendants(roots());

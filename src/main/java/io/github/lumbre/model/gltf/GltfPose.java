@@ -1,5 +1,6 @@
 package io.github.lumbre.model.gltf;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -50,6 +51,25 @@ final class GltfPose {
                     translations.getOrDefault(index, node.translation()),
                     rotations.getOrDefault(index, node.rotation()),
                     scales.getOrDefault(index, node.scale())));
+  }
+
+  /** Returns the orientation of a node: its local transform without translation and scale. */
+  GltfMatrix orientation(int index, GltfNode node) {
+    return node.matrix()
+        .map(GltfMatrix::orientation)
+        .orElseGet(
+            () ->
+                GltfMatrix.of(
+                    new double[3],
+                    rotations.getOrDefault(index, node.rotation()),
+                    new double[] {1, 1, 1}));
+  }
+
+  /** Returns whether a node neither mirrors nor flattens what it places. */
+  boolean isPositive(int index, GltfNode node) {
+    return node.matrix().isPresent()
+        ? node.matrix().get().isPositive()
+        : Arrays.stream(scales.getOrDefault(index, node.scale())).allMatch(scale -> scale > 0);
   }
 
   /** Returns the weights of a node; empty if the animation does not set them. */

@@ -4,7 +4,6 @@ import io.github.lumbre.file.FileContent;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Transform;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -179,30 +178,35 @@ public final class GltfReader {
     if (node.mesh().isPresent()) {
       addMeshes(index, node, matrix);
     }
-    Transform toWorld = matrix.toTransform();
-    Vec3 axis = toWorld.vector(Vec3.Z);
-    double width = axis.cross(toWorld.vector(Vec3.Y)).maxAbs();
-    if (node.camera().isPresent() && isPlaced(node, matrix, width > 0)) {
-      placedCameras.add(cameras.camera(node, toWorld));
+    if (node.camera().isEmpty() && node.light().isEmpty()) {
+      return;
     }
-    if (node.light().isPresent() && isPlaced(node, matrix, axis.maxAbs() > 0)) {
-      placedLights.add(lights.light(node, toWorld));
+    GltfMatrix place = nodes.rigid(index, pose);
+    if (!place.isFinite()) {
+      warnOfLoss(node);
+      return;
+    }
+    if (node.camera().isPresent()) {
+      cameras.camera(node, place).ifPresent(placedCameras::add);
+    }
+    if (node.light().isPresent()) {
+      lights.light(node, place.toTransform()).ifPresent(placedLights::add);
     }
   }
 
-  /**
-   * Returns whether a node's content can be shown; warns if not.
-   *
-   * @param isFlat whether it can be if the node flattens it to a plane
-   */
-  private boolean isPlaced(GltfNode node, GltfMatrix matrix, boolean isFlat) {
-    boolean isPlaced = matrix.dimensions() == 2 ? isFlat : matrix.toTransform().isInvertible();
+  /** Returns whether a node's mesh can be shown; warns if not. */
+  private boolean isPlaced(GltfNode node, GltfMatrix matrix) {
+    boolean isPlaced = matrix.dimensions() == 2 || matrix.toTransform().isInvertible();
     if (!isPlaced) {
-      document
-          .warnings()
-          .add(node.location(), "its transform is not invertible; its content is left out");
+      warnOfLoss(node);
     }
     return isPlaced;
+  }
+
+  private void warnOfLoss(GltfNode node) {
+    document
+        .warnings()
+        .add(node.location(), "its transform is not invertible; its content is left out");
   }
 
   /** Adds all copies of a node's mesh; skins place it in world space, once. */
@@ -245,7 +249,7 @@ public final class GltfReader {
     Transform toWorld = placement.matrix.toTransform();
     boolean isSkinned =
         node.skin().isPresent() && primitive.requireObject("attributes").has("JOINTS_0");
-    if (!isSkinned && !isPlaced(node, placement.matrix, true)) {
+    if (!isSkinned && !isPlaced(node, placement.matrix)) {
       return;
     }
     Optional<ModelGeometry> found = meshes.geometry(primitive, placement.weights);

@@ -33,6 +33,7 @@ final class GltfTextures {
   private final GltfDocument document;
   private final GltfBuffers buffers;
   private final boolean lenient;
+  private final GltfValues values;
   private final Map<Integer, Optional<ModelImage>> images = new HashMap<>();
 
   /**
@@ -42,6 +43,7 @@ final class GltfTextures {
     this.document = document;
     this.buffers = buffers;
     this.lenient = lenient;
+    values = new GltfValues(document.warnings(), "texture");
   }
 
   /**
@@ -50,14 +52,14 @@ final class GltfTextures {
    */
   Optional<ModelTexture> read(GltfJson object, String member)
       throws ModelFormatException, IOException {
-    Optional<GltfJson> info = object.object(member);
+    Optional<GltfJson> info = values.object(object, member);
     return info.isPresent() ? read(info.get()) : Optional.empty();
   }
 
   private Optional<ModelTexture> read(GltfJson info) throws ModelFormatException, IOException {
     List<GltfJson> textures = document.section("textures");
     GltfJson texture = textures.get(info.requireIndex("index", textures.size()));
-    Optional<GltfJson> transform = info.extension("KHR_texture_transform");
+    Optional<GltfJson> transform = values.extension(info, "KHR_texture_transform");
     long uvSet = info.whole("texCoord", 0, 0, Integer.MAX_VALUE);
     if (transform.isPresent()) {
       uvSet = transform.get().whole("texCoord", uvSet, 0, Integer.MAX_VALUE);
@@ -141,17 +143,26 @@ final class GltfTextures {
         uvSet,
         wrap(sampler, "wrapS"),
         wrap(sampler, "wrapT"),
-        sampler.number("magFilter", 0) == NEAREST,
+        values.number(sampler, "magFilter", 0) == NEAREST,
         transform);
   }
 
-  private static Wrap wrap(GltfJson sampler, String member) throws ModelFormatException {
-    return switch ((int) sampler.number(member, REPEAT)) {
-      case REPEAT -> Wrap.REPEAT;
-      case MIRRORED_REPEAT -> Wrap.MIRROR;
-      case CLAMP_TO_EDGE -> Wrap.CLAMP;
-      default -> throw sampler.expected(member, "33071, 33648 or 10497");
-    };
+  private Wrap wrap(GltfJson sampler, String member) {
+    double code = values.number(sampler, member, REPEAT);
+    if (code == MIRRORED_REPEAT) {
+      return Wrap.MIRROR;
+    }
+    if (code == CLAMP_TO_EDGE) {
+      return Wrap.CLAMP;
+    }
+    if (code != REPEAT) {
+      values.replaced(
+          sampler.location(member),
+          "33071, 33648 or 10497",
+          PrintableText.number(code),
+          Integer.toString(REPEAT));
+    }
+    return Wrap.REPEAT;
   }
 
   /**
@@ -159,10 +170,10 @@ final class GltfTextures {
    * cos·su·u + sin·sv·v and v' = ov - sin·su·u + cos·sv·v, with v = 0 at the upper edge; here v and
    * v' are replaced with 1 - v and 1 - v'.
    */
-  private static UvTransform transform(GltfJson json) throws ModelFormatException {
-    double[] offset = json.numbers("offset", 0, 0);
-    double[] scale = json.numbers("scale", 1, 1);
-    double turns = json.number("rotation", 0) / Elementary.TWO_PI;
+  private UvTransform transform(GltfJson json) {
+    double[] offset = values.numbers(json, "offset", 0, 0);
+    double[] scale = values.numbers(json, "scale", 1, 1);
+    double turns = values.number(json, "rotation", 0) / Elementary.TWO_PI;
     double sin = Elementary.sinTurns(turns);
     double cos = Elementary.cosTurns(turns);
     return new UvTransform(

@@ -28,8 +28,9 @@ public record ModelCamera(String name, String location, Lens lens, Transform toW
   /**
    * A parallel projection.
    *
-   * @param halfWidth half the width of the frame, in units of the camera's local space
-   * @param halfHeight half the height of the frame, in units of the camera's local space
+   * @param halfWidth half the width of the frame, in units of the camera's local space, which are
+   *     those of the model's world space, since no node scales a camera
+   * @param halfHeight half the height of the frame, in the same units
    */
   public record Parallel(double halfWidth, double halfHeight) implements Lens {}
 

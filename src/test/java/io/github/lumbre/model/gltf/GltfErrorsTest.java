@@ -172,24 +172,9 @@ class GltfErrorsTest {
         "'nodes': [{'matrix': [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2]}]"
             + " | nodes[0].matrix: expected the last row 0, 0, 0, 1, found another one",
         "'nodes': [{'name': 3}] | nodes[0].name: expected a text, found 3",
-        "'nodes': [{'camera': 0}], 'cameras': [{'type': 'fish'}]"
-            + " | cameras[0].type: expected \"perspective\" or \"orthographic\", found \"fish\"",
-        "'nodes': [{'camera': 0}], 'cameras': [{'type': 'perspective'}]"
-            + " | cameras[0].perspective: expected an object, found nothing",
-        "'nodes': [{'camera': 0}],"
-            + "'cameras': [{'type': 'perspective', 'perspective': {'yfov': 0}}]"
-            + " | cameras[0].perspective.yfov: expected a number > 0, found 0",
-        "'nodes': [{'camera': 0}],"
-            + "'cameras': [{'type': 'perspective', 'perspective': {'yfov': 4}}]"
-            + " | cameras[0].perspective.yfov: expected less than pi, found 4",
         "'nodes': [{'extensions': {'KHR_lights_punctual': {'light': 2}}}],"
             + "'extensions': {'KHR_lights_punctual': {'lights': [{}]}}"
-            + " | nodes[0].extensions.KHR_lights_punctual.light: expected 0 to 0, found 2",
-        "'nodes': [{'extensions': {'KHR_lights_punctual': {'light': 0}}}],'extensions':"
-            + " {'KHR_lights_punctual': {'lights':[{'type': 'spot', 'spot': {'innerConeAngle': 1,"
-            + " 'outerConeAngle': 0.5}}]}} |"
-            + " extensions.KHR_lights_punctual.lights[0].spot.outerConeAngle: expected 0 <="
-            + " innerConeAngle < outerConeAngle <= pi/2, found 1 and 0.5"
+            + " | nodes[0].extensions.KHR_lights_punctual.light: expected 0 to 0, found 2"
       })
   void damagedNodesAreRefused(String json, String message) {
     check('{' + ASSET + ',' + json.replace('\'', '"') + '}', Kind.MALFORMED, message);
@@ -275,28 +260,7 @@ class GltfErrorsTest {
             + " found nothing",
         "{'normalTexture': {'index': 3}}"
             + " | materials[0].normalTexture.index: expected 0 to 1, found 3",
-        "{'normalTexture': {'index': 0}} | images[0].bufferView: expected an index, found nothing",
-        "{'normalTexture': {'index': 1}}"
-            + " | samplers[0].wrapS: expected 33071, 33648 or 10497, found 1",
-        "{'alphaMode': 'GLASS'}"
-            + " | materials[0].alphaMode: expected \"OPAQUE\", \"MASK\" or \"BLEND\", found"
-            + " \"GLASS\"",
-        "{'doubleSided': 1} | materials[0].doubleSided: expected true or false, found 1",
-        "{'emissiveFactor': 1} | materials[0].emissiveFactor: expected an array, found 1",
-        "{'extensions': {'KHR_materials_ior': {'ior': 0.5}}}"
-            + " | materials[0].extensions.KHR_materials_ior.ior: expected 0 or 1 to 1e6, found"
-            + " 0.5",
-        "{'extensions': {'KHR_materials_ior': {'ior': 1e7}}}"
-            + " | materials[0].extensions.KHR_materials_ior.ior: expected 0 or 1 to 1e6, found"
-            + " 1e7",
-        "{'extensions': {'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationDistance': 0}"
-            + "}} | materials[0].extensions.KHR_materials_volume.attenuationDistance: expected a"
-            + " number > 0, found 0",
-        "{'extensions': {'KHR_materials_iridescence': {'iridescenceIor': 0.9}}} |"
-            + " materials[0].extensions.KHR_materials_iridescence.iridescenceIor: expected 1 to"
-            + " 1e6, found 0.9",
-        "{'extensions': {'KHR_materials_unlit': true}}"
-            + " | materials[0].extensions.KHR_materials_unlit: expected an object, found true"
+        "{'normalTexture': {'index': 0}} | images[0].bufferView: expected an index, found nothing"
       })
   void damagedMaterialsAreRefused(String material, String message) {
     GltfFile file = new GltfFile();
@@ -304,10 +268,9 @@ class GltfErrorsTest {
     file.add("nodes", "{'mesh': 0}");
     file.add("materials", material);
     file.add("textures", "{'source': 0}");
-    file.add("textures", "{'source': 1, 'sampler': 0}");
+    file.add("textures", "{'source': 1}");
     file.add("images", "{}");
     file.add("images", "{'uri': 'data:,a'}");
-    file.add("samplers", "{'wrapS': 1}");
     assertThat(refusal(file.glb(), ModelOptions.DEFAULT)).hasMessage(message);
   }
 

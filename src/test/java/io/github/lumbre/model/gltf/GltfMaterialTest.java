@@ -325,6 +325,64 @@ class GltfMaterialTest {
     assertThat(material.input(OPACITY).number()).isEqualTo(1);
   }
 
+  /** Converters write both, and what they mean by the extension is not what it means. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "`` | 'specularFactor': [0.9, 0.9, 0.9] | true",
+        "'baseColorTexture': {'index': 0}, 'metallicFactor': 0 | 'diffuseTexture': {'index': 0},"
+            + " 'specularFactor': [0.9, 0.9, 0.9] | false",
+        "'baseColorTexture': {'index': 0} | 'diffuseTexture': {'index': 1} | false",
+        "'baseColorTexture': {'index': 0} | 'specularFactor': [0.04, 0.04, 0.04] | false",
+        "'roughnessFactor': 0.5 | 'diffuseTexture': {'index': 1} | true",
+        "'metallicFactor': 0 | 'specularFactor': [0.2, 0.31, 0.2] | false",
+        "'metallicFactor': 0 | 'glossinessFactor': 0.2 | false",
+        "'metallicFactor': 0 | 'specularFactor': [0.3, 0.3, 0.3] | true",
+        "'metallicFactor': 0.5 | 'specularFactor': [0.9, 0.9, 0.9] | true",
+        "'roughnessFactor': 0.5 | 'specularFactor': [0.9, 0.9, 0.9] | true",
+        "'metallicFactor': 0 | 'specularFactor': [0.9, 0.9, 0.9], 'specularGlossinessTexture':"
+            + " {'index': 1} | true"
+      })
+  void oneOfTwoDescriptionsCounts(String core, String extension, boolean isGlossy)
+      throws ModelFormatException, IOException {
+    addTextures();
+    Model model =
+        model(
+            """
+            {'pbrMetallicRoughness': {%s}, 'extensions': {'KHR_materials_ior': {'ior': 1.4},
+             'KHR_materials_pbrSpecularGlossiness': {%s}}}
+            """
+                .formatted(core, extension));
+    ModelMaterial material = model.parts().get(0).material();
+    assertThat(material.glossy()).isEqualTo(isGlossy);
+    assertThat(material.input(IOR).number()).isEqualTo(isGlossy ? 0 : 1.4);
+    String other = "KHR_materials_pbrSpecularGlossiness";
+    String warning =
+        isGlossy
+            ? "materials[0].pbrMetallicRoughness: has no effect beside " + other
+            : "materials[0].extensions." + other + ": has no effect beside pbrMetallicRoughness";
+    assertThat(model.warnings().contains(warning)).isEqualTo(!core.isEmpty());
+  }
+
+  @Test
+  void materialsOfConvertersAreThoseOfTheirCore() throws ModelFormatException, IOException {
+    addTextures();
+    String core =
+        "'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}, 'metallicFactor': 0,"
+            + " 'roughnessFactor': 0.8}";
+    ModelMaterial both =
+        material(
+            "{"
+                + core
+                + ", 'extensions': {'KHR_materials_pbrSpecularGlossiness': {'specularFactor':"
+                + " [0.9, 0.9, 0.9], 'glossinessFactor': 0.2, 'diffuseTexture': {'index': 0}}}}");
+    file.set("materials", "[{" + core + "}]");
+    ModelMaterial alone = file.read().parts().get(0).material();
+    assertThat(both).usingRecursiveComparison().isEqualTo(alone);
+  }
+
   @Test
   void unlitReplacesSpecularGlossiness() throws ModelFormatException, IOException {
     ModelMaterial material = glossy(", 'KHR_materials_unlit': {}");

@@ -1,7 +1,9 @@
 package io.github.lumbre.model.gltf;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
@@ -308,20 +310,55 @@ class GltfNodeTest {
     }
   }
 
+  /** Scales move what nodes place, and neither turn nor stretch cameras and lights. */
   @ParameterizedTest
-  @CsvSource(
-      delimiter = '|',
-      value = {"1, 1, 0|0|0", "1, 0, 1|1|0", "0, 1, 1|1|1", "0, 0, 1|0|0", "-1, 1, 1|1|1"})
-  void flattenedNodesKeepLightsAndCamerasThatHaveADirection(String scale, int lights, int cameras)
-      throws ModelFormatException, IOException {
+  @ValueSource(
+      strings = {
+        "1, 1, 0", "1, 0, 1", "0, 1, 1", "0, 0, 0", "-1, 1, 1", "1, -1, 1", "1, 1, -1",
+        "-2, -2, -2", "2, 3, 4", "1e-200, 1e-200, 1e-200"
+      })
+  void camerasAndLightsIgnoreScales(String scale) throws ModelFormatException, IOException {
     file.set("extensions", "{'KHR_lights_punctual': {'lights': [{'type': 'spot', 'spot': {}}]}}");
-    file.add("cameras", "{'type': 'perspective', 'perspective': {'yfov': 0.5, 'znear': 1}}");
-    node("{'extensions': {'KHR_lights_punctual': {'light': 0}}, 'scale': [" + scale + "]}");
-    node("{'camera': 0, 'scale': [" + scale + "]}");
+    file.add("cameras", "{'type': 'orthographic', 'orthographic': {'xmag': 3, 'ymag': 2}}");
+    file.add("cameras", "{'type': 'perspective', 'perspective': {'yfov': 0.5}}");
+    String turned = "'rotation': [0.5, 0.5, 0.5, 0.5], 'scale': [" + scale + "]";
+    node("{'extensions': {'KHR_lights_punctual': {'light': 0}}, " + turned + "}");
+    node("{'camera': 0, 'children': [2], " + turned + "}");
+    node("{'camera': 1, 'translation': [0, 0, 1], " + turned + "}");
     Model model = file.read();
-    assertThat(model.lights()).hasSize(lights);
-    assertThat(model.cameras()).hasSize(cameras);
-    assertThat(model.warnings()).hasSize(2 - lights - cameras);
+    Transform light = model.lights().get(0).toWorld();
+    assertClose(light.vector(Vec3.Z).normalized(), Vec3.X);
+    Transform outer = model.cameras().get(0).toWorld();
+    assertClose(outer.vector(Vec3.Y), Vec3.Z);
+    assertClose(outer.vector(Vec3.Z), Vec3.X);
+    assertThat(model.cameras().get(0).aspect().getAsDouble()).isCloseTo(1.5, within(1e-12));
+    Transform inner = model.cameras().get(1).toWorld();
+    assertClose(inner.vector(Vec3.Y).normalized(), Vec3.X);
+    assertClose(inner.vector(Vec3.Z).normalized(), Vec3.Y);
+    double depth = Double.parseDouble(scale.split(", ")[2]);
+    assertClose(inner.point(Vec3.ZERO), new Vec3(depth, 0, 0));
+    assertThat(model.warnings()).isEmpty();
+  }
+
+  /** A matrix states no scale of its own: its directions count, as far as it has any. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "0,2,0,0, 0,0,2,0, 2,0,0,0, 7,0,0,1",
+        "0,-2,0,0, 0,0,3,0, 4,0,0,0, 7,0,0,1",
+        "0,0,0,0, 0,0,1,0, 1,0,0,0, 7,0,0,1",
+        "0,1,0,0, 0,0,0,0, 1,0,0,0, 7,0,0,1",
+        "0,1,0,0, 0,0,1,0, 0,0,0,0, 7,0,0,1"
+      })
+  void matricesOfCamerasKeepTheirDirections(String matrix)
+      throws ModelFormatException, IOException {
+    file.add("cameras", "{'type': 'orthographic', 'orthographic': {'xmag': 3, 'ymag': 2}}");
+    node("{'camera': 0, 'matrix': [" + matrix + "]}");
+    Transform toWorld = file.read().cameras().get(0).toWorld();
+    assertClose(toWorld.vector(Vec3.X), Vec3.Y);
+    assertClose(toWorld.vector(Vec3.Y), Vec3.Z);
+    assertClose(toWorld.vector(Vec3.Z), Vec3.X);
+    assertClose(toWorld.point(Vec3.ZERO), new Vec3(7, 0, 0));
   }
 
   @Test
