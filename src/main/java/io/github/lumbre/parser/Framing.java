@@ -33,10 +33,14 @@ final class Framing {
   private final Vec3 min;
   private final Vec3 max;
 
-  private Framing(List<Vertices> parts, Vec3 min, Vec3 max) {
+  /** Whether there is no vertex. */
+  private final boolean isEmpty;
+
+  private Framing(List<Vertices> parts, Vec3 min, Vec3 max, boolean isEmpty) {
     this.parts = parts;
     this.min = min;
     this.max = max;
+    this.isEmpty = isEmpty;
   }
 
   /**
@@ -104,15 +108,20 @@ final class Framing {
           box[5] = Math.max(box[5], v.z() + radius);
         });
     return box[0] > box[3]
-        ? new Framing(parts, Vec3.ZERO, Vec3.ZERO)
-        : new Framing(parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]));
+        ? new Framing(parts, Vec3.ZERO, Vec3.ZERO, true)
+        : new Framing(
+            parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]), false);
   }
 
   /**
    * Returns where a camera must stand so that two models are in the frame. If the other one is this
-   * one in another pose, they share the vertices of parts that keep their shape.
+   * one in another pose, they share the vertices of parts that keep their shape. One without
+   * vertices does not count.
    */
   Framing with(Framing other) {
+    if (isEmpty || other.isEmpty) {
+      return isEmpty ? other : this;
+    }
     List<Vertices> all = new ArrayList<>(parts);
     for (int i = 0; i < other.parts.size(); i++) {
       Vertices part = other.parts.get(i);
@@ -120,7 +129,7 @@ final class Framing {
       all.add(isMoved ? parts.get(i).at(part) : part);
     }
     Bounds3 box = new Bounds3(min, max).union(new Bounds3(other.min, other.max));
-    return new Framing(List.copyOf(all), box.min(), box.max());
+    return new Framing(List.copyOf(all), box.min(), box.max(), false);
   }
 
   /** Visits all vertices, and the corners of the box if it is drawn. */

@@ -162,7 +162,7 @@ public final class SceneParser {
    */
   public SceneFile parse(Path model, Stage stage) throws SceneFormatException, IOException {
     return TimedReading.of(
-        limits(), problemsOf(model), () -> staged(model, inMotion(stage)).scene(this));
+        limits(), problemsOf(model), () -> staged(model, inMotion(stage), false).scene(this));
   }
 
   private Stage inMotion(Stage stage) {
@@ -192,7 +192,7 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     Path file = inNoFolder(name);
     return TimedReading.of(
-        limits(), problemsOf(file), () -> staged(file, model, files, inMotion(stage)).scene(this));
+        limits(), problemsOf(file), () -> staged(file, model, files, inMotion(stage), false).scene(this));
   }
 
   private static Path inNoFolder(String name) {
@@ -205,11 +205,12 @@ public final class SceneParser {
     return file;
   }
 
-  private StagedModel staged(Path file, byte[] model, ModelFolder files, Stage stage)
+  private StagedModel staged(
+      Path file, byte[] model, ModelFolder files, Stage stage, boolean isFrame)
       throws SceneFormatException, IOException {
     Stage lenient = stage.reading(stage.options().lenient(true));
     return new StagedModel(
-        lenient, stage.folderOf(file), file, model, Optional.of(files), limits());
+        lenient, stage.folderOf(file), file, model, Optional.of(files), limits(), isFrame);
   }
 
   /**
@@ -227,7 +228,7 @@ public final class SceneParser {
     return TimedReading.of(
         limits(),
         problemsOf(model),
-        () -> new ModelViews(staged(model, stage.seenFrom(views.get(0))), views, this));
+        () -> new ModelViews(staged(model, stage.seenFrom(views.get(0)), false), views, this));
   }
 
   /**
@@ -242,7 +243,7 @@ public final class SceneParser {
         limits(),
         problemsOf(file),
         () ->
-            new ModelViews(staged(file, model, files, stage.seenFrom(views.get(0))), views, this));
+            new ModelViews(staged(file, model, files, stage.seenFrom(views.get(0)), false), views, this));
   }
 
   private ModelSequence sequence(
@@ -252,8 +253,8 @@ public final class SceneParser {
     String name = String.valueOf(file.getFileName());
     StagedFrames.Source source =
         content.isPresent()
-            ? of -> staged(file, content.get(), ModelFolder.NONE, of)
-            : of -> staged(file, of);
+            ? (of, isFrame) -> staged(file, content.get(), ModelFolder.NONE, of, isFrame)
+            : (of, isFrame) -> staged(file, of, isFrame);
     return TimedReading.of(
         limits(),
         problemsOf(file),
@@ -268,17 +269,18 @@ public final class SceneParser {
     return new Problems(String.valueOf(model.getFileName()), true);
   }
 
-  private StagedModel staged(Path model, Stage stage) throws SceneFormatException, IOException {
+  private StagedModel staged(Path model, Stage stage, boolean isFrame)
+      throws SceneFormatException, IOException {
     Path file = model.toAbsolutePath().normalize();
     Stage lenient = stage.reading(stage.options().lenient(true));
-    return staged(file, lenient, stage.folderOf(file));
+    return staged(file, lenient, stage.folderOf(file), isFrame);
   }
 
-  private StagedModel staged(Path file, Stage stage, Path folder)
+  private StagedModel staged(Path file, Stage stage, Path folder, boolean isFrame)
       throws SceneFormatException, IOException {
     byte[] content =
         InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits().bytes());
-    return new StagedModel(stage, folder, file, content, Optional.empty(), limits());
+    return new StagedModel(stage, folder, file, content, Optional.empty(), limits(), isFrame);
   }
 
   /**
@@ -293,7 +295,7 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     Path file = model.toAbsolutePath().normalize();
     return TimedReading.of(
-        limits(), problemsOf(file), () -> staged(file, stage, folder).scene(this));
+        limits(), problemsOf(file), () -> staged(file, stage, folder, false).scene(this));
   }
 
   /** Returns what the parser makes of settings. */

@@ -31,6 +31,7 @@ final class StagedAnimation extends StagedFrames {
   private final FrameRate rate;
   private final double seconds;
   private final int count;
+  private final int visible;
   private final boolean hasOwnCamera;
   private final boolean isFramed;
   private final DecodedPictures pictures = new DecodedPictures();
@@ -50,11 +51,30 @@ final class StagedAnimation extends StagedFrames {
     this.stage = stage;
     this.animation = animation;
     this.rate = rate;
-    StagedModel atStart = read(at(0));
+    StagedModel atStart = read(at(0), true);
     seconds = seconds(atStart);
     count = frames(atStart);
+    visible = firstVisible(atStart);
     hasOwnCamera = atStart.hasOwnCamera();
     isFramed = stage.ground() || !stage.labels().isEmpty() || !hasOwnCamera;
+  }
+
+  /**
+   * Returns the first frame that shows something of the model.
+   *
+   * @throws SceneFormatException if there is none
+   */
+  private int firstVisible(StagedModel atStart) throws SceneFormatException, IOException {
+    if (atStart.hasSurface()) {
+      return 0;
+    }
+    for (int i = 0; i < count; i++) {
+      if (read(stage(i), true).hasSurface()) {
+        return i;
+      }
+    }
+    atStart.requireSurface();
+    throw new AssertionError();
   }
 
   private double seconds(StagedModel model) throws SceneFormatException {
@@ -109,7 +129,7 @@ final class StagedAnimation extends StagedFrames {
 
   /** Returns the model at a frame, with the frame's camera. */
   private StagedModel posed(int index) throws SceneFormatException, IOException {
-    StagedModel model = read(stage(index));
+    StagedModel model = read(stage(index), true);
     if (isFramed) {
       model.frame(framed().framing());
     }
@@ -119,9 +139,12 @@ final class StagedAnimation extends StagedFrames {
   /** Returns a model that has all poses in its frame. */
   private StagedModel framed() throws SceneFormatException, IOException {
     if (framed.isEmpty()) {
-      StagedModel model = read(at(0));
-      for (int i = 1; i <= FRAMED_PARTS; i++) {
-        model.frame(model.framing().with(read(at(seconds * i / FRAMED_PARTS)).framing()));
+      StagedModel model = read(visible == 0 ? at(0) : stage(visible), true);
+      for (int i = 0; i <= FRAMED_PARTS; i++) {
+        if (i > 0 || visible > 0) {
+          Stage pose = at(seconds * i / FRAMED_PARTS);
+          model.frame(model.framing().with(read(pose, true).framing()));
+        }
       }
       framed = Optional.of(model);
     }

@@ -16,7 +16,12 @@ abstract class StagedFrames extends ModelSequence {
   /** Reads the model as a stage wants it. */
   @FunctionalInterface
   interface Source {
-    StagedModel read(Stage stage) throws SceneFormatException, IOException;
+    /**
+     * Returns the model.
+     *
+     * @param isFrame whether it may have nothing to show, in one frame of an animation
+     */
+    StagedModel read(Stage stage, boolean isFrame) throws SceneFormatException, IOException;
   }
 
   /**
@@ -40,8 +45,8 @@ abstract class StagedFrames extends ModelSequence {
   /** Returns the model of the first frame that was built, which has kept its files. */
   abstract Optional<StagedModel> first();
 
-  final StagedModel read(Stage stage) throws SceneFormatException, IOException {
-    return source.read(stage);
+  final StagedModel read(Stage stage, boolean isFrame) throws SceneFormatException, IOException {
+    return source.read(stage, isFrame);
   }
 
   @Override

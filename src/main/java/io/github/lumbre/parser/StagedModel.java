@@ -64,11 +64,14 @@ final class StagedModel {
   /** The reflectance of the ground. */
   static final double GROUND_GRAY = .6;
 
+  private static final String NOTHING = "nothing of the model is visible in this frame";
+
   private static final int MAX_TRACE_DEPTH = 12;
 
   private final Stage stage;
   private final Path folder;
   private final Path file;
+  private final boolean isFrame;
   private final Problems problems;
   private final SceneHash hash = new SceneHash();
   private final AssetData data;
@@ -85,6 +88,7 @@ final class StagedModel {
    * @param file absolute path of the model
    * @param content of the file
    * @param others has the files that the model names; empty for those in its own folder
+   * @param isFrame whether the model may have nothing to show, in one frame of an animation
    * @throws SceneFormatException if the model cannot be used
    * @throws IOException if the thread is interrupted
    */
@@ -94,11 +98,13 @@ final class StagedModel {
       Path file,
       byte[] content,
       Optional<ModelFolder> others,
-      Limits limits)
+      Limits limits,
+      boolean isFrame)
       throws SceneFormatException, IOException {
     this.stage = stage;
     this.folder = folder;
     this.file = file;
+    this.isFrame = isFrame;
     problems = new Problems(String.valueOf(file.getFileName()), true);
     place = new ModelPlace.OfFile(problems);
     Allowance allowance = new Allowance(limits);
@@ -131,7 +137,7 @@ final class StagedModel {
 
   private Model cut(Model whole) throws SceneFormatException {
     try {
-      return Sections.cut(whole, stage.options().limitedTo(data.allowance().left()));
+      return Sections.cut(whole, stage.options().limitedTo(data.allowance().left()), isFrame);
     } catch (ModelFormatException e) {
       place.error(e);
       throw problems.exception();
@@ -142,9 +148,26 @@ final class StagedModel {
       throws SceneFormatException, IOException {
     try {
       ModelOptions options = stage.options().limitedTo(data.allowance().left());
-      Model read = ModelReader.read(name, content, others, options.cutBy(List.of()));
-      read.requireSurface();
+      Model read = ModelReader.readPose(name, content, others, options.cutBy(List.of()));
+      if (!isFrame) {
+        read.requireSurface();
+      }
       return read;
+    } catch (ModelFormatException e) {
+      place.error(e);
+      throw problems.exception();
+    }
+  }
+
+  /** Returns whether the model has a surface to show. */
+  boolean hasSurface() {
+    return model.hasSurface();
+  }
+
+  /** Checks that the model has a surface to show in one frame at least. */
+  void requireSurface() throws SceneFormatException {
+    try {
+      model.requireSurface();
     } catch (ModelFormatException e) {
       place.error(e);
       throw problems.exception();
@@ -187,6 +210,9 @@ final class StagedModel {
     }
     ModelParts models = new ModelParts(parts, data.allowance(), parser.kernel(), decoded);
     models.add(model, ModelParts.Placement.alone(place));
+    if (!model.hasSurface()) {
+      place.warn(NOTHING);
+    }
     addSky(parts, parser);
     problems.throwIfAny();
     Scene scene =

@@ -42,7 +42,7 @@ final class StagedTurntable extends StagedFrames {
     if (scene.isPresent()) {
       return model.orElseThrow().seenFrom(stage(index), scene.get(), parser);
     }
-    StagedModel read = read(stage(index));
+    StagedModel read = read(stage(index), false);
     read.keepFiles();
     scene = Optional.of(read.scene(parser));
     model = Optional.of(read);

@@ -130,13 +130,21 @@ public record Model(
   }
 
   /**
-   * Checks that the model has a surface to show.
+   * Returns whether the model has a surface to show, in motion in any pose: a point, or a triangle
+   * with an area.
+   */
+  public boolean hasSurface() {
+    return parts.stream().anyMatch(part -> part.geometry().isVisible())
+        || poses.stream().anyMatch(Model::hasSurface);
+  }
+
+  /**
+   * Checks that the model {@linkplain #hasSurface has a surface to show}.
    *
-   * @throws ModelFormatException if there is no point, and no triangle has an area; it states what
-   *     was left out
+   * @throws ModelFormatException if it has none; it states what was left out
    */
   public void requireSurface() throws ModelFormatException {
-    if (parts.stream().anyMatch(part -> part.geometry().isVisible())) {
+    if (hasSurface()) {
       return;
     }
     int shown = Math.min(warnings.size(), MAX_REASONS);

@@ -69,6 +69,20 @@ public final class ModelReader {
    */
   public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
+    Model model = readPose(name, content, folder, options);
+    if (model.lights().isEmpty()) {
+      model.requireSurface();
+    }
+    return model;
+  }
+
+  /**
+   * Returns the content of a model file, as {@link #read} does; in a pose of an animation, it may
+   * have nothing to show.
+   */
+  public static Model readPose(
+      String name, byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
     ModelFormat format = format(name, content);
     if (format != ModelFormat.GLTF && format != ModelFormat.ZIP) {
       requireNone("animations", "an animation", options.pose().map(Pose::animation));
@@ -133,7 +147,7 @@ public final class ModelReader {
       items += part.geometry().itemCount();
       ModelLimits.requireItems(part.location(), part.geometry(), items, options.limits());
     }
-    if (model.lights().isEmpty()) {
+    if (model.lights().isEmpty() && options.pose().isEmpty()) {
       model.requireSurface();
     }
     return model;

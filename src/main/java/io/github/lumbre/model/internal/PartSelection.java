@@ -55,7 +55,8 @@ final class PartSelection {
    * @throws ModelFormatException if it lacks a part that the options name, or nothing is left
    */
   static Model shown(Model model, ModelOptions options) throws ModelFormatException {
-    if (options.hidden().isEmpty() && options.highlighted().isEmpty()) {
+    boolean isAll = options.hidden().isEmpty() && options.highlighted().isEmpty();
+    if (isAll || model.parts().isEmpty()) {
       return model;
     }
     List<ModelPart> all = PieceModel.of(model).parts();

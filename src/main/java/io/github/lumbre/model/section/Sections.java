@@ -78,6 +78,16 @@ public final class Sections {
    * @throws ModelFormatException if nothing is left
    */
   public static Model cut(Model model, ModelOptions options) throws ModelFormatException {
+    return cut(model, options, false);
+  }
+
+  /**
+   * Returns a model without what its options cut off.
+   *
+   * @param mayBeEmpty whether nothing needs to be left
+   */
+  public static Model cut(Model model, ModelOptions options, boolean mayBeEmpty)
+      throws ModelFormatException {
     Bounds3 bounds = bounds(model);
     if (options.sections().isEmpty() || bounds.isEmpty()) {
       return model;
@@ -93,7 +103,7 @@ public final class Sections {
     Sections sections = new Sections(planes, options, 2 * bounds.radius() / LINES);
     Model result = sections.inMotion(model);
     String size = " the model, which is " + text(inFile) + " in the unit of the file";
-    if (result.parts().isEmpty()) {
+    if (result.parts().isEmpty() && !mayBeEmpty) {
       String expected = "expected a plane that leaves something of" + size;
       throw Kind.MALFORMED.at(
           "section", expected + ", found " + String.join(" ", options.sections()));

@@ -57,6 +57,6 @@ public final class ZipReader {
             folder,
             (path, location) ->
                 parts.has(path) ? Optional.of(parts.read(path, location)) : Optional.empty());
-    return ModelReader.read(name, parts.read(name, ""), files, options);
+    return ModelReader.readPose(name, parts.read(name, ""), files, options);
   }
 }
