@@ -6,6 +6,9 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.material.MetallicRoughness;
+import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
@@ -14,12 +17,15 @@ import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.sampling.internal.Warp;
 import io.github.lumbre.scene.Primitive;
+import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Reports glass on surfaces that are not closed, and glass objects that overlap. */
 final class GlassCheck implements Check {
   private static final String LAW = "glass";
+
+  private static final TexturePoint ORIGIN = new TexturePoint(0, 0);
 
   /** The largest number of pairs of glass objects to compare; it limits the time. */
   private static final int MOST_PAIRS = 500;
@@ -50,7 +56,10 @@ final class GlassCheck implements Check {
                 file.origins().primitives().get(i),
                 "glass on a surface that is not closed",
                 "light that enters never leaves: all space behind the surface counts as glass",
-                "close the mesh, model the pane as a thin Cube, or set its ior to 1"));
+                Surfaces.flat(primitive.material()) instanceof Glass
+                    ? "close the mesh, model the pane as a thin Cube, or set its ior to 1"
+                    : "close the mesh, or make it thin: a thicknessFactor of 0 in glTF, no"
+                        + " attenuationDistance in a scene"));
       }
     }
     int pairs = 0;
@@ -64,9 +73,34 @@ final class GlassCheck implements Check {
     return findings;
   }
 
+  /** Returns whether a surface is the boundary of a volume that refracts or absorbs. */
   private static boolean refracts(Material material) {
-    return Surfaces.flat(material) instanceof Glass glass
-        && !(glass.ior().isConstant() && glass.ior().at(0, 0) == 1);
+    Material flat = Surfaces.flat(material);
+    if (flat instanceof Glass glass) {
+      return !(glass.ior().isConstant() && glass.ior().at(0, 0) == 1);
+    }
+    if (!(flat instanceof MetallicRoughness physical)
+        || physical.stated(MaterialParameter.ATTENUATION_DISTANCE).isEmpty()) {
+      return false;
+    }
+    boolean isClear =
+        isAlways(physical, MaterialParameter.IOR, 1) && physical.absorption().isBlack();
+    return !isClear
+        && (passes(physical, MaterialParameter.TRANSMISSION)
+            || passes(physical, MaterialParameter.DIFFUSE_TRANSMISSION));
+  }
+
+  private static boolean passes(MetallicRoughness material, MaterialParameter transmission) {
+    return material.stated(transmission).isPresent() && !isAlways(material, transmission, 0);
+  }
+
+  /** Returns whether a number has a value that is stated and the same everywhere. */
+  private static boolean isAlways(
+      MetallicRoughness material, MaterialParameter parameter, double value) {
+    return material
+        .stated(parameter)
+        .filter(channel -> channel.isConstant() && ((ScalarChannel) channel).at(ORIGIN) == value)
+        .isPresent();
   }
 
   private static boolean overlap(Bounds3 a, Bounds3 b) {

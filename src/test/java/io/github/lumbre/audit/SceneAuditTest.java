@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.audit.Finding.Severity;
 import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.parser.Stage;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -160,6 +161,41 @@ class SceneAuditTest {
         "is not closed");
     String closed = obj(corners + three + "f 2 3 4\n");
     assertSilent(auditOf(material("Refractive", GLASS) + ", " + closed, mesh), "glass");
+  }
+
+  /** Models have glass as metallic-roughness materials that are boundaries of volumes. */
+  @Test
+  void openGlassOfModelsIsFound() throws Exception {
+    String open =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl a\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    String advice = "close the mesh, or make it thin";
+    assertFinds(
+        auditOfModel(open, "illum 7"),
+        "glass",
+        Severity.WARNING,
+        "line 7",
+        "glass on a surface that is not closed");
+    assertThat(auditOfModel(open, "illum 7"))
+        .anyMatch(finding -> finding.advice().startsWith(advice));
+    assertSilent(auditOfModel(open + "f 2 3 4\n", "illum 7"), "glass");
+    assertSilent(auditOfModel(open, "illum 7\nNi 1"), "glass");
+    assertSilent(auditOfModel(open, "illum 2\nd 0.5"), "glass");
+    String pane =
+        "{\"type\": \"Shape\", \"shapeType\": \"Plane\", \"finite\": true, \"materialID\": 1}";
+    String keys = "\"metallic\": 0, \"transmission\": 1";
+    assertSilent(auditOf(material("MetallicRoughness", keys), pane), "glass");
+    assertFinds(
+        auditOf(material("MetallicRoughness", keys + ", \"attenuationDistance\": 2"), pane),
+        "glass",
+        Severity.WARNING,
+        "$.objects[3]",
+        "is not closed");
+  }
+
+  private List<Finding> auditOfModel(String text, String material) throws Exception {
+    Files.writeString(directory.resolve("a.mtl"), "newmtl a\n" + material + "\n");
+    Path model = Files.writeString(directory.resolve("a.obj"), "mtllib a.mtl\n" + text);
+    return SceneAudit.of(new SceneParser().parse(model, Stage.DEFAULT));
   }
 
   private static String obj(String text) {

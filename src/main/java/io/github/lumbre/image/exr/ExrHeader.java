@@ -23,6 +23,7 @@ import java.util.TreeMap;
  * @param display the display window
  * @param texts the text attributes by name
  * @param tiles the sizes of tiles; empty for scan lines
+ * @param toRec709 the matrix of {@link ExrPrimaries}; empty if colors need none
  */
 record ExrHeader(
     Window data,
@@ -30,7 +31,8 @@ record ExrHeader(
     ExrCompression compression,
     List<ExrChannel> channels,
     Map<String, String> texts,
-    Optional<Tiles> tiles) {
+    Optional<Tiles> tiles,
+    Optional<double[]> toRec709) {
 
   /**
    * A rectangle of pixels.
@@ -85,7 +87,9 @@ record ExrHeader(
         ExrCompression.of(attribute(attributes, "compression").get(0)),
         channels(attribute(attributes, "channels"), isPicture),
         texts(attributes),
-        hasTiles ? Optional.of(tiles(attribute(attributes, "tiles"))) : Optional.empty());
+        hasTiles ? Optional.of(tiles(attribute(attributes, "tiles"))) : Optional.empty(),
+        Optional.ofNullable(attributes.get("chromaticities"))
+            .flatMap(attribute -> ExrPrimaries.toRec709(attribute.value)));
   }
 
   private static List<ExrChannel> channels(ByteBuffer list, boolean isPicture)
@@ -171,6 +175,11 @@ record ExrHeader(
 
   boolean hasAlpha() {
     return channels.stream().anyMatch(channel -> channel.use() == ExrChannel.ALPHA);
+  }
+
+  /** Returns whether red, green and blue are stored apart. */
+  boolean hasColor() {
+    return channels.stream().anyMatch(channel -> channel.use() == ExrChannel.RED);
   }
 
   int blockWidth() {

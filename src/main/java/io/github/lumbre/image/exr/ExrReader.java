@@ -26,8 +26,9 @@ import java.util.zip.DataFormatException;
 /**
  * Reads OpenEXR files ("OpenEXR File Layout", openexr.com): scan lines and tiles, of which the
  * full-size level is read; of several parts, the first; every {@link ExrCompression}. The channels
- * are R, G and B, or a gray one, and perhaps A, of the picture or of its only layer. The picture
- * has the size of the display window; pixels outside the data window are 0.
+ * are R, G and B, or a gray one, and perhaps A, of the picture or of its only layer. Its
+ * colors are converted to the primaries of BT.709 if the file states others; named layers stay as
+ * they are stored. The picture has the size of the display window; pixels outside the data window are 0.
  */
 public final class ExrReader {
   private static final int MAGIC = 20000630;
@@ -36,6 +37,8 @@ public final class ExrReader {
   private static final int LONG_NAMES = 0x400;
   private static final int DEEP = 0x800;
   private static final int PARTS = 0x1000;
+
+  private static final List<String> COLORS = List.of("R", "G", "B");
 
   /** The memory that unpacking takes, in sizes of an unpacked block. */
   private static final int BLOCK_COPIES = 4;
@@ -159,6 +162,9 @@ public final class ExrReader {
             }
           }
         });
+    if (header.hasColor()) {
+      header.toRec709().ifPresent(matrix -> ExrPrimaries.convert(rgb, 3, matrix));
+    }
     return new LinearPicture(width, height, rgb, alpha);
   }
 
@@ -209,6 +215,11 @@ public final class ExrReader {
             rasters[channel][i * strides[channel] + offsets[channel]] = type.next(raw);
           }
         });
+    List<ExrChannel> picture = byLayer.getOrDefault("", List.of());
+    if (picture.stream().map(ExrChannel::component).limit(3).toList().equals(COLORS)) {
+      float[] raster = rasters[channels.indexOf(picture.get(0))];
+      header.toRec709().ifPresent(m -> ExrPrimaries.convert(raster, picture.size(), m));
+    }
     return new LayeredImage(width, height, layers, header.texts());
   }
 

@@ -3,12 +3,16 @@ package io.github.lumbre.image.imageio;
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EmptyAlpha;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.Objects;
+import javax.imageio.ImageReader;
 
 /**
  * Checks the header of a BMP file before Java decodes the picture (Microsoft, "Bitmap Storage" and
@@ -107,6 +111,11 @@ public final class BmpFile {
         width,
         height,
         BYTES_PER_PIXEL,
-        () -> JdkDecoder.decode("BMP", in.array(), reader -> RasterPixels.of(reader.read(0))));
+        () -> JdkDecoder.decode("BMP", in.array(), BmpFile::pixels));
+  }
+
+  /** Returns the pixels; an alpha of 0 everywhere is none. */
+  private static Pixels pixels(ImageReader reader) throws IOException {
+    return EmptyAlpha.dropped(RasterPixels.of(reader.read(0)));
   }
 }

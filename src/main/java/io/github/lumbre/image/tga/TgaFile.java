@@ -4,6 +4,7 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.internal.EmptyAlpha;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.PictureLimits;
 import io.github.lumbre.limit.internal.Interrupts;
@@ -12,7 +13,8 @@ import java.util.Arrays;
 
 /**
  * Decodes TGA files (Truevision TGA File Format Specification, version 2.0): with a palette, of
- * colors or of gray, packed or not, with any corner as the first pixel. Mutable; one for each file.
+ * colors or of gray, packed or not, with any corner as the first pixel. An alpha
+ * of 0 everywhere is none. Mutable; one for each file.
  */
 public final class TgaFile {
   private static final byte[] FOOTER = "TRUEVISION-XFILE.\0".getBytes(StandardCharsets.US_ASCII);
@@ -88,7 +90,7 @@ public final class TgaFile {
     return new EncodedPicture(
         header.width(),
         header.height(),
-        header.channels(),
+        2 * header.channels(),
         () -> new TgaFile(file, header).decode());
   }
 
@@ -103,7 +105,7 @@ public final class TgaFile {
         put(next(), (y * width + x) * channels);
       }
     }
-    return Pixels.of(width, height, channels, values);
+    return EmptyAlpha.dropped(Pixels.of(width, height, channels, values));
   }
 
   /** Returns the position of the next pixel's bytes. */

@@ -21,6 +21,9 @@ import java.util.Optional;
 final class MeshReader {
   private static final double[] NONE = {};
 
+  /** Attributes with the colors that PrusaSlicer and its descendants paint on triangles. */
+  private static final List<String> PAINT = List.of("mmu_segmentation", "paint_color");
+
   /** The memory of a corner that shares its vertex with no other. */
   private static final long CORNER_BYTES = 100;
 
@@ -124,6 +127,9 @@ final class MeshReader {
   }
 
   private void readTriangle() throws ModelFormatException {
+    if (PAINT.stream().anyMatch(xml::hasLocal)) {
+      file.tally().add("left out the colors of triangles painted in a slicer", xml.location());
+    }
     int a = xml.integer("v1", vertices - 1L);
     int b = xml.integer("v2", vertices - 1L);
     int c = xml.integer("v3", vertices - 1L);

@@ -183,6 +183,18 @@ final class XmlReader {
     return find(name) >= 0;
   }
 
+  /** Returns whether the element has an attribute that is not empty, with any prefix or none. */
+  boolean hasLocal(String name) {
+    for (int i = 0; i < 4 * attributes; i += 4) {
+      int start = ranges[i + 1] - name.length();
+      boolean isWhole = start == ranges[i] || start > ranges[i] && tag.at(start - 1) == ':';
+      if (isWhole && tag.startsWith(start, name) && ranges[i + 3] > ranges[i + 2]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Returns the value of an attribute without a prefix. */
   Optional<String> text(String name) {
     int i = find(name);

@@ -36,6 +36,7 @@ public final class ExrBuilder {
   private int left;
   private int top;
   private byte[] display;
+  private byte[] chromaticities = {};
 
   /**
    * @param compression 0 none, 1 RLE, 2 ZIPS, 3 ZIP
@@ -86,6 +87,16 @@ public final class ExrBuilder {
     return this;
   }
 
+  /** States the CIE x and y of red, green, blue and white. */
+  ExrBuilder chromaticities(double... xy) {
+    ByteBuffer value = little(Float.BYTES * xy.length);
+    for (double each : xy) {
+      value.putFloat((float) each);
+    }
+    chromaticities = value.array();
+    return this;
+  }
+
   public byte[] file() {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     out.writeBytes(ints(20000630, 2 | (tileWidth > 0 ? 0x200 : 0)));
@@ -133,6 +144,9 @@ public final class ExrBuilder {
     list.write(0);
     byte[] window = ints(left, top, left + width - 1, top + height - 1);
     attribute(out, "channels", "chlist", list.toByteArray());
+    if (chromaticities.length > 0) {
+      attribute(out, "chromaticities", "chromaticities", chromaticities);
+    }
     attribute(out, "compression", "compression", new byte[] {(byte) compression});
     attribute(out, "dataWindow", "box2i", window);
     attribute(out, "displayWindow", "box2i", display);

@@ -2,9 +2,12 @@ package io.github.lumbre.image.exr;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
@@ -109,6 +112,67 @@ class ExrFormsTest {
     ExrBuilder layer = new ExrBuilder(45, 2, 0).rgb("a.b.", ExrFormsTest::value);
     layer.channel("depth.Z", FLOAT, (x, y) -> 0).channel("R", FLOAT, (x, y) -> 0);
     assertValues(LinearReader.decode(layer.file()), 45, 2);
+  }
+
+  private static Rgb converted(double r, double g, double b, double... xy)
+      throws ImageFormatException {
+    ExrBuilder file =
+        new ExrBuilder(3, 2, 3)
+            .channel("R", FLOAT, (x, y) -> r)
+            .channel("G", FLOAT, (x, y) -> g)
+            .channel("B", FLOAT, (x, y) -> b);
+    return LinearReader.decode(file.chromaticities(xy).file()).pixel(2, 1);
+  }
+
+  private static void assertNear(Rgb found, double r, double g, double b) {
+    assertThat(found.r()).isCloseTo(r, within(1e-3));
+    assertThat(found.g()).isCloseTo(g, within(1e-3));
+    assertThat(found.b()).isCloseTo(b, within(1e-3));
+  }
+
+  /** The matrices are those of ITU-R BT.2087, SMPTE EG 432-1 and ACES (S-2014-004). */
+  @Test
+  void colorsOfOtherPrimariesAreConverted() throws ImageFormatException {
+    double[] bt2020 = {.708, .292, .17, .797, .131, .046, .3127, .329};
+    assertNear(converted(.5, .1, .1, bt2020), .7643, .0502, .0928);
+    assertNear(converted(0, 1, 0, bt2020), -.5876, 1.1329, -.1006);
+    double[] displayP3 = {.68, .32, .265, .69, .15, .06, .3127, .329};
+    assertNear(converted(1, 0, 0, displayP3), 1.2249, -.0420, -.0196);
+    double[] acesCg = {.713, .293, .165, .83, .128, .044, .32168, .33767};
+    assertNear(converted(1, 0, 0, acesCg), 1.7051, -.1303, -.0240);
+    double[] aces = {.7347, .2653, 0, 1, .0001, -.077, .32168, .33767};
+    assertNear(converted(1, 1, 1, aces), 1, 1, 1);
+    assertNear(converted(1, 0, 0, aces), 2.5216, -.2765, -.0154);
+  }
+
+  /** Named layers need not be colors of light. */
+  @Test
+  void colorsOfThePictureAmongLayersAreConverted() throws ImageFormatException {
+    ExrBuilder file =
+        new ExrBuilder(3, 2, 0)
+            .rgb("", (x, y) -> x)
+            .channel("A", FLOAT, (x, y) -> .25)
+            .rgb("normal.", (x, y) -> 1)
+            .chromaticities(.708, .292, .17, .797, .131, .046, .3127, .329);
+    LayeredImage image = LayeredImage.of(file.file());
+    ImageLayer picture = image.layer("").orElseThrow();
+    Rgb expected = LinearReader.decode(file.file()).pixel(2, 1).times(.25);
+    assertThat(picture.value(2, 1, 0)).isEqualTo((float) expected.r());
+    assertThat(picture.value(2, 1, 1)).isEqualTo((float) expected.g());
+    assertThat(picture.value(2, 1, 3)).isEqualTo(.25f);
+    assertThat(image.layer("normal").orElseThrow().value(2, 1, 1)).isEqualTo(2);
+  }
+
+  @Test
+  void colorsOfBt709AndGrayStay() throws ImageFormatException {
+    float value = (float) .1;
+    double[] rounded = {.64, .33, .3, .6, .15, .06, .3127, .329};
+    assertThat(converted(value, .5, 2, rounded)).isEqualTo(new Rgb(value, .5, 2));
+    assertThat(converted(value, .5, 2, new double[8])).isEqualTo(new Rgb(value, .5, 2));
+    assertThat(converted(value, .5, 2, 1, 2)).isEqualTo(new Rgb(value, .5, 2));
+    ExrBuilder gray = new ExrBuilder(4, 2, 0).channel("Y", FLOAT, (x, y) -> x);
+    gray.chromaticities(.708, .292, .17, .797, .131, .046, .3127, .329);
+    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(3));
   }
 
   @Test

@@ -125,6 +125,28 @@ class LegacyPicturesTest {
         file, allowed.withMemory(100), TOO_LARGE, "the picture has 21x9 pixels: expected at most");
   }
 
+  /** Returns a BMP of two pixels with masks for red, green, blue and alpha (BITMAPV4HEADER). */
+  private static byte[] masked(int... pixels) {
+    ByteBuffer file = little(new byte[14 + 108 + 8]);
+    file.put((byte) 'B').put((byte) 'M').putInt(file.capacity()).putInt(0).putInt(14 + 108);
+    file.putInt(108).putInt(2).putInt(1).putShort((short) 1).putShort((short) 32);
+    file.putInt(3).putInt(8).putInt(0).putInt(0).putInt(0).putInt(0);
+    file.putInt(0xff0000).putInt(0xff00).putInt(0xff).putInt(0xff000000);
+    file.position(14 + 108);
+    return file.putInt(pixels[0]).putInt(pixels[1]).array();
+  }
+
+  @Test
+  void anAlphaOfZeroEverywhereIsNone() throws IOException {
+    Pixels clear = ImageReader.decode(masked(0x00102030, 0x01405060));
+    assertThat(clear.alpha(0, 0)).isZero();
+    assertThat(clear.alpha(1, 0)).isEqualTo(1);
+    Pixels opaque = ImageReader.decode(masked(0x00102030, 0x00405060));
+    assertThat(opaque.hasAlpha()).isFalse();
+    assertThat(opaque.raw(1, 0, 0)).isEqualTo(0x40);
+    assertThat(opaque.raw(1, 0, 2)).isEqualTo(0x60);
+  }
+
   @Test
   void sizesOfBmpAreCheckedFirst() {
     byte[] file = LegacyFixture.file("bmp", RGB, "");

@@ -59,6 +59,28 @@ class TgaFileTest {
     assertThat(color(clear, 2, 0)).containsExactly(7, 8, 9, 6);
   }
 
+  /** Many programs count bits of alpha and write 0 for an opaque picture. */
+  @Test
+  void anAlphaOfZeroEverywhereIsNone() throws IOException {
+    byte[] zeros = bytes(1, 2, 3, 0, 9, 8, 7, 0);
+    for (int type : new int[] {2, 10}) {
+      Pixels color = ImageReader.decode(new TgaFixture(type, 32, 8, 0).file(2, 1, zeros));
+      assertThat(color.hasAlpha()).isFalse();
+      assertThat(color(color, 1, 0)).containsExactly(7, 8, 9);
+    }
+    byte[] dark = bytes(0x1f, 0x02, 0x00, 0x04);
+    Pixels packed = ImageReader.decode(new TgaFixture(2, 16, 1, 0).file(2, 1, dark));
+    assertThat(color(packed, 0, 0)).containsExactly(0, 132, 255);
+    Pixels gray = ImageReader.decode(new TgaFixture(3, 16, 8, 0).file(2, 1, bytes(5, 0, 200, 0)));
+    assertThat(color(gray, 1, 0)).containsExactly(200, 200, 200);
+    byte[] palette = bytes(1, 2, 3, 0, 4, 5, 6, 0);
+    int first = TgaFixture.FIRST;
+    Pixels mapped =
+        ImageReader.decode(
+            new TgaFixture(1, 8, 8, 32, palette).file(2, 1, bytes(first, first + 1)));
+    assertThat(color(mapped, 1, 0)).containsExactly(6, 5, 4);
+  }
+
   @Test
   void fiveBitsAreScaledToEight() throws IOException {
     // 1 00000 10000 11111 and 0 00001 00000 00000
