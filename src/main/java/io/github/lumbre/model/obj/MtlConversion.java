@@ -19,8 +19,11 @@ import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.internal.ModelTexture;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.Warnings;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Converts a material of a library to a metallic-roughness material.
@@ -41,7 +44,8 @@ import java.util.Optional;
  *       Ni} and color {@code Tf}. Otherwise, {@code d}, or 1 − {@code Tr}, is the opacity. {@code
  *       Tr 1} without {@code d} is opaque, since several tools write it so.
  *   <li>A {@code map_Bump} with colors is a normal map; height maps are ignored.
- *   <li>A picture that is missing is left out with a warning.
+ *   <li>A picture that is missing is left out with a warning, and a number out of its range is
+ *       replaced with one.
  * </ul>
  */
 final class MtlConversion {
@@ -52,6 +56,17 @@ final class MtlConversion {
   private static final double FULL_REFLECTANCE = .08;
 
   private static final double DEFAULT_SHEEN_ROUGHNESS = .5;
+
+  /** Keys that libraries do not write with a capital letter. */
+  private static final Set<String> LOWER_CASE = Set.of("d", "illum");
+
+  /** The illumination model with diffuse light and highlights. */
+  private static final double DEFAULT_ILLUMINATION = 2;
+
+  private static final int LAST_ILLUMINATION = 10;
+
+  /** The largest difference from a range that is a rounding error. */
+  private static final double ROUNDING = 1e-6;
 
   private final MtlMaterial in;
   private final ObjTextures textures;
@@ -83,7 +98,44 @@ final class MtlConversion {
   }
 
   private int illumination() {
-    return in.number("illum").orElse(2.).intValue();
+    int stated = in.number("illum").orElse(DEFAULT_ILLUMINATION).intValue();
+    if (stated >= 0 && stated <= LAST_ILLUMINATION) {
+      return stated;
+    }
+    warn("illum", "0 to 10", stated, DEFAULT_ILLUMINATION);
+    return (int) DEFAULT_ILLUMINATION;
+  }
+
+  /** Returns a number of the material in a range; adds a warning if it is out of it. */
+  private double limited(String key, double stated, double min, double max) {
+    double limited = Math.max(min, Math.min(stated, max));
+    if (Math.abs(limited - stated) > ROUNDING) {
+      String range = PrintableText.number(min) + " to " + PrintableText.number(max);
+      warn(key, max == Double.MAX_VALUE ? "at least 0" : range, stated, limited);
+    }
+    return limited;
+  }
+
+  private Rgb limited(String key, Rgb stated, double max) {
+    return new Rgb(
+        limited(key, stated.r(), 0, max),
+        limited(key, stated.g(), 0, max),
+        limited(key, stated.b(), 0, max));
+  }
+
+  /** Adds a warning of a number that is replaced. */
+  private void warn(String key, String expected, double stated, double used) {
+    warnings.add(
+        "a number of a material is out of range",
+        in.location(),
+        "%s: expected %s, found %s; %s is used"
+            .formatted(
+                LOWER_CASE.contains(key)
+                    ? key
+                    : key.substring(0, 1).toUpperCase(Locale.ROOT) + key.substring(1),
+                expected,
+                PrintableText.number(stated),
+                PrintableText.number(used)));
   }
 
   private void setPhysical() throws ModelFormatException, IOException {
@@ -107,23 +159,19 @@ final class MtlConversion {
     boolean reflects = illumination == 3 || illumination == 5 || illumination == 8;
     double scale = (reflects ? 1 : FULL_REFLECTANCE) / DEFAULT_REFLECTANCE;
     out.set(SPECULAR, 1);
-    out.set(
-        SPECULAR_COLOR, reflectance.withFactor(reflectance.factor().clampedToOne().times(scale)));
+    out.set(SPECULAR_COLOR, reflectance.withFactor(reflectance.factor().times(scale)));
     out.set(ROUGHNESS, phongRoughness());
   }
 
   private double phongRoughness() {
-    double exponent = in.number("ns").orElse(0.);
-    if (exponent < 0) {
-      warnings.add(in.location(), "replaced a negative Ns by 0");
-    }
-    return Math.sqrt(Math.sqrt(2 / (Math.max(0, exponent) + 2)));
+    double exponent = limited("ns", in.number("ns").orElse(0.), 0, Double.MAX_VALUE);
+    return Math.sqrt(Math.sqrt(2 / (exponent + 2)));
   }
 
   private void setRefraction() {
     double opacity = opacity();
     out.set(TRANSMISSION, opacity < 1 ? 1 - opacity : 1);
-    out.set(BASE_COLOR, in.color("tf").orElse(Rgb.WHITE).clampedToOne());
+    out.set(BASE_COLOR, limited("tf", in.color("tf").orElse(Rgb.WHITE), 1));
     out.set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY);
     out.set(SPECULAR, 1);
     out.set(SPECULAR_COLOR, Rgb.WHITE);
@@ -134,17 +182,14 @@ final class MtlConversion {
   }
 
   private double ior() {
-    double ior = in.number("ni").orElse(1.5);
-    if (!IOR.accepts(ior)) {
-      String found = ior < 1 ? "below 1 by 1" : "above 1e6 by 1e6";
-      warnings.add(in.location(), "replaced an Ni " + found);
-    }
-    return Math.max(IOR.least(), Math.min(ior, IOR.most()));
+    return limited("ni", in.number("ni").orElse(1.5), IOR.least(), IOR.most());
   }
 
   private double opacity() {
-    double opacity = in.number("d").orElseGet(() -> 1 - in.number("tr").orElse(0.));
-    return isTrOpacity() ? 1 : Math.max(0, Math.min(opacity, 1));
+    if (in.number("d").isPresent()) {
+      return limited("d", in.number("d").get(), 0, 1);
+    }
+    return isTrOpacity() ? 1 : 1 - limited("tr", in.number("tr").orElse(0.), 0, 1);
   }
 
   /** Returns whether Tr states an opacity of 1: several tools write that instead of Tr 0. */
@@ -205,21 +250,22 @@ final class MtlConversion {
     }
     // A factor of 0 is not meant, even if the picture is missing.
     boolean isBlackMeant = !isMapped;
+    double most = key.equals("ke") ? Double.MAX_VALUE : 1;
     Rgb factor =
         in.color(key)
+            .map(color -> limited(key, color, most))
             .filter(color -> isBlackMeant || !color.isBlack())
             .orElse(map.isPresent() ? Rgb.WHITE : otherwise);
-    Rgb limited = key.equals("ke") ? factor : factor.clampedToOne();
     return map.isEmpty()
-        ? MaterialInput.of(limited)
-        : new MaterialInput(limited, Optional.of(textures.texture(map.get())), 0);
+        ? MaterialInput.of(factor)
+        : new MaterialInput(factor, Optional.of(textures.texture(map.get())), 0);
   }
 
   private MaterialInput scalar(MaterialParameter parameter, double otherwise)
       throws ModelFormatException, IOException {
     Optional<MtlMap> map = map("map_" + parameter.mtl());
     double stated = in.number(parameter.mtl()).orElse(map.isPresent() ? 1 : otherwise);
-    double factor = Math.max(parameter.least(), Math.min(stated, parameter.most()));
+    double factor = limited(parameter.mtl(), stated, parameter.least(), parameter.most());
     if (map.isEmpty()) {
       return MaterialInput.of(factor);
     }

@@ -3,6 +3,7 @@ package io.github.lumbre.model.obj;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.internal.Warnings;
 import io.github.lumbre.text.PrintableText;
@@ -67,7 +68,23 @@ final class MtlReader {
     } else if (materials.isEmpty()) {
       warn(" before", "ignored statements before the first newmtl");
     } else {
-      readStatement(key, materials.get(materials.size() - 1));
+      readIntact(key, materials.get(materials.size() - 1));
+    }
+  }
+
+  /** Reads a statement; a wrong one is ignored with a warning. */
+  private void readIntact(String key, MtlMaterial material) throws ModelFormatException {
+    String shown = PrintableText.shortened(scanner.word());
+    try {
+      readStatement(key, material);
+    } catch (ModelFormatException e) {
+      if (e.kind() != Kind.MALFORMED) {
+        throw e;
+      }
+      warnings.add(
+          "ignored a wrong statement of a material",
+          e.location(),
+          "ignored a wrong " + shown + ": " + e.detail());
     }
   }
 
@@ -108,19 +125,13 @@ final class MtlReader {
     }
     double r = currentNumber();
     if (!scanner.nextWord()) {
-      material.put(key, color(r, r, r));
+      material.put(key, new Rgb(r, r, r));
       return;
     }
     double g = scanner.number();
-    material.put(key, color(r, g, scanner.nextNumber()));
+    material.put(key, new Rgb(r, g, scanner.nextNumber()));
   }
 
-  private Rgb color(double r, double g, double b) {
-    if (Math.min(r, Math.min(g, b)) < 0) {
-      warn(" negative", "replaced a negative color component by 0");
-    }
-    return new Rgb(Math.max(0, r), Math.max(0, g), Math.max(0, b));
-  }
 
   private void warnOption(String option) {
     warn(option, "ignored the option " + option);

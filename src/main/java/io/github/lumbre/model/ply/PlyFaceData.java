@@ -3,6 +3,7 @@ package io.github.lumbre.model.ply;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.Warnings;
 import java.util.Arrays;
 import java.util.List;
@@ -28,6 +29,7 @@ final class PlyFaceData {
   private final List<PlyProperty> colors;
 
   private final Limits limits;
+  private final Tally tally;
 
   private double[] coordinates = {};
 
@@ -45,9 +47,11 @@ final class PlyFaceData {
   /**
    * @param face the element of the faces
    * @param takesColors whether vertices have no colors
+   * @param tally receives colors that are out of range
    */
-  PlyFaceData(PlyElement face, boolean takesColors, Limits limits) {
+  PlyFaceData(PlyElement face, boolean takesColors, Limits limits, Tally tally) {
     this.limits = limits;
+    this.tally = tally;
     texcoord = found(face, List.of("texcoord"), true);
     texnumber = found(face, List.of("texnumber"), false);
     List<PlyProperty> found =
@@ -83,6 +87,7 @@ final class PlyFaceData {
     } else if (colors.contains(property)) {
       int channel = colors.indexOf(property);
       double value = body.number(property);
+      PlyVertices.count(value, property.type(), body, tally);
       double sound = Double.isNaN(value) ? 1 : value;
       color[channel] = (float) PlyVertices.color(sound, property.type(), channel == 3);
     } else {

@@ -202,7 +202,7 @@ public final class PlyReader {
     boolean isStrip = element.name().equals("tristrips");
     Optional<PlyFaceData> data =
         indices.isPresent() && !isStrip
-            ? Optional.of(new PlyFaceData(element, !vertices.hasColors(), options.limits()))
+            ? Optional.of(new PlyFaceData(element, !vertices.hasColors(), options.limits(), tally))
             : Optional.empty();
     if (indices.isPresent()) {
       faceData = data.isPresent() ? data : faceData;

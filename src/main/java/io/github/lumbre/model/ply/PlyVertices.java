@@ -40,6 +40,13 @@ final class PlyVertices {
   /** The largest absolute value of a coordinate: products of two must not overflow. */
   private static final double MAX_NUMBER = 1e150;
 
+  /** Larger components of colors are not 1, rounded. */
+  private static final double MAX_FRACTION = 1.001;
+
+  private static final String BEYOND = "clamped components of colors to the range 0 to 1";
+  private static final String NOT_FINITE =
+      "ignored texture coordinates and colors that are not finite";
+
   private final PlyElement element;
   private final Tally tally;
 
@@ -154,7 +161,7 @@ final class PlyVertices {
     if (attribute == NONE) {
       return;
     }
-    if (!Double.isFinite(value)) {
+    if (!Double.isFinite(value) || attribute >= COLOR && Math.abs(value) > MAX_NUMBER) {
       putNan(vertex, attribute, body);
       return;
     }
@@ -171,6 +178,7 @@ final class PlyVertices {
       uvs[2 * vertex + attribute - UV] = value;
     } else {
       PlyType type = element.properties().get(property).type();
+      count(value, type, body, tally);
       colors[4 * vertex + attribute - COLOR] = (float) color(value, type, attribute == ALPHA);
     }
   }
@@ -182,7 +190,7 @@ final class PlyVertices {
     } else if (attribute < UV) {
       normals[3 * vertex + attribute - NORMAL] = Double.NaN;
     } else {
-      tally.add("ignored texture coordinates and colors that are not finite", body.location());
+      tally.add(NOT_FINITE, body.location());
     }
   }
 
@@ -221,6 +229,14 @@ final class PlyVertices {
   static double color(double value, PlyType type, boolean isAlpha) {
     double limited = Math.max(0, Math.min(type.isInteger() ? value / type.max() : value, 1));
     return type.isInteger() && !isAlpha ? Srgb.decode(limited) : limited;
+  }
+
+  /** Counts a component of a color if {@link #color} changes it by more than rounding. */
+  static void count(double value, PlyType type, PlyBody body, Tally tally) {
+    double share = type.isInteger() ? value / type.max() : value;
+    if (!(share >= 0 && share <= MAX_FRACTION)) {
+      tally.add(Double.isFinite(share) ? BEYOND : NOT_FINITE, body.location());
+    }
   }
 
   boolean hasColors() {

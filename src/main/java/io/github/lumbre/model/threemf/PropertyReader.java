@@ -103,13 +103,18 @@ final class PropertyReader {
     }
   }
 
-  /** Returns a linear color with alpha. */
-  private double[] color(String attribute) throws ModelFormatException {
+  /** Returns a linear color with alpha; light gray, with a warning, for a wrong one. */
+  private double[] color(String attribute) {
     String text = xml.text(attribute).orElse("").trim();
     if (!text.matches("#(\\p{XDigit}{6}|\\p{XDigit}{8})")) {
-      throw xml.error(
-          "expected a color such as #FF8000 in %s, found %s"
-              .formatted(attribute, PrintableText.quoted(text)));
+      file.warnings()
+          .add(
+              "a color is wrong",
+              xml.location(),
+              "expected a color such as #FF8000 in %s, found %s; light gray is used"
+                  .formatted(attribute, PrintableText.quoted(text)));
+      double gray = PlainModel.ALBEDO;
+      return new double[] {gray, gray, gray, 1};
     }
     double[] color = {1, 1, 1, 1};
     for (int i = 0; 2 * i + 3 <= text.length(); i++) {
@@ -201,7 +206,7 @@ final class PropertyReader {
     double[] sum = new double[4];
     double total = 0;
     for (int index : mixed) {
-      double share = shares.nextWord() ? Math.max(0, Math.min(shares.number(), 1)) : 0;
+      double share = shares.nextWord() ? share(shares) : 0;
       total += share;
       double[] color = base.numbers(index);
       for (int i = 0; i < sum.length; i++) {
@@ -212,6 +217,27 @@ final class PropertyReader {
       sum[i] = Math.min(sum[i] / total, 1);
     }
     return total > 0 ? sum : base.numbers(mixed.get(0));
+  }
+
+  /** Returns the current word as a share from 0 to 1; the nearest one, or 0, for a wrong one. */
+  private double share(TextScanner word) {
+    double stated = Double.NaN;
+    try {
+      stated = word.number();
+    } catch (ModelFormatException e) {
+      // Below, a warning names the word.
+    }
+    double share = stated > 0 ? Math.min(stated, 1) : 0;
+    if (share != stated) {
+      file.warnings()
+          .add(
+              "a share of a mixture is wrong",
+              xml.location(),
+              "expected shares from 0 to 1 in values, found %s; %s is used"
+                  .formatted(
+                      PrintableText.quoted(word.name()), PrintableText.number(share)));
+    }
+    return share;
   }
 
   /** Reads layers of properties; the top one is shown. */

@@ -36,7 +36,9 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -296,7 +298,7 @@ class ObjModelReaderTest {
     "d 1;Tr 0, 1, ",
     "Tr 0, 1, ",
     "Tr .99, .01, ",
-    "Tr -1, 1, ",
+    "Tr -1, 1, 0 is used",
     "Tr 2, 0, invisible",
     "d 0, 0, invisible",
     "d -halo 0;map_Kd a.png, 0, invisible",
@@ -380,20 +382,54 @@ class ObjModelReaderTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "Kd 1 x 1|MALFORMED a.mtl line 2: expected a finite number, found \"x\"",
-        "Kd|MALFORMED a.mtl line 2: expected a number, found the end of the line",
-        "Kd 1 2|MALFORMED a.mtl line 2: expected a number, found the end of the line",
-        "Ns|MALFORMED a.mtl line 2: expected a number, found the end of the line",
-        "Ns 1e999|MALFORMED a.mtl line 2: expected a finite number, found \"1e999\"",
-        "map_Kd|MALFORMED a.mtl line 2: expected the name of a picture, found the end of the line",
-        "map_Kd -s 1 2|MALFORMED a.mtl line 2: expected the name of a picture, found the end of"
-            + " the line",
-        "map_Kd -s a.png|MALFORMED a.mtl line 2: expected a finite number, found \"a.png\"",
-        "map_Kd -foo|MALFORMED a.mtl line 2: expected the name of a picture, found the end of the"
-            + " line"
+        "Kd 1 x 1|ignored a wrong Kd: expected a finite number, found \"x\"",
+        "Kd|ignored a wrong Kd: expected a number, found the end of the line",
+        "Kd 1 2|ignored a wrong Kd: expected a number, found the end of the line",
+        "Ns|ignored a wrong Ns: expected a number, found the end of the line",
+        "Ns 1e999|ignored a wrong Ns: expected a finite number, found \"1e999\"",
+        "map_Kd|ignored a wrong map_Kd: expected the name of a picture, found the end of the line",
+        "map_Kd -s 1 2|ignored a wrong map_Kd: expected the name of a picture, found the end of the"
+            + " line",
+        "map_Kd -s a.png|ignored a wrong map_Kd: expected a finite number, found \"a.png\""
       })
-  void errorsNameTheLibraryAndTheLine(String statements, String message) {
-    assertThat(material(statements).refusal()).isEqualTo(message);
+  void wrongStatementsAreIgnored(String statement, String warning) throws ModelFormatException {
+    Model model = material(statement + ";Ke 1 2 3").read();
+    assertThat(model.warnings()).containsExactly("a.mtl line 2: " + warning);
+    assertThat(model.parts().get(0).material())
+        .usingRecursiveComparison()
+        .isEqualTo(material(";Ke 1 2 3").part().material());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "Kd 1.5 .5 -1|Kd 1 .5 0|Kd: expected 0 to 1, found 1.5; 1 is used|Kd: expected 0 to 1,"
+            + " found -1; 0 is used",
+        "Ks 3|Ks 1|Ks: expected 0 to 1, found 3; 1 is used|",
+        "Ke 5 -1 5|Ke 5 0 5|Ke: expected at least 0, found -1; 0 is used|",
+        "Ks 1;Ns -5|Ks 1;Ns 0|Ns: expected at least 0, found -5; 0 is used|",
+        "d -1|d 0|d: expected 0 to 1, found -1; 0 is used|the material is invisible: its opacity, d"
+            + " or 1 - Tr, is 0",
+        "d 2|d 1|d: expected 0 to 1, found 2; 1 is used|",
+        "Tr -.5|Tr 0|Tr: expected 0 to 1, found -0.5; 0 is used|",
+        "illum 7;Ni 0|illum 7;Ni 1|Ni: expected 1 to 1000000, found 0; 1 is used|",
+        "illum 7;Tf 2 1 1|illum 7;Tf 1|Tf: expected 0 to 1, found 2; 1 is used|",
+        "illum 70|illum 2|illum: expected 0 to 10, found 70; 2 is used|",
+        "Pm 1.5|Pm 1|Pm: expected 0 to 1, found 1.5; 1 is used|",
+        "Pr -1|Pr 0|Pr: expected 0 to 1, found -1; 0 is used|"
+      })
+  void numbersOutOfRangeAreReplaced(String wrong, String same, String first, String second)
+      throws ModelFormatException {
+    Model model = material(wrong).read();
+    ModelMaterial expected = material(same).part().material();
+    assertThat(model.parts().get(0).material()).usingRecursiveComparison().isEqualTo(expected);
+    assertThat(model.warnings())
+        .isEqualTo(
+            Stream.of(first, second)
+                .filter(Objects::nonNull)
+                .map(warning -> "a.mtl line 1: " + warning)
+                .toList());
   }
 
   private static final String NO_AREA =

@@ -61,6 +61,28 @@ class PlyReaderTest {
   }
 
   @Test
+  void componentsOfColorsOutOfRangeAreClamped() throws ModelFormatException {
+    String floats = "property float red;property float green;property float blue;";
+    String vertices = "0 0 0 .5 -1 2;1 0 0 1 1 1.0001;0 1 0 0 inf 0;";
+    Model model = ascii("element vertex 3;" + XYZ + floats + FACE, vertices + "3 0 1 2").read();
+    assertThat(model.parts().get(0).geometry().colors())
+        .containsExactly(.5f, 0, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1);
+    assertThat(model.warnings())
+        .containsExactly(
+            "line 14: element vertex: clamped components of colors to the range 0 to 1: 2",
+            "line 16: element vertex: ignored texture coordinates and colors that are not finite: 1");
+  }
+
+  @Test
+  void componentsOfFaceColorsOutOfRangeAreClamped() throws ModelFormatException {
+    String floats = "property float red;property float green;property float blue;";
+    Model model = ascii("element vertex 3;" + XYZ + FACE + floats, TRIANGLE.replace("3 0 1 2;", "3 0 1 2 .5 -1 2")).read();
+    assertThat(model.parts().get(0).geometry().colors()).startsWith(.5f, 0, 1, 1);
+    assertThat(model.warnings())
+        .containsExactly("line 17: element face: clamped components of colors to the range 0 to 1: 2");
+  }
+
+  @Test
   void polygonsBecomeFans() throws ModelFormatException {
     ModelGeometry mesh =
         ascii("element vertex 4;" + XYZ + FACE, "0 0 0;1 0 0;;1 1 .5;0 1 0;4 0 1 2 3").geometry();

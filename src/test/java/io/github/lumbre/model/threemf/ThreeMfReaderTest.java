@@ -27,6 +27,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the reading of 3MF files. */
 class ThreeMfReaderTest {
@@ -77,6 +78,32 @@ class ThreeMfReaderTest {
     assertThat(part.geometry().indices()).containsExactly(0, 1, 2, 0, 2, 3);
     assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
     assertNear(ModelFixture.mapped(part, 1000, 2000, 3000), 1, 3, -2);
+  }
+
+  @Test
+  void wrongColorsAreLightGray() throws ModelFormatException {
+    String model =
+        ThreeMfSample.model(COLORS + object("", "pid=\"3\"", ""), "<item objectid=\"1\"/>");
+    Model read = new ThreeMfSample(model.replace("#FF0000", "#FF00")).fixture().read();
+    float gray = (float) PlainModel.ALBEDO;
+    assertThat(read.parts().get(0).geometry().colors()).startsWith(gray, gray, gray, 1);
+    assertThat(read.warnings())
+        .containsExactly(
+            "3D/root.model line 8: expected a color such as #FF8000 in color, found \"#FF00\";"
+                + " light gray is used");
+  }
+
+  /** PrusaSlicer and its descendants paint triangles with attributes of their own. */
+  @ParameterizedTest
+  @ValueSource(strings = {"slic3rpe:mmu_segmentation", "paint_color"})
+  void paintOfSlicersGivesOneWarning(String attribute) throws ModelFormatException {
+    String object = "<object id=\"1\">" + ThreeMfSample.MESH + "</object>";
+    String paint = " " + attribute + "=\"4\"";
+    assertThat(read(object.formatted(paint, paint)).warnings())
+        .containsExactly(
+            "3D/root.model line 10: left out the colors of triangles painted in a slicer: 2");
+    String other = " " + attribute + "=\"\"";
+    assertThat(read(object.formatted(other, " paint_seam=\"4\"")).warnings()).isEmpty();
   }
 
   @ParameterizedTest
@@ -206,6 +233,27 @@ class ThreeMfReaderTest {
         .containsExactly("3D/root.model line 8: composite materials are shown as mixed colors");
   }
 
+  @ParameterizedTest
+  @CsvSource({"-1 x, 0, 0", "2 NaN, 1, 0"})
+  void wrongSharesOfCompositesAreReplaced(String values, int first, int second)
+      throws ModelFormatException {
+    String composites =
+        "<m:compositematerials id=\"6\" matid=\"2\" matindices=\"0 1\"><m:composite values=\"%s\"/>"
+            + "</m:compositematerials>";
+    Model model = read(BASE + composites.formatted(values) + object("pid=\"6\"", "", ""));
+    Model same =
+        read(BASE + composites.formatted(first + " " + second) + object("pid=\"6\"", "", ""));
+    assertThat(model.parts().get(0).geometry().colors())
+        .isEqualTo(same.parts().get(0).geometry().colors());
+    String wrong =
+        "3D/root.model line 8: expected shares from 0 to 1 in values, found \"%s\"; %d is used";
+    assertThat(model.warnings())
+        .contains(
+            wrong.formatted(values.split(" ")[0], first),
+            wrong.formatted(values.split(" ")[1], second))
+        .hasSize(3);
+  }
+
   @Test
   void topLayerIsShown() throws ModelFormatException {
     String layers =
@@ -311,7 +359,6 @@ class ThreeMfReaderTest {
         "x=\"0\"|x=\"1,5\"|line 8: expected a finite number, found \"1,5\"",
         "x=\"0\"|x=\"\"|line 8: expected a number in x, found none",
         "pid=\"3\"|pid=\"3\" p1=\"3\"|line 10: expected an integer from 0 to 2 in p1, found \"3\"",
-        "#FF0000|#FF00|line 8: expected a color such as #FF8000 in color, found \"#FF00\"",
         "colorgroup id=\"3\"|colorgroup id=\"x\"|line 8: expected an integer from 0 to 2147483647"
             + " in id, found \"x\"",
         "item objectid=\"1\"|item objectid=\"8\"|line 13: expected an object that is defined"
