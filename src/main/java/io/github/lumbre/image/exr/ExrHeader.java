@@ -5,6 +5,7 @@ import static io.github.lumbre.image.ImageFormatException.malformed;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.image.internal.Primaries;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +24,7 @@ import java.util.TreeMap;
  * @param display the display window
  * @param texts the text attributes by name
  * @param tiles the sizes of tiles; empty for scan lines
- * @param toRec709 the matrix of {@link ExrPrimaries}; empty if colors need none
+ * @param toRec709 the matrix of {@link Primaries}; empty if colors need none
  */
 record ExrHeader(
     Window data,
@@ -89,7 +90,15 @@ record ExrHeader(
         texts(attributes),
         hasTiles ? Optional.of(tiles(attribute(attributes, "tiles"))) : Optional.empty(),
         Optional.ofNullable(attributes.get("chromaticities"))
-            .flatMap(attribute -> ExrPrimaries.toRec709(attribute.value)));
+            .flatMap(attribute -> Primaries.toRec709(floats(attribute.value))));
+  }
+
+  private static double[] floats(ByteBuffer value) {
+    double[] floats = new double[value.remaining() / Float.BYTES];
+    for (int i = 0; i < floats.length; i++) {
+      floats[i] = value.getFloat(Float.BYTES * i);
+    }
+    return floats;
   }
 
   private static List<ExrChannel> channels(ByteBuffer list, boolean isPicture)

@@ -10,6 +10,7 @@ import io.github.lumbre.image.exr.ExrHeader.Window;
 import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.image.internal.Primaries;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.BufferUnderflowException;
@@ -163,7 +164,7 @@ public final class ExrReader {
           }
         });
     if (header.hasColor()) {
-      header.toRec709().ifPresent(matrix -> ExrPrimaries.convert(rgb, 3, matrix));
+      header.toRec709().ifPresent(matrix -> Primaries.convert(rgb, 3, matrix));
     }
     return new LinearPicture(width, height, rgb, alpha);
   }
@@ -218,7 +219,7 @@ public final class ExrReader {
     List<ExrChannel> picture = byLayer.getOrDefault("", List.of());
     if (picture.stream().map(ExrChannel::component).limit(3).toList().equals(COLORS)) {
       float[] raster = rasters[channels.indexOf(picture.get(0))];
-      header.toRec709().ifPresent(m -> ExrPrimaries.convert(raster, picture.size(), m));
+      header.toRec709().ifPresent(m -> Primaries.convert(raster, picture.size(), m));
     }
     return new LayeredImage(width, height, layers, header.texts());
   }

@@ -6,20 +6,26 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.internal.LinearPicture;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.image.internal.Primaries;
 import io.github.lumbre.limit.internal.Interrupts;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
  * Reads Radiance pictures in RGBE, without compression and with both run-length encodings, in all
  * eight orientations (Ward 1991, "Real Pixels"; "Radiance File Formats", radiance-online.org).
- * Values are divided by EXPOSURE and COLORCORR, which state the factors that were applied. A
- * component is mantissa · 2^(exponent − 136), as in most programs; Radiance adds half to mantissas.
+ * Values are divided by EXPOSURE and COLORCORR, which state the factors that were applied, and
+ * converted from PRIMARIES to those of BT.709. A component is mantissa · 2^(exponent − 136), as in most programs; Radiance adds half to mantissas.
  */
 public final class HdrReader {
   private static final Pattern RESOLUTION =
       Pattern.compile("([-+])([XY]) +([0-9]{1,9}) +([-+])([XY]) +([0-9]{1,9})");
+
+  /** The CIE x and y of red, green, blue and white that Radiance has without PRIMARIES. */
+  private static final double[] RADIANCE = {.64, .33, .29, .6, .15, .06, .3333, .3333};
 
   private static final int MAX_LINE = 4096;
 
@@ -35,6 +41,7 @@ public final class HdrReader {
   private int at;
   private int line = 1;
   private final double[] factors = {1, 1, 1};
+  private Optional<double[]> toRec709 = Optional.empty();
 
   private HdrReader(byte[] file) {
     this.file = file;
@@ -86,6 +93,7 @@ public final class HdrReader {
         put(scan, 4 * k, rgb, hasColumns ? minor * width + major : major * width + minor);
       }
     }
+    toRec709.ifPresent(matrix -> Primaries.convert(rgb, 3, matrix));
     return new LinearPicture(width, height, rgb, new float[0]);
   }
 
@@ -116,9 +124,24 @@ public final class HdrReader {
       }
       case "EXPOSURE" -> divide(new String[] {value, value, value});
       case "COLORCORR" -> divide(value.split("\\s+"));
+      case "PRIMARIES" -> toRec709 = conversion(value.split("\\s+"));
       default -> {
         // Comments and other variables do not change values.
       }
+    }
+  }
+
+  /**
+   * Returns the matrix from stated primaries. Those of Radiance itself count as BT.709's, as other
+   * programs take them, and numbers that do not describe colors are ignored.
+   */
+  private static Optional<double[]> conversion(String... numbers) {
+    try {
+      double[] xy = Arrays.stream(numbers).mapToDouble(Double::parseDouble).toArray();
+      boolean isUsual = xy.length == RADIANCE.length && Primaries.areSame(xy, RADIANCE);
+      return isUsual ? Optional.empty() : Primaries.toRec709(xy);
+    } catch (NumberFormatException e) {
+      return Optional.empty();
     }
   }
 

@@ -2,6 +2,7 @@ package io.github.lumbre.image.hdr;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
@@ -47,6 +48,24 @@ class HdrReaderTest {
     assertThat(image.rgb())
         .containsExactly(1, .5f, 0, 255 * 0x1p-16f, 0x1p-16f, 2 * 0x1p-16f, 0, 0, 0);
     assertThat(image.hasAlpha()).isFalse();
+  }
+
+  /** The matrix is that of ITU-R BT.2087, of colors of equal exponents. */
+  @Test
+  void colorsOfOtherPrimariesAreConverted() throws ImageFormatException {
+    String wide = "PRIMARIES= .708 .292 .17 .797 .131 .046 .3127 .329;;-Y 1 +X 1";
+    Image image = read(wide, 128, 64, 64, 129);
+    assertThat(image.rgb()[0]).isCloseTo(1.3302f, within(1e-3f));
+    assertThat(image.rgb()[1]).isCloseTo(.4377f, within(1e-3f));
+    assertThat(image.rgb()[2]).isCloseTo(.4909f, within(1e-3f));
+    for (String usual :
+        new String[] {
+          ".64 .33 .29 .6 .15 .06 .333 .333", ".64 .33 .3 .6 .15 .06 .3127 .329", "1 2", "x",
+          "0 0 0 0 0 0 0 0"
+        }) {
+      Image same = read("PRIMARIES=" + usual + ";;-Y 1 +X 1", 128, 64, 64, 129);
+      assertThat(same.rgb()).containsExactly(1, .5f, .5f);
+    }
   }
 
   @Test

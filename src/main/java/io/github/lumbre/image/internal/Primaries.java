@@ -1,14 +1,14 @@
-package io.github.lumbre.image.exr;
+package io.github.lumbre.image.internal;
 
-import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
- * The colors that the numbers of an OpenEXR file stand for: the attribute {@code chromaticities},
- * with the CIE x and y of red, green, blue and white. Matrices have nine numbers, row by row.
+ * The colors that numbers of a file stand for: the CIE x and y of its red, green, blue and white.
+ * Matrices have nine numbers, row by row. Stateless.
  */
-final class ExrPrimaries {
+public final class Primaries {
   /** ITU-R BT.709, which files without the attribute have. */
   private static final double[] REC709 = {.64, .33, .3, .6, .15, .06, .3127, .329};
 
@@ -20,26 +20,28 @@ final class ExrPrimaries {
     .8951, .2664, -.1614, -.7502, 1.7135, .0367, .0389, -.0685, 1.0296
   };
 
-  private ExrPrimaries() {}
+  private Primaries() {}
 
   /**
    * Returns the matrix from a file's colors to those of BT.709, which keeps white; empty if they
-   * are the same, or the attribute does not describe colors.
+   * are the same, or the numbers do not describe colors.
+   *
+   * @param own x and y of red, green, blue and white
    */
-  static Optional<double[]> toRec709(ByteBuffer attribute) {
-    double[] own = new double[REC709.length];
-    if (attribute.remaining() < Float.BYTES * own.length) {
+  public static Optional<double[]> toRec709(double... own) {
+    if (own.length != REC709.length || areSame(own, REC709)) {
       return Optional.empty();
-    }
-    boolean isSame = true;
-    for (int i = 0; i < own.length; i++) {
-      own[i] = attribute.getFloat(attribute.position() + Float.BYTES * i);
-      isSame &= Math.abs(own[i] - REC709[i]) <= SAME;
     }
     double[] adapted = times(adaptation(white(own), white(REC709)), toXyz(own));
     double[] matrix = times(inverse(toXyz(REC709)), adapted);
-    boolean isFinite = Arrays.stream(matrix).allMatch(Double::isFinite);
-    return isSame || !isFinite ? Optional.empty() : Optional.of(matrix);
+    return Arrays.stream(matrix).allMatch(Double::isFinite)
+        ? Optional.of(matrix)
+        : Optional.empty();
+  }
+
+  /** Returns whether coordinates are the same, but for their decimals. */
+  public static boolean areSame(double[] some, double... others) {
+    return IntStream.range(0, others.length).allMatch(i -> Math.abs(some[i] - others[i]) <= SAME);
   }
 
   /**
@@ -48,7 +50,7 @@ final class ExrPrimaries {
    * @param values red, green and blue of each pixel, which further values may follow
    * @param stride number of values of each pixel
    */
-  static void convert(float[] values, int stride, double... m) {
+  public static void convert(float[] values, int stride, double... m) {
     for (int i = 0; i < values.length; i += stride) {
       double r = values[i];
       double g = values[i + 1];
