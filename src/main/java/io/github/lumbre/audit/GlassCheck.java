@@ -19,7 +19,9 @@ import io.github.lumbre.sampling.internal.Warp;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Reports glass on surfaces that are not closed, and glass objects that overlap. */
 final class GlassCheck implements Check {
@@ -40,7 +42,8 @@ final class GlassCheck implements Check {
 
   @Override
   public List<Finding> of(ParsedScene file, Pilot pilot) {
-    List<Finding> findings = new ArrayList<>();
+    // Copies of a part have one place in the file.
+    Set<Finding> findings = new LinkedHashSet<>();
     List<Pane> closed = new ArrayList<>();
     for (int i = 0; i < file.scene().primitives().size(); i++) {
       Primitive primitive = file.scene().primitives().get(i);
@@ -70,7 +73,7 @@ final class GlassCheck implements Check {
         }
       }
     }
-    return findings;
+    return List.copyOf(findings);
   }
 
   /** Returns whether a surface is the boundary of a volume that refracts or absorbs. */
@@ -113,7 +116,7 @@ final class GlassCheck implements Check {
   }
 
   /** Adds a finding if the surface of one object lies partly or wholly inside the other. */
-  private static void compare(Pane surface, Pane volume, ParsedScene file, List<Finding> findings) {
+  private static void compare(Pane surface, Pane volume, ParsedScene file, Set<Finding> findings) {
     int inside = 0;
     int points = 0;
     NearestHit hit = new NearestHit();

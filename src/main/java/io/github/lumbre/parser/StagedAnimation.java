@@ -31,7 +31,10 @@ final class StagedAnimation extends StagedFrames {
   private final FrameRate rate;
   private final double seconds;
   private final int count;
-  private final int visible;
+
+  /** The start, or the first frame that shows something of the model. */
+  private final Stage shown;
+
   private final boolean hasOwnCamera;
   private final boolean isFramed;
   private final DecodedPictures pictures = new DecodedPictures();
@@ -54,27 +57,27 @@ final class StagedAnimation extends StagedFrames {
     StagedModel atStart = read(at(0), true);
     seconds = seconds(atStart);
     count = frames(atStart);
-    visible = firstVisible(atStart);
+    shown = shown(atStart);
     hasOwnCamera = atStart.hasOwnCamera();
     isFramed = stage.ground() || !stage.labels().isEmpty() || !hasOwnCamera;
   }
 
   /**
-   * Returns the first frame that shows something of the model.
+   * Returns the start, or the first frame that shows something of the model.
    *
    * @throws SceneFormatException if there is none
    */
-  private int firstVisible(StagedModel atStart) throws SceneFormatException, IOException {
-    if (atStart.hasSurface()) {
-      return 0;
-    }
-    for (int i = 0; i < count; i++) {
+  private Stage shown(StagedModel atStart) throws SceneFormatException, IOException {
+    for (int i = 0; i < count && !atStart.hasSurface(); i++) {
       if (read(stage(i), true).hasSurface()) {
-        return i;
+        return stage(i);
       }
     }
-    atStart.requireSurface();
-    throw new AssertionError();
+    if (!atStart.hasSurface()) {
+      // The error of a single picture states why nothing is shown.
+      read(at(0), false);
+    }
+    return at(0);
   }
 
   private double seconds(StagedModel model) throws SceneFormatException {
@@ -139,12 +142,10 @@ final class StagedAnimation extends StagedFrames {
   /** Returns a model that has all poses in its frame. */
   private StagedModel framed() throws SceneFormatException, IOException {
     if (framed.isEmpty()) {
-      StagedModel model = read(visible == 0 ? at(0) : stage(visible), true);
-      for (int i = 0; i <= FRAMED_PARTS; i++) {
-        if (i > 0 || visible > 0) {
-          Stage pose = at(seconds * i / FRAMED_PARTS);
-          model.frame(model.framing().with(read(pose, true).framing()));
-        }
+      StagedModel model = read(shown, true);
+      for (int i = 1; i <= FRAMED_PARTS; i++) {
+        Stage pose = at(seconds * i / FRAMED_PARTS);
+        model.frame(model.framing().with(read(pose, true).framing()));
       }
       framed = Optional.of(model);
     }

@@ -164,16 +164,6 @@ final class StagedModel {
     return model.hasSurface();
   }
 
-  /** Checks that the model has a surface to show in one frame at least. */
-  void requireSurface() throws SceneFormatException {
-    try {
-      model.requireSurface();
-    } catch (ModelFormatException e) {
-      place.error(e);
-      throw problems.exception();
-    }
-  }
-
   /** Requires the sky's picture, so that a problem names it as the stage does. */
   private void requireSky() throws SceneFormatException {
     Path picture = stage.sky().picture().orElse(file);

@@ -115,6 +115,8 @@ class EmptyFramesTest {
   void oneFrameMustShowSomething() throws IOException {
     write("", "scale", 0, 0, 0, 0, 0, 0);
     run("").assertFailed(ExitCodes.ASSET, "expected at least one triangle with an area");
+    write("", "translation", 0, 0, 0, 5, 0, 0);
+    run("--section x=-1").assertFailed(ExitCodes.ASSET, "a plane that leaves something");
     write("", "scale", 0, 0, 0, 1, 1, 1);
     String pose = "render T/a.glb --pose 0@0.5 -o T/a.png";
     Outcome.in(directory, pose)

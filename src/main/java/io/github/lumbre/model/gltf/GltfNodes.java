@@ -159,25 +159,31 @@ final class GltfNodes {
   }
 
   /**
-   * Returns where a camera or a light is that a node places: scales do not change it, not even if
-   * they mirror or flatten (glTF 2.0, section 3.10.2; KHR_lights_punctual).
+   * Returns where a camera or a light is that a node places. A scale of the node itself has no
+   * effect, not even one that mirrors or flattens (glTF 2.0, section 3.10.2; KHR_lights_punctual).
+   * What mirrors the nodes around it turns it, too, so that it still faces them.
    *
    * @param pose in which the nodes were {@linkplain #place placed}
    */
-  GltfMatrix rigid(int node, GltfPose pose) {
-    int[] chain = IntStream.iterate(node, n -> n != NONE, n -> parents[n]).toArray();
+  GltfMatrix unscaled(int node, GltfPose pose) {
     GltfMatrix placed = toWorld.get(node);
-    boolean isPositive =
-        Arrays.stream(chain).allMatch(n -> pose.isPositive(n, nodes.get(n)))
-            && placed.toTransform().isInvertible();
-    if (isPositive) {
+    if (pose.isPositive(node, nodes.get(node)) && placed.toTransform().isInvertible()) {
       return placed;
     }
+    GltfMatrix own = pose.orientation(node, nodes.get(node));
+    int parent = parents[node];
+    boolean isSolid = parent != NONE && toWorld.get(parent).toTransform().isInvertible();
+    GltfMatrix around = isSolid ? toWorld.get(parent) : orientation(parent, pose);
+    return placed.withAxesOf(around.times(own));
+  }
+
+  /** Returns the orientation of a node by those of all nodes above it, whatever their scales. */
+  private GltfMatrix orientation(int node, GltfPose pose) {
     GltfMatrix axes = GltfMatrix.IDENTITY;
-    for (int i = chain.length - 1; i >= 0; i--) {
-      axes = axes.times(pose.orientation(chain[i], nodes.get(chain[i])));
+    for (int n = node; n != NONE; n = parents[n]) {
+      axes = pose.orientation(n, nodes.get(n)).times(axes);
     }
-    return placed.withAxesOf(axes);
+    return axes;
   }
 
   /** Returns the nodes of the default scene, else of the first one, else all, by their indices. */

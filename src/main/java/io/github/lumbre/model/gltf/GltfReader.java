@@ -181,7 +181,7 @@ public final class GltfReader {
     if (node.camera().isEmpty() && node.light().isEmpty()) {
       return;
     }
-    GltfMatrix place = nodes.rigid(index, pose);
+    GltfMatrix place = nodes.unscaled(index, pose);
     if (!place.isFinite()) {
       warnOfLoss(node);
       return;

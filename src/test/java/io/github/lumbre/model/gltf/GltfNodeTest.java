@@ -8,6 +8,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelFixture;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelPart;
@@ -310,34 +311,51 @@ class GltfNodeTest {
     }
   }
 
-  /** Scales move what nodes place, and neither turn nor stretch cameras and lights. */
+  /** A scale of its node neither turns nor stretches a camera or a light. */
   @ParameterizedTest
   @ValueSource(
       strings = {
         "1, 1, 0", "1, 0, 1", "0, 1, 1", "0, 0, 0", "-1, 1, 1", "1, -1, 1", "1, 1, -1",
         "-2, -2, -2", "2, 3, 4", "1e-200, 1e-200, 1e-200"
       })
-  void camerasAndLightsIgnoreScales(String scale) throws ModelFormatException, IOException {
+  void camerasAndLightsIgnoreTheirScales(String scale) throws ModelFormatException, IOException {
     file.set("extensions", "{'KHR_lights_punctual': {'lights': [{'type': 'spot', 'spot': {}}]}}");
     file.add("cameras", "{'type': 'orthographic', 'orthographic': {'xmag': 3, 'ymag': 2}}");
-    file.add("cameras", "{'type': 'perspective', 'perspective': {'yfov': 0.5}}");
     String turned = "'rotation': [0.5, 0.5, 0.5, 0.5], 'scale': [" + scale + "]";
     node("{'extensions': {'KHR_lights_punctual': {'light': 0}}, " + turned + "}");
-    node("{'camera': 0, 'children': [2], " + turned + "}");
-    node("{'camera': 1, 'translation': [0, 0, 1], " + turned + "}");
+    node("{'camera': 0, 'translation': [1, 2, 3], " + turned + "}");
     Model model = file.read();
     Transform light = model.lights().get(0).toWorld();
     assertClose(light.vector(Vec3.Z).normalized(), Vec3.X);
-    Transform outer = model.cameras().get(0).toWorld();
-    assertClose(outer.vector(Vec3.Y), Vec3.Z);
-    assertClose(outer.vector(Vec3.Z), Vec3.X);
+    Transform camera = model.cameras().get(0).toWorld();
+    assertClose(camera.vector(Vec3.Y), Vec3.Z);
+    assertClose(camera.vector(Vec3.Z), Vec3.X);
+    assertClose(camera.point(Vec3.ZERO), new Vec3(1, 2, 3));
     assertThat(model.cameras().get(0).aspect().getAsDouble()).isCloseTo(1.5, within(1e-12));
-    Transform inner = model.cameras().get(1).toWorld();
-    assertClose(inner.vector(Vec3.Y).normalized(), Vec3.X);
-    assertClose(inner.vector(Vec3.Z).normalized(), Vec3.Y);
-    double depth = Double.parseDouble(scale.split(", ")[2]);
-    assertClose(inner.point(Vec3.ZERO), new Vec3(depth, 0, 0));
     assertThat(model.warnings()).isEmpty();
+  }
+
+  /** Scales above a camera move it, and mirrors turn it to what they mirror. */
+  @ParameterizedTest
+  @CsvSource({
+    "'1, 1, -1', 0, 0, -5, -1",
+    "'-2, -2, -2', 0, 0, -10, -1",
+    "'-1, 1, 1', 0, 0, 5, 1",
+    "'3, 3, 3', 0, 0, 15, 1",
+    "'1, 1, 0', 0, 0, 0, 1"
+  })
+  void camerasFaceWhatTheirParentMirrors(
+      String scale, double x, double y, double z, double backwards)
+      throws ModelFormatException, IOException {
+    file.add("cameras", "{'type': 'orthographic', 'orthographic': {'xmag': 3, 'ymag': 2}}");
+    node("{'children': [1, 2], 'scale': [" + scale + "]}");
+    node("{'camera': 0, 'translation': [0, 0, 5]}");
+    node("{'camera': 0, 'translation': [0, 0, 5], 'scale': [1, 1, -1]}");
+    for (ModelCamera camera : file.read().cameras()) {
+      assertClose(camera.toWorld().point(Vec3.ZERO), new Vec3(x, y, z));
+      assertClose(camera.toWorld().vector(Vec3.Z).times(backwards), Vec3.Z);
+      assertThat(camera.toWorld().vector(Vec3.Y).length()).isCloseTo(1, within(1e-12));
+    }
   }
 
   /** A matrix states no scale of its own: its directions count, as far as it has any. */

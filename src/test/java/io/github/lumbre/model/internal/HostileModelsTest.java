@@ -438,7 +438,10 @@ class HostileModelsTest {
     for (int i = 0; i < count; i++) {
       read += isRead(format, firstSeed + i) ? 1 : 0;
     }
-    assertThat(read).isBetween(count / 20, count * 19 / 20);
+    // What is wrong in a material library does not take the model away.
+    boolean isLibrary = format == Format.MTL_TEXT;
+    assertThat(read)
+        .isBetween(isLibrary ? count : count / 20, isLibrary ? count : count * 19 / 20);
   }
 
   @ParameterizedTest
