@@ -3,7 +3,7 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
-import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
@@ -18,20 +18,29 @@ import java.util.Optional;
 final class Roots {
   private final List<Path> roots;
 
+  /** The same folders, also by the names that were given, which may lead through links. */
+  private final List<Path> named;
+
   /**
    * @param folders that exist
    * @throws IOException if one is no folder
    */
   Roots(List<Path> folders) throws IOException {
     List<Path> real = new ArrayList<>();
+    List<Path> all = new ArrayList<>();
     for (Path folder : folders) {
       real.add(folder.toRealPath());
+      all.add(folder.toAbsolutePath().normalize());
     }
+    all.addAll(real);
     roots = List.copyOf(real);
+    named = List.copyOf(all);
   }
 
   /**
-   * Returns the real path of a file.
+   * Returns the real path of a file. A name that leads out of the roots by its text is refused
+   * before the file system sees it: even a question could tell a client what exists elsewhere, or
+   * open a connection.
    *
    * @param name an absolute path, or one below a root
    * @throws ToolException if it is no file in a root
@@ -56,7 +65,11 @@ final class Roots {
   }
 
   /** Returns the real path of a file in a root; empty for all others, whether they exist or not. */
-  private Optional<Path> real(Path path) {
+  private Optional<Path> real(Path given) {
+    Path path = given.normalize();
+    if (named.stream().noneMatch(path::startsWith)) {
+      return Optional.empty();
+    }
     try {
       Path real = path.toRealPath();
       return roots.stream().anyMatch(real::startsWith) && Files.isRegularFile(real)
@@ -80,26 +93,6 @@ final class Roots {
    * @param most bytes of a file
    */
   static ModelFolder folderOf(Path model, long most) {
-    Path folder = model.getParent();
-    ModelFolder files = ModelFolder.of(folder);
-    ModelFolder bounded =
-        (name, location) -> {
-          if (size(folder, name) > most) {
-            throw ModelFormatException.Kind.TOO_LARGE.at(
-                location,
-                PrintableText.quoted(name) + ": expected at most " + most + " bytes, found more");
-          }
-          return files.read(name, location);
-        };
-    return bounded.searchedBy(files::similar);
-  }
-
-  /** Returns the bytes of a file; 0 if it cannot be read, which the reader reports. */
-  private static long size(Path folder, String name) {
-    try {
-      return Files.size(folder.resolve(name));
-    } catch (IOException | InvalidPathException e) {
-      return 0;
-    }
+    return new FileFolder(model.getParent(), most);
   }
 }

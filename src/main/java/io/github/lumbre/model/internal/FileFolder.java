@@ -15,13 +15,23 @@ import java.util.List;
 /** Reads the files in a folder and below. Mutable; confined to one thread. */
 public final class FileFolder implements ModelFolder {
   private final Path folder;
+  private final long mostBytes;
   private final FileSearch search;
 
   /**
    * @param folder absolute and normalized
    */
   public FileFolder(Path folder) {
+    this(folder, Long.MAX_VALUE);
+  }
+
+  /**
+   * @param folder absolute and normalized
+   * @param mostBytes of a file
+   */
+  public FileFolder(Path folder, long mostBytes) {
     this.folder = folder;
+    this.mostBytes = mostBytes;
     search = new FileSearch(folder);
   }
 
@@ -33,6 +43,7 @@ public final class FileFolder implements ModelFolder {
       if (!path.startsWith(folder) || !path.toRealPath().startsWith(folder.toRealPath())) {
         problem = "expected a file inside the model's folder, found " + PrintableText.quoted(name);
       } else if (Files.isRegularFile(path)) {
+        requireSize(path, name, location);
         return Files.readAllBytes(path);
       } else {
         String found = Files.isDirectory(path) ? "a folder" : "no regular file";
@@ -48,6 +59,15 @@ public final class FileFolder implements ModelFolder {
       problem = unreadable(name, FileFailure.reason(e));
     }
     throw ModelFormatException.Kind.ASSET.at(location, problem);
+  }
+
+  private void requireSize(Path path, String name, String location)
+      throws ModelFormatException, IOException {
+    if (Files.size(path) > mostBytes) {
+      throw ModelFormatException.Kind.TOO_LARGE.at(
+          location,
+          PrintableText.quoted(name) + ": expected at most " + mostBytes + " bytes, found more");
+    }
   }
 
   @Override
