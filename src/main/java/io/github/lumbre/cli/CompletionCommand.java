@@ -7,7 +7,13 @@ import picocli.CommandLine.Command;
 @Command(
     name = "completion",
     header = "Print a completion script for bash and zsh.",
-    footer = {"", "Example:", "  source <(lumbre completion)"})
+    footer = {"", "Example:", "  source <(lumbre completion)"},
+    exitCodeList = {
+      "0:Done",
+      "2:The command line is invalid",
+      "6:The script cannot be written",
+      "7:Internal error"
+    })
 final class CompletionCommand extends Subcommand {
   @Override
   public Integer call() {

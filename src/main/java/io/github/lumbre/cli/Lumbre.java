@@ -236,7 +236,7 @@ public final class Lumbre implements Runnable {
     Messages messages = new Messages(err);
     String[] current = renamed(args, messages);
     CommandLine command = commandLine(engine, mentioned(current));
-    Failures failures = new Failures(COMMANDS.keySet());
+    Failures failures = new Failures(COMMANDS.keySet(), Lumbre::commandLine);
     command.setOut(out).setErr(err);
     FlagConverters.register(command);
     command.setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF));

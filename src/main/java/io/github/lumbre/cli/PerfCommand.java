@@ -19,7 +19,7 @@ import io.github.lumbre.lab.perf.PerfRunner;
 import io.github.lumbre.lab.perf.PerfTables;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.internal.Specialization;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -73,9 +73,10 @@ final class PerfCommand extends Subcommand {
 
   @Option(
       names = "--size",
-      paramLabel = "WxH",
-      description = "Frame size in pixels (the scene's, scaled down to a side of 320).")
-  private Optional<Size> size;
+      paramLabel = "WxH|N",
+      description =
+          "Frame size in pixels, or its longer side (the scene's, scaled down to a side of 320).")
+  private Optional<FrameSize> size;
 
   @Option(
       names = "--threads",

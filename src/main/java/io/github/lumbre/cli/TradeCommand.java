@@ -17,8 +17,8 @@ import io.github.lumbre.lab.trade.TradeResult;
 import io.github.lumbre.lab.trade.TradeTables;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.internal.FrameSize;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.EnumSet;
@@ -102,10 +102,11 @@ final class TradeCommand extends Subcommand {
 
   @Option(
       names = "--size",
-      paramLabel = "WxH",
+      paramLabel = "WxH|N",
       description =
-          "Frame size in pixels (the scene's, scaled down to a side of 160; with --quick 96).")
-  private Optional<Size> size = Optional.empty();
+          "Frame size in pixels, or its longer side (the scene's, scaled down to a side of 160;"
+              + " with --quick 96).")
+  private Optional<FrameSize> size = Optional.empty();
 
   @Option(
       names = "--threads",
@@ -150,6 +151,7 @@ final class TradeCommand extends Subcommand {
 
   private void checkFlags() {
     seeds.ifPresent(n -> requireIn("--seeds", 3, 1000, n));
+    size.ifPresent(checks()::requireSize);
     requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
     samples.ifPresent(n -> requireIn("--samples", 1, TradeBudget.LARGEST, n));
     reference.ifPresent(n -> requireIn("--reference", 2, RenderSettings.MAX_SAMPLES, n));

@@ -44,9 +44,9 @@ import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.internal.FrameSize;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -103,9 +103,9 @@ final class ViewsCommand extends Subcommand {
 
   @Option(
       names = "--size",
-      paramLabel = "WxH",
-      description = "Size of each picture in pixels (1024x768).")
-  private Optional<Size> size;
+      paramLabel = "WxH|N",
+      description = "Size of each picture in pixels, or its longer side (1024x768).")
+  private Optional<FrameSize> size;
 
   @Option(
       names = "--threads",
@@ -222,12 +222,12 @@ final class ViewsCommand extends Subcommand {
   }
 
   private RenderSettings overridden(RenderSettings settings) {
-    RenderSettings.Builder builder = settings.toBuilder();
+    RenderSettings.Builder builder =
+        size.map(s -> s.over(settings)).orElse(settings).toBuilder();
     if (denoising.isPresent()) {
       builder.samples(Denoising.VIEW_SAMPLES).set(Setting.LAYERS, Layer.FOR_DENOISING);
     }
     samples.ifPresent(builder::samples);
-    size.ifPresent(s -> builder.size(s.width(), s.height()));
     threads.ifPresent(builder::threads);
     return builder.build();
   }

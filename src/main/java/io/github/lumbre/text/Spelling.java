@@ -3,6 +3,7 @@ package io.github.lumbre.text;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.BinaryOperator;
 
 /** Suggests corrections for misspelled words. */
@@ -17,9 +18,14 @@ public final class Spelling {
 
   /** Returns {@code "; did you mean …?"}, or an empty text if no known word is similar. */
   public static String suggestion(String word, Collection<String> known) {
+    return similar(word, known).map(found -> "; did you mean " + found + "?").orElse("");
+  }
+
+  /** Returns the known word that is most similar to a word; empty if none is. */
+  public static Optional<String> similar(String word, Collection<String> known) {
     // Suggestions for very long words are not worth the search.
     if (word.length() > 40) {
-      return "";
+      return Optional.empty();
     }
     int near = Math.max(1, word.length() / 3);
     return known.stream()
@@ -28,9 +34,7 @@ public final class Spelling {
             Comparator.comparingInt((String candidate) -> distance(word, candidate))
                 .thenComparing(Comparator.naturalOrder()))
         .or(() -> known.stream().filter(candidate -> isShort(word, candidate)).reduce(ONLY))
-        .filter(candidate -> !candidate.isEmpty())
-        .map(candidate -> "; did you mean " + candidate + "?")
-        .orElse("");
+        .filter(candidate -> !candidate.isEmpty());
   }
 
   /**

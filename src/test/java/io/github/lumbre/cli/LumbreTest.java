@@ -3,10 +3,12 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.Suggestions;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,6 +19,31 @@ import picocli.CommandLine.Model.OptionSpec;
 
 /** Tests help, version, completion and errors of the command line. */
 class LumbreTest {
+  /** The command that picocli makes itself has no list of exit codes. */
+  @Test
+  void noHeadingOfAHelpTextIsEmpty() {
+    for (String command : Lumbre.commandLine().getSubcommands().keySet()) {
+      String text = Outcome.of("help", command).out();
+      assertThat(text.strip()).as(command).doesNotContainPattern(":\\R\\s*\\R").doesNotEndWith(":");
+    }
+  }
+
+  @Test
+  void namesInOtherProgramsLeadToFlagsAndCommandsThatExist() {
+    Map<String, CommandLine> commands = Lumbre.commandLine().getSubcommands();
+    Set<String> flags = commands.get("render").getCommandSpec().optionsMap().keySet();
+    Suggestions.knownFlags()
+        .forEach(
+            (other, here) -> {
+              assertThat(flags).as(other).contains(here.split(" ")[0]);
+              assertThat(flags).as("has its own meaning here").doesNotContain("--" + other);
+            });
+    Suggestions.knownCommands()
+        .forEach(
+            (other, here) ->
+                assertThat(commands).containsKey(here.split(" ")[0]).doesNotContainKey(other));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -42,7 +69,23 @@ class LumbreTest {
         "render s.json --seed x         | --seed",
         "render s.json --size 0x5       | --size: expected 1 to 65535, found 0",
         "render s.json --size 5x70000   | --size: expected 1 to 65535, found 70000",
-        "render s.json --size 5         | such as 640x480",
+        "render s.json --size 5x        | such as 640x480, or the longer side, such as 640,",
+        "render s.json --size 70000     | --size: expected 1 to 65535, found 70000",
+        "render s.json --size 0         | --size: expected 1 to 65535, found 0",
+        "trade s.json --size 0x5        | --size: expected 1 to 65535, found 0",
+        "render s.json --spp 4          | unknown option '--spp'; did you mean --samples N?",
+        "render s.json --width 800      | '--width'; did you mean --size WxH?",
+        "render s.json --height=600     | '--height=600'; did you mean --size WxH?",
+        "render a.glb --hdri a.exr      | '--hdri'; did you mean --sky FILE?",
+        "render a.glb --transparent     | '--transparent'; did you mean --background transparent?",
+        "render a.glb --bg red          | '--bg'; did you mean --background COLOR?",
+        "render a.glb --SIZE 8x8        | '--SIZE'; did you mean --size?",
+        "check a.glb --size 8x8         | '--size'; --size is a flag of 'lumbre render', 'lumbre",
+        "check a.glb --spp 8            | '--spp'; --samples is a flag of 'lumbre render', 'lumbre",
+        "info a.glb                     | unknown command info; did you mean check?",
+        "model.glb                      | model.glb; did you mean 'lumbre render model.glb'?",
+        "Night.JSON -s 4                | did you mean 'lumbre render Night.JSON'?",
+        "a.exr                          | unknown command a.exr; did you mean 'lumbre view a.exr'?",
         "render s.json --crop 1,2,3     | such as 100,50,64,48",
         "render s.json --crop 1,2,0,4   | crop width: expected 1 to 65535, found 0",
         "render s.json --size 8x8 --crop 4,4,5,4 | --crop: expected a part of 8x8, found 4,4,5,4",

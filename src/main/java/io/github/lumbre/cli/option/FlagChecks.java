@@ -2,7 +2,7 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.internal.FrameSize;
 import java.nio.file.Path;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
@@ -47,8 +47,8 @@ public record FlagChecks(CommandSpec spec) {
    *
    * @throws ParameterException if one is too large or 0
    */
-  public void requireSize(Size size) {
+  public void requireSize(FrameSize size) {
     requireIn("--size", 1, RenderSettings.MAX_SIDE, size.width());
-    requireIn("--size", 1, RenderSettings.MAX_SIDE, size.height());
+    size.height().ifPresent(n -> requireIn("--size", 1, RenderSettings.MAX_SIDE, n));
   }
 }

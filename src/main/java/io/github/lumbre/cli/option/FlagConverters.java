@@ -6,7 +6,7 @@ import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.internal.SettingTypes.ChoiceType;
 import java.math.BigDecimal;
 import java.time.Duration;
@@ -51,7 +51,7 @@ public final class FlagConverters {
     command.registerConverter(Double.class, text -> number(Double::valueOf, "a number", text));
     command.registerConverter(BigDecimal.class, text -> number(BigDecimal::new, "a number", text));
     command.registerConverter(Duration.class, FlagConverters::duration);
-    command.registerConverter(Size.class, text -> explained(Size::of, text));
+    command.registerConverter(FrameSize.class, text -> explained(FrameSize::of, text));
     command.registerConverter(FrameRate.class, text -> explained(FrameRate::parse, text));
     command.registerConverter(Crop.class, FlagConverters::crop);
     command.registerConverter(PixelPlace.class, FlagConverters::pixel);

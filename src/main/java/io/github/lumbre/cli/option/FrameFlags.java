@@ -3,7 +3,7 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.internal.FrameSize;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -14,11 +14,11 @@ import picocli.CommandLine.ParameterException;
 public final class FrameFlags extends Flags {
   @Option(
       names = "--size",
-      paramLabel = "WxH",
+      paramLabel = "WxH|N",
       description =
-          "Size of the full frame in pixels (scene or 1920x1080; models: 1024 for the longer"
-              + " side, with the aspect ratio of the camera, or 1024x768).")
-  private Optional<Size> size;
+          "Size of the full frame in pixels, or its longer side (scene or 1920x1080; models: 1024"
+              + " for the longer side, with the aspect ratio of the camera, or 1024x768).")
+  private Optional<FrameSize> size;
 
   @Option(
       names = "--crop",
@@ -40,7 +40,7 @@ public final class FrameFlags extends Flags {
   public void validate() {
     maxPixels.ifPresent(n -> checks().requireIn("--max-pixels", 1, SceneParser.MAX_PIXELS_EVER, n));
     size.ifPresent(checks()::requireSize);
-    size.ifPresent(s -> requireCropIn(s.width(), s.height()));
+    size.ifPresent(s -> s.height().ifPresent(height -> requireCropIn(s.width(), height)));
   }
 
   private void requireCropIn(int width, int height) {
@@ -57,10 +57,9 @@ public final class FrameFlags extends Flags {
   }
 
   void override(RenderSettings.Builder builder, RenderSettings inScene) {
-    size.ifPresent(s -> builder.size(s.width(), s.height()));
-    if (size.isEmpty()) {
-      requireCropIn(inScene.width(), inScene.height());
-    }
+    RenderSettings sized = size.map(s -> s.over(inScene)).orElse(inScene);
+    builder.size(sized.width(), sized.height());
+    requireCropIn(sized.width(), sized.height());
     crop.ifPresent(builder::crop);
   }
 }

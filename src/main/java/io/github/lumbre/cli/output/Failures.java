@@ -6,12 +6,12 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
-import io.github.lumbre.text.Spelling;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -26,8 +26,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
  * --debug}.
  *
  * @param commands names of all commands
+ * @param program the program with all commands
  */
-public record Failures(Set<String> commands)
+public record Failures(Set<String> commands, Supplier<CommandLine> program)
     implements IExecutionExceptionHandler, IParameterExceptionHandler {
   @Override
   public int handleParseException(ParameterException e, String[] args) {
@@ -45,7 +46,7 @@ public record Failures(Set<String> commands)
     }
     if (unmatched.isPresent() && command.parent() == null) {
       String found = unmatched.get();
-      return "unknown command " + found + Spelling.suggestion(found, commands);
+      return "unknown command " + found + suggestions().forCommand(found);
     }
     // Some messages of picocli begin with "Error: " or end with a period.
     return e.getMessage().replaceFirst("^Error: ", "").replaceFirst("[.]$", "");
@@ -62,16 +63,16 @@ public record Failures(Set<String> commands)
         : List.of();
   }
 
-  private static String unknownOption(String found, CommandSpec command) {
+  private String unknownOption(String found, CommandSpec command) {
     String unknown = "unknown option '" + found + "'";
-    if (found.startsWith("--")) {
-      String name = found.replaceFirst("=.*", "");
-      return unknown + Spelling.suggestion(name, command.optionsMap().keySet());
-    }
     // No option contains a dot.
-    return found.contains(".")
+    return !found.startsWith("--") && found.contains(".")
         ? unknown + "; a file of this name is written ./" + found + ", or after --"
-        : unknown;
+        : unknown + suggestions().forFlag(found, command);
+  }
+
+  private Suggestions suggestions() {
+    return new Suggestions(commands, program);
   }
 
   @Override

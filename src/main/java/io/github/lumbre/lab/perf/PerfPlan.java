@@ -2,8 +2,8 @@ package io.github.lumbre.lab.perf;
 
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
 import java.util.List;
@@ -26,7 +26,7 @@ import java.util.stream.Collectors;
  * @param split number of branches that paths are split into, at least 1
  */
 public record PerfPlan(
-    Optional<Size> size,
+    Optional<FrameSize> size,
     int samples,
     List<Integer> threads,
     int warmup,
@@ -49,8 +49,7 @@ public record PerfPlan(
   /** Returns a scene's settings with the plan's changes, except the number of threads. */
   RenderSettings over(RenderSettings inScene) {
     RenderSettings sized =
-        size.map(s -> inScene.toBuilder().size(s.width(), s.height()).build())
-            .orElseGet(() -> SampleBudget.shrunk(inScene, SIDE));
+        size.map(s -> s.over(inScene)).orElseGet(() -> SampleBudget.shrunk(inScene, SIDE));
     return sized.toBuilder().samples(samples).adaptive(adaptive).split(split).build();
   }
 

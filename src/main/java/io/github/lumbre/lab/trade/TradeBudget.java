@@ -2,7 +2,7 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.internal.FrameSize;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -24,7 +24,7 @@ public record TradeBudget(
     Optional<Integer> samples,
     Optional<Integer> reference,
     Optional<Integer> seeds,
-    Optional<Size> size,
+    Optional<FrameSize> size,
     boolean isQuick) {
   /** The largest accepted number of samples per pixel of a setting. */
   public static final int LARGEST = 1 << 20;
@@ -74,7 +74,7 @@ public record TradeBudget(
    */
   public RenderSettings framed(RenderSettings settings, double rate) {
     if (size.isPresent()) {
-      return settings.toBuilder().size(size.get().width(), size.get().height()).build();
+      return size.get().over(settings);
     }
     RenderSettings framed = SampleBudget.shrunk(settings, isQuick ? QUICK_SIDE : PAGE_SIDE);
     while (samples.isEmpty()
