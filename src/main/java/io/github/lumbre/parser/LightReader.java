@@ -206,7 +206,13 @@ final class LightReader {
 
   private Consumer<SceneAssembly> dome(Placed light, Rgb radiance) {
     hasDome = true;
-    EnvironmentLight made = textures.dome(light.node(), light.axes(), radiance);
+    boolean isFinite = radiance.max() <= Stage.Sky.MAX_INTENSITY;
+    if (!isFinite) {
+      String most = PrintableText.number(Stage.Sky.MAX_INTENSITY);
+      light.node().error("intensity", "expected a product with the color of at most " + most);
+    }
+    Rgb used = isFinite ? radiance : Rgb.BLACK;
+    EnvironmentLight made = textures.dome(light.node(), light.axes(), used);
     return scene -> scene.add(made);
   }
 

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.parser.internal.ShownLabels;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.SunPosition;
 import java.nio.file.Path;
@@ -82,12 +83,15 @@ public record Stage(
    *
    * @param name {@code studio}, {@code white}, {@code sun} for a clear day's sky with the sun, or
    *     the path of a latitude-longitude picture
-   * @param intensity factor of its radiance, at least 0 and finite
+   * @param intensity factor of its radiance, 0 to {@link #MAX_INTENSITY}
    * @param rotation about the vertical axis, in degrees, finite
    * @param sun the view from the sun: where it stands if the sky is not turned. Its elevation is at
    *     least 0; other skies ignore it
    */
   public record Sky(String name, double intensity, double rotation, View sun) {
+    /** The largest factor of a sky's radiance: the light of all its directions is finite. */
+    public static final double MAX_INTENSITY = 1e150;
+
     /** Where the sun stands if nothing else is said. */
     static final View SUN = new View(-40, 35);
 
@@ -96,9 +100,12 @@ public record Stage(
 
     public Sky {
       Objects.requireNonNull(name, "name");
-      if (!(intensity >= 0 && intensity < Double.POSITIVE_INFINITY)) {
+      if (!(intensity >= 0 && intensity <= MAX_INTENSITY)) {
         throw new IllegalArgumentException(
-            "intensity: expected a finite number of at least 0, found " + intensity);
+            "intensity: expected a number from 0 to "
+                + PrintableText.number(MAX_INTENSITY)
+                + ", found "
+                + intensity);
       }
       if (!Double.isFinite(rotation)) {
         throw new IllegalArgumentException("rotation: expected a finite number, found " + rotation);

@@ -5,12 +5,14 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.model.internal.ModelReach;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.text.PrintableText;
 import java.lang.reflect.Field;
 import java.time.OffsetDateTime;
 import java.time.format.DateTimeParseException;
@@ -180,8 +182,11 @@ public final class ModelFlags extends Flags {
         angle > 0 && angle < 180, "--fov: expected more than 0 and less than 180, found " + angle);
     double intensity = skyIntensity.orElse(1.);
     require(
-        intensity >= 0 && intensity < Double.POSITIVE_INFINITY,
-        "--sky-intensity: expected a finite number of at least 0, found " + intensity);
+        intensity >= 0 && intensity <= Sky.MAX_INTENSITY,
+        "--sky-intensity: expected a number from 0 to "
+            + PrintableText.number(Sky.MAX_INTENSITY)
+            + ", found "
+            + intensity);
     double rotation = skyRotation.orElse(0.);
     require(
         Double.isFinite(rotation), "--sky-rotation: expected a finite number, found " + rotation);
@@ -239,17 +244,17 @@ public final class ModelFlags extends Flags {
   }
 
   private ModelOptions options() {
-    double length = unit.orElse(1.);
-    require(
-        length > 0 && length < Double.POSITIVE_INFINITY,
-        "--unit: expected a finite number > 0, found " + length);
-    String axis = up.orElse("y");
+    double length = length("--unit", unit.orElse(1.));
+    String axis = up.orElse("y").toLowerCase(Locale.ROOT);
     require(axis.equals("y") || axis.equals("z"), "--up: expected y or z, found " + axis);
     ModelOptions options =
         new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length)
             .hiding(hidden)
             .highlighting(highlighted);
-    return cut(points.map(radius -> options.withPointRadius(pointRadius(radius))).orElse(options));
+    return cut(
+        points
+            .map(radius -> options.withPointRadius(length("--points", radius)))
+            .orElse(options));
   }
 
   private ModelOptions cut(ModelOptions options) {
@@ -260,11 +265,11 @@ public final class ModelFlags extends Flags {
     }
   }
 
-  private double pointRadius(double radius) {
+  private double length(String flag, double length) {
     require(
-        radius > 0 && radius < Double.POSITIVE_INFINITY,
-        "--points: expected a finite number > 0, found " + radius);
-    return radius;
+        length >= ModelReach.SMALLEST && length <= ModelReach.LARGEST,
+        flag + ": expected a number from 1e-100 to 1e100, found " + length);
+    return length;
   }
 
   private View view(String text) {

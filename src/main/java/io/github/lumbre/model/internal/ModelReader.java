@@ -124,7 +124,9 @@ public final class ModelReader {
     Model model = PartSelection.labeled(Looks.of(checked(read, options), options));
     boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
     Model placed = statesUnit ? model : model.from(options.toWorld(), "");
-    return PartSelection.shown(placed.withPointRadius(pointRadius), options);
+    Model sized = placed.withPointRadius(pointRadius);
+    ModelReach.require(sized);
+    return PartSelection.shown(sized, options);
   }
 
   private static ModelFormat format(String name, byte[] content) throws ModelFormatException {

@@ -183,7 +183,8 @@ public final class ModelScene {
    * Returns the surfaces, in the order of the model's parts. Parts without a triangle of positive
    * area are left out, and so are pictures that cannot be decoded.
    *
-   * @throws ModelFormatException if a picture is too large
+   * @throws ModelFormatException if a picture is too large, or a part is placed by a transform that
+   *     is not invertible
    */
   public List<ModelSurface> surfaces() throws ModelFormatException {
     List<ModelSurface> surfaces = new ArrayList<>();
@@ -208,6 +209,7 @@ public final class ModelScene {
       return Optional.empty();
     }
     Transform partToWorld = toWorld.times(part.toWorld());
+    ModelReach.requireInvertible(part, partToWorld);
     Shape shape = shape(mesh, partToWorld, sharesAll || uses.get(part.geometry()) > 1);
     boolean isClosed = !part.material().doubleSided() && shape.isClosed();
     return Optional.of(
@@ -227,6 +229,8 @@ public final class ModelScene {
 
   /** Returns points as one surface of spheres. */
   private ModelSurface points(ModelPart part) throws ModelFormatException {
+    Transform partToWorld = toWorld.times(part.toWorld());
+    ModelReach.requireInvertible(part, partToWorld);
     double scale = part.toWorld().vector(Vec3.X).length();
     // Copies of one cloud often have the same scale, up to rounding.
     double rounded = (float) scale;
@@ -235,7 +239,7 @@ public final class ModelScene {
     Shape shape =
         clouds
             .computeIfAbsent(new CloudKey(part.geometry(), radius), this::cloud)
-            .transformed(toWorld.times(part.toWorld()));
+            .transformed(partToWorld);
     Optional<Emission> emission =
         materials.emission(part.material(), part.geometry().colors().length > 0);
     return new ModelSurface(

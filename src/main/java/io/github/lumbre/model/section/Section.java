@@ -4,13 +4,14 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * A plane that cuts a model, as users state it. {@code x=0.5} is a plane across an axis of the
  * file, in the file's unit or in percent of the model's bounds, such as {@code y=50%}. It removes
  * what is in front of it, seen from the right, the top or the front; a sign before the axis names
  * the removed side: {@code -x=0.5} removes smaller x. {@code 0,0,1/1,1,0} is a plane by a point and
- * a normal, which points to the removed side.
+ * a normal, which points to the removed side. The case of letters does not matter.
  *
  * @param text of the section
  * @param point in the file's axes; each coordinate is in the file's unit or in percent
@@ -41,7 +42,8 @@ public record Section(String text, List<Coordinate> point, Vec3 normal, boolean 
   private static Section ofAxis(String text, int equals) {
     String axis = text.substring(0, equals);
     boolean isSigned = axis.startsWith("-") || axis.startsWith("+");
-    int number = List.of("x", "y", "z").indexOf(isSigned ? axis.substring(1) : axis);
+    String name = (isSigned ? axis.substring(1) : axis).toLowerCase(Locale.ROOT);
+    int number = List.of("x", "y", "z").indexOf(name);
     require(number >= 0, text);
     Coordinate at = coordinate(text, text.substring(equals + 1));
     Coordinate zero = new Coordinate(0, false);
