@@ -37,6 +37,7 @@ final class GltfExtensions {
           "AGI_stk_metadata",
           "EXT_feature_metadata",
           "EXT_instance_features",
+          "EXT_manifold",
           "EXT_mesh_features",
           "EXT_mesh_manifold",
           "EXT_structural_metadata",
@@ -68,6 +69,8 @@ final class GltfExtensions {
           "OMI_seat",
           "OMI_spawn_point",
           "VRMC_springBone",
+          "VRMC_springBone_extended_collider",
+          "VRMC_springBone_limit",
           "VRMC_vrm");
 
   private static final Map<String, String> ADVICE =

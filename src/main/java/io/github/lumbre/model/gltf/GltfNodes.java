@@ -6,6 +6,7 @@ import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelNode;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -226,7 +227,10 @@ final class GltfNodes {
     return newEnd;
   }
 
-  /** Returns the nodes that the scene lists; some exporters also list the children of others. */
+  /**
+   * Returns the nodes that the scene lists. Some exporters list all nodes, also those that are shown
+   * below others; only a child without its parent is worth a warning.
+   */
   private int[] roots() throws ModelFormatException {
     List<GltfJson> scenes = document.section("scenes");
     OptionalInt number = document.root().index("scene", scenes.size());
@@ -235,21 +239,21 @@ final class GltfNodes {
     }
     GltfJson scene = scenes.get(number.orElse(0));
     int[] roots = scene.indices("nodes", nodes.size());
-    boolean[] seen = new boolean[nodes.size()];
+    BitSet shown = new BitSet();
+    for (int node : withDescendants(Arrays.stream(roots).filter(n -> parents[n] == NONE).toArray())) {
+      shown.set(node);
+    }
     for (int i = 0; i < roots.length; i++) {
       int node = roots[i];
-      if (parents[node] != NONE || seen[node]) {
+      if (!shown.get(node)) {
         document
             .warnings()
             .add(
-                "a node is listed that is shown anyway",
+                "a node is listed without its parent",
                 scene.location("nodes[" + i + "]"),
-                seen[node]
-                    ? "expected each node once, found " + node + " again; it is shown once"
-                    : "expected a root node, found %d, a child of node %d; it is shown once"
-                        .formatted(node, parents[node]));
+                "expected a root node, found %d, a child of node %d; it is shown where that places it"
+                    .formatted(node, parents[node]));
       }
-      seen[node] = true;
     }
     return roots;
   }

@@ -148,11 +148,11 @@ class GltfNodeTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        // UniGLTF lists all nodes.
-        "[1]|[]|[0, 1, 2]|scenes[0].nodes[1]: expected a root node, found 1, a child of node 0;",
-        "[1]|[]|[2, 1, 0]|scenes[0].nodes[1]: expected a root node, found 1, a child of node 0;",
+        // UniGLTF lists all nodes, which changes nothing.
+        "[1]|[]|[0, 1, 2]|",
+        "[1]|[]|[2, 1, 0]|",
+        "[1]|[]|[0, 2, 0]|",
         "[1]|[]|[1, 2]|scenes[0].nodes[0]: expected a root node, found 1, a child of node 0;",
-        "[1]|[]|[0, 2, 0]|scenes[0].nodes[2]: expected each node once, found 0 again;",
         "[1, 1]|[]|[0, 2]|nodes[0].children[1]: expected a node without a parent, found 1, a child"
             + " of node 0;",
         "[1]|[1]|[0, 2]|nodes[2].children[0]: expected a node without a parent, found 1, a child"
@@ -170,8 +170,8 @@ class GltfNodeTest {
     assertThat(model.parts())
         .extracting(part -> part.toWorld().point(Vec3.ZERO))
         .containsExactly(new Vec3(6, 0, 0), new Vec3(0, 2, 0));
-    assertThat(model.warnings()).hasSize(1);
-    assertThat(model.warnings().get(0)).startsWith(warning);
+    assertThat(model.warnings()).hasSize(warning == null ? 0 : 1);
+    assertThat(model.warnings()).allSatisfy(found -> assertThat(found).startsWith(warning));
   }
 
   private void threeScenes() {

@@ -92,13 +92,17 @@ class GltfPlacedTest {
   @ValueSource(
       strings = {
         "EXT_structural_metadata",
+        "EXT_manifold",
         "EXT_mesh_features",
         "FB_geometry_metadata",
         "FB_ngon_encoding",
         "KHR_collision_shapes",
         "KHR_xmp_json_ld",
         "KHR_physics_rigid_bodies",
-        "OMI_collider"
+        "OMI_collider",
+        "VRMC_springBone",
+        "VRMC_springBone_extended_collider",
+        "VRMC_springBone_limit"
       })
   void extensionsThatCannotChangeThePictureGiveNoWarning(String name)
       throws ModelFormatException, IOException {
