@@ -175,24 +175,28 @@ final class MaterialReader {
   }
 
   private Surface phong(JsonNode material) {
-    warnOfSum(material);
+    Rgb color = material.rgb("color");
+    Rgb specular = material.rgb("specularColor");
+    warnOfSum(material, color.plus(specular));
     return surface(
         material,
         new Phong(
-            textures.color(material, "color", material.rgb("color")),
-            textures.color(material, "specularColor", material.rgb("specularColor")),
+            textures.color(material, "color", color),
+            textures.color(material, "specularColor", specular),
             textures.scalar(material, "exponent", 1, Range.NOT_NEGATIVE, 0, Double.MAX_VALUE)));
   }
 
   private Surface cookTorrance(JsonNode material) {
-    warnOfSum(material);
+    Rgb color = material.rgb("color");
+    Rgb specular = material.rgb("specularColor");
+    warnOfSum(material, color.plus(specular));
     MicrofacetDistribution distribution =
         material.choice("distribution", MicrofacetDistribution.BECKMANN);
     return surface(
         material,
         new CookTorrance(
-            textures.color(material, "color", material.rgb("color")),
-            textures.color(material, "specularColor", material.rgb("specularColor")),
+            textures.color(material, "color", color),
+            textures.color(material, "specularColor", specular),
             textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
             textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
             distribution,
@@ -291,8 +295,8 @@ final class MaterialReader {
             .orElse(flat));
   }
 
-  private static void warnOfSum(JsonNode material) {
-    if (material.rgb("color").plus(material.rgb("specularColor")).max() > 1) {
+  private static void warnOfSum(JsonNode material, Rgb sum) {
+    if (sum.max() > 1) {
       material.warn(
           "specularColor", "the sum of color and specularColor exceeds 1; both are scaled down");
     }

@@ -36,6 +36,8 @@ import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the reading of materials and textures. */
 class MaterialReaderTest {
@@ -148,6 +150,26 @@ class MaterialReaderTest {
         .containsExactly(
             "scene.json: $.assets[0].reflectivityColor: the reflectance exceeds 1; it is"
                 + " clamped to 1");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "Diffuse, color",
+    "Phong, color",
+    "Phong, specularColor",
+    "CookTorrance, color",
+    "CookTorrance, specularColor",
+    "Reflective, reflectivityColor",
+    "Refractive, refractionColor",
+    "MetallicRoughness, baseColor",
+    "MetallicRoughness, sheenColor"
+  })
+  void aWrongColorIsReportedOnce(String type, String key) {
+    String material = "'materialType': '" + type + "', '" + key + "': {'r': -1}";
+    assertThat(fixture.refusal(withMaterial(material)).problems())
+        .map(Object::toString)
+        .containsExactly(
+            "scene.json: $.assets[0]." + key + ".r: expected a finite number >= 0, found -1");
   }
 
   @Test
