@@ -17,6 +17,7 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -141,7 +142,8 @@ public final class Thumbnails implements AutoCloseable {
   /**
    * Returns the bytes of a square PNG file.
    *
-   * @param name of the model, for its ending; without one that is known, the bytes state the format
+   * @param name of the model, for its ending and for messages; without a known ending, the bytes
+   *     state the format
    * @param model bytes of a file in one of the formats {@link Models#NAMES}; not changed meanwhile
    * @param side of the picture in pixels, from 1 to {@link #MAX_SIDE}
    * @throws SceneFormatException if the model is at fault
@@ -188,16 +190,17 @@ public final class Thumbnails implements AutoCloseable {
     }
     Objects.requireNonNull(model, "model");
     String known = safe(name);
+    String shown = name.isBlank() ? known : PrintableText.path(name);
     Request request = new Request(() -> picture(known, model, side, format));
     try {
       pool.execute(request);
       return request.get(limits.time().toNanos(), TimeUnit.NANOSECONDS);
     } catch (TimeoutException e) {
-      throw late(known, request);
+      throw late(shown, request);
     } catch (CancellationException e) {
       throw new RejectedExecutionException(CLOSED, e);
     } catch (ExecutionException e) {
-      throw failure(e.getCause());
+      throw failure(e.getCause(), shown);
     } finally {
       if (request.cancel(true)) {
         pool.remove(request);
@@ -205,7 +208,10 @@ public final class Thumbnails implements AutoCloseable {
     }
   }
 
-  /** Returns a name with the ending, if it is of a model, and nothing else of what was given. */
+  /**
+   * Returns a name with the ending, if it is of a model, and nothing else of what was given: names
+   * of strangers need not be paths.
+   */
   private static String safe(String name) {
     String ending = name.substring(name.lastIndexOf('.') + 1);
     return "model" + (Models.isModelName("." + ending) ? "." + ending : "");
@@ -245,9 +251,22 @@ public final class Thumbnails implements AutoCloseable {
     return new RejectedExecutionException("too busy to render a model within " + seconds + " s");
   }
 
-  private static RuntimeException failure(Throwable cause) throws SceneFormatException {
+  /** Returns an exception with the name that the caller gave to the model. */
+  private static SceneFormatException named(SceneFormatException e, String name) {
+    SceneFormatException named =
+        new SceneFormatException(
+            e.kind(),
+            e.problems().stream()
+                .map(problem -> new Problem(name, problem.path(), problem.message()))
+                .toList());
+    named.initCause(e);
+    return named;
+  }
+
+  private static RuntimeException failure(Throwable cause, String name)
+      throws SceneFormatException {
     if (cause instanceof SceneFormatException e) {
-      throw e;
+      throw named(e, name);
     }
     if (cause instanceof OutOfMemoryError) {
       return new RejectedExecutionException("the heap is exhausted", cause);

@@ -102,7 +102,7 @@ class ThumbnailsTest {
     try (Thumbnails thumbnails = new Thumbnails(LIMITS.withBytes(1000))) {
       byte[] damaged = "v a b c\nf 1 2 3\n".getBytes(StandardCharsets.US_ASCII);
       assertThat(fault(thumbnails, "evil\u001b[2J.obj", damaged))
-          .hasMessageStartingWith("model.obj: ")
+          .hasMessageStartingWith("evil\\u001b[2J.obj: line 1: ")
           .extracting(SceneFormatException::kind)
           .isEqualTo(SceneFormatException.Kind.ASSET);
       assertThat(fault(thumbnails, "", new byte[10]))
@@ -110,6 +110,17 @@ class ThumbnailsTest {
       assertThat(fault(thumbnails, "a.stl", SHORT))
           .extracting(SceneFormatException::kind)
           .isEqualTo(SceneFormatException.Kind.LIMIT);
+    }
+  }
+
+  @Test
+  void errorsNameTheModelAsTheCallerDoes() {
+    try (Thumbnails thumbnails = new Thumbnails(LIMITS)) {
+      for (String name : List.of("duck.obj", "uploads/my duck.OBJ", "Ente №1.obj")) {
+        byte[] damaged = "v a b c\nf 1 2 3\n".getBytes(StandardCharsets.US_ASCII);
+        assertThat(fault(thumbnails, name, damaged).problems())
+            .allSatisfy(problem -> assertThat(problem.file()).isEqualTo(name));
+      }
     }
   }
 
@@ -164,7 +175,7 @@ class ThumbnailsTest {
       }
       assertThat(thrown)
           .isInstanceOf(SceneFormatException.class)
-          .hasMessage("model.stl: expected a model that is rendered within 0.05 s");
+          .hasMessage("a.stl: expected a model that is rendered within 0.05 s");
       assertThat(((SceneFormatException) thrown).kind()).isEqualTo(SceneFormatException.Kind.LIMIT);
     }
   }
