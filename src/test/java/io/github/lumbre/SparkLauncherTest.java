@@ -43,4 +43,25 @@ class SparkLauncherTest {
             "lumbre-spark: still building, 10 s; the first start takes minutes",
             "lumbre-spark: the build failed");
   }
+
+  /** Tests take longer to compile than what Spark needs. */
+  @Test
+  void theBuildLeavesOutTests() throws Exception {
+    Path script = home.resolve("spark/lumbre-spark");
+    Files.createDirectories(script.getParent());
+    Files.copy(Path.of("spark/lumbre-spark"), script);
+    Path build = Files.writeString(home.resolve("mvnw"), "#!/bin/sh\necho \"$@\" >>calls.txt\n");
+    for (Path program : List.of(script, build)) {
+      assertThat(program.toFile().setExecutable(true)).isTrue();
+    }
+    Process process =
+        new ProcessBuilder(script.toString())
+            .redirectErrorStream(true)
+            .redirectOutput(home.resolve("out.txt").toFile())
+            .start();
+    assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
+    assertThat(Files.readAllLines(home.resolve("calls.txt")))
+        .hasSize(2)
+        .allSatisfy(line -> assertThat(line).contains("-Dmaven.test.skip=true"));
+  }
 }
