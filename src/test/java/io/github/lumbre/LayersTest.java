@@ -90,7 +90,7 @@ class LayersTest {
               "math image sampling texture geometry path material camera light scene render"
                   + " parser"),
           Map.entry("compare", "math image"),
-          Map.entry("thumbnail", "image limit scene model render parser denoise"),
+          Map.entry("thumbnail", "image limit text scene model render parser denoise"),
           Map.entry("lab", "image file scene render parser"),
           Map.entry("lab.metrics", "math image"),
           Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
