@@ -10,7 +10,6 @@ import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -106,7 +105,7 @@ final class MergeCommand extends Subcommand {
       FilmFile merged = merged();
       requireNothingLost(merged.header());
       target.save(new FilmFile(FilmNotes.ofMerged(merged.header()), merged.film()));
-      new FilmReport(merged).print(output, errors());
+      flags.report(merged, output);
     } catch (IOException e) {
       throw Kind.OUTPUT.failure(e.getMessage(), e);
     }

@@ -364,6 +364,7 @@ class FilmCommandsTest {
     for (Outcome outcome :
         List.of(
             Outcome.of("merge", path("a"), path("b"), "-o", path("ab")),
+            Outcome.of("merge", path("a"), path("b"), "-o", path("merged.png")),
             Outcome.of("develop", path("ab"), "-o", path("ab.png")))) {
       assertDone(outcome);
       assertThat(outcome.err())
@@ -371,6 +372,15 @@ class FilmCommandsTest {
           .contains(
               ": samples are missing; it has samples 0 to 1 of 16x12 pixels at 0,0, and samples 3"
                   + " to 4 of 16x12 pixels at 0,0");
+    }
+    for (Outcome outcome :
+        List.of(
+            Outcome.of("merge", path("a"), path("b"), "-o", path("quiet"), "--quiet"),
+            Outcome.of("merge", path("a"), path("b"), "-o", path("q.png"), "--quiet", "--denoise"),
+            Outcome.of("develop", path("ab"), "-o", path("q.pfm"), "--quiet"))) {
+      assertDone(outcome);
+      assertThat(outcome.out()).isEmpty();
+      assertThat(outcome.err()).doesNotContain("pixels,", "denoised").contains("samples are missing");
     }
     Outcome.of("resume", path("ab")).assertFailed(ExitCodes.SCENE, "gaps");
   }

@@ -23,12 +23,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 /** The flags that set how a film becomes a picture. */
 public final class DevelopFlags extends Flags {
   @Mixin private final SettingFlags settings = new SettingFlags("as rendered", Group.OUTPUT);
 
   @Mixin private final PictureFlags stored = new PictureFlags();
+
+  @Option(names = "--quiet", description = "Print no summary.")
+  private boolean quiet;
 
   public interface Source {
     FilmFile film() throws TaskException;
@@ -55,13 +59,23 @@ public final class DevelopFlags extends Flags {
               ? DenoisedPicture.of(film.film(), denoising.get(), output, messages)
               : DenoisedPicture.NOISY;
       develop(name, film, denoised, picture, messages);
-      new FilmReport(film).print(output, messages);
-      denoised.tell(messages, new JsonSummary("develop", name));
+      report(film, output);
+      denoised.tell(summary(messages), new JsonSummary("develop", name));
       denoised.requireDone();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw Kind.STOPPED.failure("stopped; no picture is written", e);
     }
+  }
+
+  /** Prints which samples a film has that was written, and warnings. */
+  public void report(FilmFile film, Path written) {
+    Messages messages = new Messages(spec.commandLine().getErr());
+    new FilmReport(film).print(written, summary(messages), messages);
+  }
+
+  private Messages summary(Messages messages) {
+    return quiet ? Messages.NONE : messages;
   }
 
   /** Rejects {@code --denoise} if the output is not a picture. */

@@ -15,8 +15,12 @@ import java.util.stream.Collectors;
  * Reports which samples a film has, when it becomes a picture or another film without a render.
  */
 public record FilmReport(FilmFile file) {
-  /** Prints the path that was written, the size, the samples and the noise, and what is missing. */
-  public void print(Path written, Messages messages) {
+  /**
+   * Prints the path that was written, the size, the samples and the noise, and what is missing.
+   *
+   * @param summary receives what is not a warning
+   */
+  public void print(Path written, Messages summary, Messages messages) {
     FilmHeader header = file.header();
     Crop window = header.window();
     NoiseReport noise =
@@ -26,18 +30,18 @@ public record FilmReport(FilmFile file) {
             OptionalDouble.empty(),
             false,
             "samples");
-    messages.line(
+    summary.line(
         "%s: %dx%d pixels, %s%s"
             .formatted(written, window.width(), window.height(), samples(noise), noise.line()));
     if (header.hasGaps()) {
       messages.warning(written + ": samples are missing; it has " + parts());
     }
     if (noise.noise().isEmpty() && file.film().fewestSamples() > 1) {
-      messages.line(
+      summary.line(
           "noise: not known; parts that meet at 2, 4, 8, ... samples per pixel, from the first on,"
               + " would keep it");
     }
-    noise.printDoubts(messages);
+    noise.printDoubts(summary);
   }
 
   private String samples(NoiseReport noise) {
