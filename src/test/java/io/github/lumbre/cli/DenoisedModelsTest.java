@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Pictures of models for the screen are denoised by default, and others are not. */
 class DenoisedModelsTest {
   private static final String SMALL = " --size 24x18 -s 4";
-  private static final String DENOISED = "denoised (builtin ";
+  private static final String DENOISED = "denoised: ";
 
   @TempDir private Path directory;
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
@@ -57,7 +58,11 @@ public record LightReport(Optional<DepthCut> cut, double clamp, long clamped, do
 
   private String clampedText() {
     return String.format(
-        Locale.ROOT, "%.2g %%, in %d samples above %s", 100 * clampedShare, clamped, clamp);
+        Locale.ROOT,
+        "%.2g %%, in %s above %s",
+        100 * clampedShare,
+        Numbers.count(clamped, "sample"),
+        clamp);
   }
 
   /** Adds the metadata for the picture's file. */

@@ -93,7 +93,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
     describeSeen(all, out);
     line(out, "mean         " + shown(all.mean()));
     line(out, "variance     " + shown(all.variance()) + " per sample");
-    line(out, "rejected     " + all.rejected() + " samples");
+    line(out, "rejected     " + Numbers.count(all.rejected(), "sample"));
     for (PixelReplay.Sample sample : all.firstRejected()) {
       line(out, "rejected     sample " + sample.number() + ": " + shown(sample.radiance()));
     }

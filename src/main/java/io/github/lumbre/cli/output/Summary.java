@@ -90,7 +90,7 @@ public record Summary(
     messages.line("rays         " + statistics.rays());
     messages.line("shadow rays  " + statistics.shadowRays());
     messages.line("rays/s       " + Numbers.rate(rays, seconds));
-    messages.line("rejected     " + statistics.rejected() + " samples");
+    messages.line("rejected     " + Numbers.count(statistics.rejected(), "sample"));
     messages.line("saturated    " + statistics.saturated() + " sample values");
     messages.line("threads      " + threads());
     messages.line("peak heap    " + MemoryEstimate.mebibytes(peakHeapBytes()));

@@ -34,6 +34,9 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
   /** The same for each picture of all standard views: fewer, because seven are waited for. */
   public static final int VIEW_SAMPLES = 2;
 
+  /** How the names of the built-in denoiser begin. */
+  private static final String BUILT_IN = "builtin ";
+
   private static final String HOW_TO_RECORD =
       ". 'lumbre render --layers denoise' records the layers in an .exr picture or a checkpoint";
 
@@ -95,7 +98,10 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     return options.withMetadata(metadata);
   }
 
-  /** Returns by what a picture was denoised, and with which errors before and after. */
+  /**
+   * Returns by which other program than the built-in denoiser a picture was denoised, and with which
+   * errors before and after.
+   */
   public static String line(Denoised denoised) {
     String before =
         denoised.relativeNoise().isPresent()
@@ -105,7 +111,8 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
         denoised.relativeError().isPresent()
             ? ", estimated error left " + Numbers.percent(denoised.relativeError().getAsDouble())
             : "";
-    return "denoised (%s)%s%s".formatted(denoised.engine(), before, after);
+    String engine = denoised.engine().startsWith(BUILT_IN) ? "" : " (" + denoised.engine() + ")";
+    return "denoised" + engine + before + after;
   }
 
   /** Returns the values of {@link #line} for the JSON summary. */

@@ -100,7 +100,7 @@ const Paths = (() => {
       if (mine !== serial) return;
       all = json.brightest;
       $('pathnote').textContent = json.samples
-        ? `Mean ${rgb(json.mean)} over ${json.samples} samples` + (json.rejected ? `, ${json.rejected} rejected` : '') + '. Brightest:'
+        ? `Mean ${rgb(json.mean)} over ${json.samples} ${json.samples === 1 ? 'sample' : 'samples'}` + (json.rejected ? `, ${json.rejected} rejected` : '') + '. Brightest:'
         : `Sample ${sample}:`;
       list(redraw);
       choose(0, redraw);
