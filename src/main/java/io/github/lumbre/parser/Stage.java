@@ -83,14 +83,14 @@ public record Stage(
    *
    * @param name {@code studio}, {@code white}, {@code sun} for a clear day's sky with the sun, or
    *     the path of a latitude-longitude picture
-   * @param intensity factor of its radiance, 0 to {@link #MAX_INTENSITY}
+   * @param intensity factor of its radiance, 0 to 1e150
    * @param rotation about the vertical axis, in degrees, finite
    * @param sun the view from the sun: where it stands if the sky is not turned. Its elevation is at
    *     least 0; other skies ignore it
    */
   public record Sky(String name, double intensity, double rotation, View sun) {
     /** The largest factor of a sky's radiance: the light of all its directions is finite. */
-    public static final double MAX_INTENSITY = 1e150;
+    static final double MAX_INTENSITY = 1e150;
 
     /** Where the sun stands if nothing else is said. */
     static final View SUN = new View(-40, 35);

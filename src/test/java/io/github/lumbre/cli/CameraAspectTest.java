@@ -2,10 +2,12 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.cli.output.ExitCodes;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -16,6 +18,19 @@ class CameraAspectTest {
       "{\"type\": \"perspective\", \"perspective\": {\"yfov\": 0.6, \"znear\": 0.1}}]";
 
   @TempDir private Path folder;
+
+  /** The scene is 4:3, and so is a model whose camera states no aspect ratio. */
+  @Test
+  void oneNumberIsTheLongerSide() throws IOException {
+    ModelSample.write(folder);
+    TinyScene.write(folder, TinyScene.JSON);
+    for (String scene : List.of("tiny.json", "sample.glb")) {
+      String line = "render T/" + scene + " --size 24 -s 1 --no-denoise --overwrite -o T/o.png";
+      assertThat(Outcome.in(folder, line).err()).contains("o.png: 24x18 pixels");
+    }
+    Outcome.in(folder, "render T/tiny.json --size 8 --crop 0,0,8,7 -o T/o.png --overwrite")
+        .assertFailed(ExitCodes.USAGE, "--crop: expected a part of 8x6, found 0,0,8,7");
+  }
 
   @ParameterizedTest
   @CsvSource(

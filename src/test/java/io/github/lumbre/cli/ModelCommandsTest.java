@@ -374,13 +374,15 @@ class ModelCommandsTest {
         "--view front --camera close | --camera and --view",
         "--fov 180 | --fov",
         "--unit 0 | --unit",
-        "--points 0 | --points: expected a finite number > 0, found 0.0",
+        "--points 0 | --points: expected a number from 1e-100 to 1e100, found 0.0",
         "--up x | --up: expected y or z, found x",
         "--pose lift@-1 | --pose",
         "--pose lift | --pose: expected NAME@SECONDS, such as lift@0, found lift",
         "--pose lift@soon | --pose: expected a number, found soon",
         "--background red | --background",
-        "--sky-intensity -1 | --sky-intensity",
+        "--sky-intensity -1 | --sky-intensity: expected a number from 0 to 1e150, found -1.0",
+        "--sky-intensity 1e308 | --sky-intensity: expected a number from 0 to 1e150, found 1.0E308",
+        "--sky-rotation 1e400 | --sky-rotation: expected a finite number, found Infinity",
         "--sun 0,30 | --sun: requires --sky sun",
         "--sky sun --sun 0,-1 | --sun: expected an elevation from 0 to 90, found -1.0",
         "--sky sun --sun 0,91 | --sun: expected an elevation from -90 to 90, found 91",
@@ -510,6 +512,8 @@ class ModelCommandsTest {
         .contains("bounds     (0, 0, 1) to (2, 1.5, 1), size 2 x 1.5 x 0\n")
         .doesNotContain("cameras", "animations", "variants");
     assertThat(run("check T/a.obj --up z --unit 10").out()).contains("size 20 x 0 x 15");
+    assertThat(run("check T/a.obj --up Z --section Y=99 --unit 10").out())
+        .contains("size 20 x 0 x 15");
   }
 
   @Test

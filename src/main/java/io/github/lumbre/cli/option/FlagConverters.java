@@ -27,6 +27,10 @@ public final class FlagConverters {
   private static final Pattern CROP =
       Pattern.compile(String.join(",", DIGITS, DIGITS, DIGITS, DIGITS));
   private static final Pattern DURATION = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)([smh])");
+
+  /** Its nanoseconds are less than half of the largest long. */
+  private static final int LONGEST_HOURS = 1_000_000;
+
   private static final Map<String, Double> SECONDS = Map.of("s", 1., "m", 60., "h", 3600.);
 
   private static final List<OfChoice<?>> CHOICES =
@@ -98,16 +102,17 @@ public final class FlagConverters {
     return Integer.parseInt(found.group(group));
   }
 
-  /** Returns a duration such as {@code 90s}, {@code 5m} or {@code 1.5h}, always longer than 0. */
+  /** Returns a duration such as {@code 90s}, {@code 5m} or {@code 1.5h}, above 0. */
   private static Duration duration(String text) {
     Matcher found = DURATION.matcher(text);
     double seconds =
         found.matches() ? Double.parseDouble(found.group(1)) * SECONDS.get(found.group(2)) : 0;
-    Duration duration = Duration.ofNanos((long) Math.min(seconds * 1e9, Long.MAX_VALUE / 2));
-    if (duration.isZero()) {
-      throw unexpected("a duration above 0, such as 90s, 5m or 2h", text);
+    long nanos = (long) (seconds * 1e9);
+    if (nanos == 0 || seconds > LONGEST_HOURS * SECONDS.get("h")) {
+      throw unexpected(
+          "a duration above 0 and up to " + LONGEST_HOURS + "h, such as 90s, 5m or 2h", text);
     }
-    return duration;
+    return Duration.ofNanos(nanos);
   }
 
   /** Parses a text with a parser whose errors state what was expected. */

@@ -12,7 +12,6 @@ import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.text.PrintableText;
 import java.lang.reflect.Field;
 import java.time.OffsetDateTime;
 import java.time.format.DateTimeParseException;
@@ -180,16 +179,6 @@ public final class ModelFlags extends Flags {
     double angle = fov.orElse(Stage.DEFAULT_FOV);
     require(
         angle > 0 && angle < 180, "--fov: expected more than 0 and less than 180, found " + angle);
-    double intensity = skyIntensity.orElse(1.);
-    require(
-        intensity >= 0 && intensity <= Sky.MAX_INTENSITY,
-        "--sky-intensity: expected a number from 0 to "
-            + PrintableText.number(Sky.MAX_INTENSITY)
-            + ", found "
-            + intensity);
-    double rotation = skyRotation.orElse(0.);
-    require(
-        Double.isFinite(rotation), "--sky-rotation: expected a finite number, found " + rotation);
     require(camera.isEmpty() || from.isEmpty(), "--camera and --view: expected only one of them");
     Look shown = look.map(this::look).orElse(Look.OF_FILE);
     require(
@@ -199,7 +188,7 @@ public final class ModelFlags extends Flags {
         camera,
         from,
         angle,
-        placed(new Sky(sky.orElse(shown.sky()), intensity, rotation)),
+        placed(sky(sky.orElse(shown.sky()))),
         ground,
         background.isPresent() ? background.flatMap(this::color) : shown.background(),
         background.equals(Optional.of(TRANSPARENT)),
@@ -281,6 +270,14 @@ public final class ModelFlags extends Flags {
       return View.of(text);
     } catch (IllegalArgumentException e) {
       throw failure(flag + ": " + e.getMessage());
+    }
+  }
+
+  private Sky sky(String name) {
+    try {
+      return new Sky(name, skyIntensity.orElse(1.), skyRotation.orElse(0.));
+    } catch (IllegalArgumentException e) {
+      throw failure("--sky-" + e.getMessage());
     }
   }
 
