@@ -333,6 +333,18 @@ class ThreeMfReaderTest {
             "3D/root.model line 13: its transform is not invertible; its content is left out");
   }
 
+  /** Each transform is invertible, and their product is to a human eye; its determinant is 0. */
+  @Test
+  void partsWhoseDeterminantVanishesAreRefused() throws ModelFormatException {
+    String tiny = "transform=\"1e-60 0 0 0 1e-60 0 0 0 1e-60 0 0 0\"";
+    String component =
+        "<object id=\"2\"><components><component objectid=\"1\" %s/></components></object>"
+            .formatted(tiny);
+    String item = "<item objectid=\"2\" " + tiny + "/>";
+    assertThat(ThreeMfSample.of(object("", "", "") + component, item).fixture().refusal())
+        .startsWith("MALFORMED 3D/root.model object 1: expected an invertible transform, found");
+  }
+
   @Test
   void requiredExtensionsAreKnown() throws ModelFormatException {
     String model = ThreeMfSample.model(object("", "", ""), "<item objectid=\"1\"/>");
