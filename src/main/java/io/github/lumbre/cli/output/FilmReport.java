@@ -41,7 +41,7 @@ public record FilmReport(FilmFile file) {
           "noise: not known; parts that meet at 2, 4, 8, ... samples per pixel, from the first on,"
               + " would keep it");
     }
-    noise.printDoubts(summary);
+    noise.printDoubts(messages);
   }
 
   private String samples(NoiseReport noise) {
