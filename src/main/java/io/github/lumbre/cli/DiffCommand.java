@@ -20,6 +20,7 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
@@ -43,6 +44,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -124,29 +126,45 @@ final class DiffCommand extends Subcommand {
     page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));
     guard.check();
     try (TextOutput output = TextOutput.reserve(page)) {
-      Model before = read(old, stage);
-      Model after = read(now, stage);
+      Stage ofOld = beside(now, old, stage);
+      Stage ofNew = beside(old, now, stage);
+      Model before = read(old, ofOld);
+      Model after = read(now, ofNew);
+      before.warnings().forEach(warning -> errors().warning(old + ": " + warning));
+      after.warnings().forEach(warning -> errors().warning(now + ": " + warning));
       double near = tolerance.orElseGet(() -> ModelDifference.tolerance(before, after));
       ModelDifference.Result found = ModelDifference.between(before, after, near);
       List<String> lines = found.changes().stream().map(DiffCommand::text).toList();
       if (page.isPresent()) {
-        output.write(page(stage, found, lines));
+        output.write(page(ofOld, ofNew, found, lines));
       }
       print(found, lines, near);
       return found.changes().isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
     }
   }
 
+  /**
+   * Returns the stage of a model: if it states its axis and unit, and the other one does not, the
+   * flags for these are meant for the other one.
+   */
+  private Stage beside(Path other, Path model, Stage stage) throws TaskException {
+    ModelOptions options = stage.options();
+    Stage own = stage.reading(options.oriented(Optional.empty(), OptionalDouble.empty()));
+    boolean isCorrected = options.up().isPresent() || options.unit().isPresent();
+    return isCorrected && statesUnit(model, own) && !statesUnit(other, own) ? own : stage;
+  }
+
+  private boolean statesUnit(Path model, Stage own) throws TaskException {
+    return !read(model, own).unit().isEmpty();
+  }
+
   private Model read(Path path, Stage stage) throws TaskException {
     try {
-      Model model =
-          ModelReader.read(
-              path.getFileName().toString(),
-              Files.readAllBytes(path),
-              ModelFolder.of(path.toAbsolutePath().getParent()),
-              stage.options().lenient(true));
-      model.warnings().forEach(warning -> errors().warning(path + ": " + warning));
-      return model;
+      return ModelReader.read(
+          path.getFileName().toString(),
+          Files.readAllBytes(path),
+          ModelFolder.of(path.toAbsolutePath().getParent()),
+          stage.options().lenient(true));
     } catch (ModelFormatException e) {
       Kind kind =
           switch (e.kind()) {
@@ -161,11 +179,11 @@ final class DiffCommand extends Subcommand {
     }
   }
 
-  private String page(Stage stage, ModelDifference.Result found, List<String> lines)
+  private String page(Stage ofOld, Stage ofNew, ModelDifference.Result found, List<String> lines)
       throws SceneFormatException, TaskException {
-    ModelViews before = views(old, stage);
-    ModelViews after = views(now, stage);
-    View view = stage.view().orElse(View.DEFAULT);
+    ModelViews before = views(old, ofOld);
+    ModelViews after = views(now, ofNew);
+    View view = ofNew.view().orElse(View.DEFAULT);
     return ChangePage.of(
         side(old, before.seenBeside(after, view, WIDTH, HEIGHT)),
         side(now, after.seenBeside(before, view, WIDTH, HEIGHT)),

@@ -18,8 +18,10 @@ import java.util.stream.IntStream;
  *
  * @param pose the animation and time whose pose is used; empty for the rest pose
  * @param variant the name of the material variant; empty for the default materials
- * @param up the up axis of formats that state none: STL, PLY, OBJ and OFF
- * @param unit length of the file's unit in world units, &gt; 0; for formats that state none
+ * @param up the axis of the file that points up; empty for the one that its format states: +Y in
+ *     glTF, +Z in 3MF, and +Y in STL, PLY, OBJ and OFF, which state none
+ * @param unit length of the file's unit in world units, &gt; 0; empty for the one that the file
+ *     states in meters (glTF, 3MF), and 1 for formats that state none
  * @param pointRadius radius of the spheres that show points, in the file's unit, &gt; 0; empty for
  *     half the median distance of a point to the nearest other one
  * @param hidden names of parts to leave out; {@code *} stands for any text. A part is a node or an
@@ -41,8 +43,8 @@ import java.util.stream.IntStream;
 public record ModelOptions(
     Optional<Pose> pose,
     Optional<String> variant,
-    Up up,
-    double unit,
+    Optional<Up> up,
+    OptionalDouble unit,
     OptionalDouble pointRadius,
     List<String> hidden,
     List<String> highlighted,
@@ -56,9 +58,20 @@ public record ModelOptions(
   /** The look of white paper without light and shadow, for drawings. */
   public static final String WHITE = "white";
 
-  /** The rest pose, default materials, +Y up, unit 1. */
+  /** The rest pose, default materials, and the up axis and unit of the file. */
   public static final ModelOptions DEFAULT =
-      new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, 1);
+      new ModelOptions(
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          OptionalDouble.empty(),
+          OptionalDouble.empty(),
+          List.of(),
+          List.of(),
+          List.of(),
+          "",
+          Limits.NONE,
+          false);
 
   private static final double QUARTER_TURN_DEGREES = 90;
 
@@ -115,6 +128,7 @@ public record ModelOptions(
     Objects.requireNonNull(pose, "pose");
     Objects.requireNonNull(variant, "variant");
     Objects.requireNonNull(up, "up");
+    Objects.requireNonNull(unit, "unit");
     Objects.requireNonNull(pointRadius, "pointRadius");
     hidden = List.copyOf(hidden);
     highlighted = List.copyOf(highlighted);
@@ -124,7 +138,7 @@ public record ModelOptions(
     if (!List.of("", CLAY, WHITE).contains(look)) {
       throw new IllegalArgumentException("look: expected clay or white, found " + look);
     }
-    requireLength("unit", unit);
+    requireLength("unit", unit.orElse(1));
     requireLength("pointRadius", pointRadius.orElse(1));
   }
 
@@ -134,13 +148,13 @@ public record ModelOptions(
     }
   }
 
-  /** Creates options without limits of their own. */
+  /** Creates options without limits of their own, which correct what a file states. */
   public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
     this(
         pose,
         variant,
-        up,
-        unit,
+        Optional.of(up),
+        OptionalDouble.of(unit),
         OptionalDouble.empty(),
         List.of(),
         List.of(),
@@ -180,6 +194,22 @@ public record ModelOptions(
       List<String> hide, List<String> highlight, List<String> cut, String newLook) {
     return new ModelOptions(
         pose, variant, up, unit, pointRadius, hide, highlight, cut, newLook, limits, lenient);
+  }
+
+  /** Returns these options with another up axis and unit; empty for those of the file. */
+  public ModelOptions oriented(Optional<Up> newUp, OptionalDouble newUnit) {
+    return new ModelOptions(
+        pose,
+        variant,
+        newUp,
+        newUnit,
+        pointRadius,
+        hidden,
+        highlighted,
+        sections,
+        look,
+        limits,
+        lenient);
   }
 
   /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
@@ -223,8 +253,19 @@ public record ModelOptions(
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */
   public Transform toWorld() {
-    Transform scale = Transform.scale(new Vec3(unit, unit, unit));
-    return up == Up.Y
+    return toWorld(Up.Y, 1);
+  }
+
+  /**
+   * Returns the map from the space of a file to +Y up.
+   *
+   * @param upOfFile the axis that the file states, which {@link #up} corrects
+   * @param unitOfFile the unit that the file states, which {@link #unit} corrects
+   */
+  public Transform toWorld(Up upOfFile, double unitOfFile) {
+    double length = unit.orElse(unitOfFile);
+    Transform scale = Transform.scale(new Vec3(length, length, length));
+    return up.orElse(upOfFile) == Up.Y
         ? scale
         : Transform.rotationDegrees(new Vec3(-QUARTER_TURN_DEGREES, 0, 0)).times(scale);
   }

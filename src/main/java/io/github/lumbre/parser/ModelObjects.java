@@ -120,11 +120,9 @@ record ModelObjects(
     return new ModelOptions(
             pose,
             variant,
-            node.choice("up", Up.Y),
-            node.number("unit", 1, Range.POSITIVE),
-            node.has("pointRadius")
-                ? OptionalDouble.of(node.number("pointRadius", 1, Range.POSITIVE))
-                : OptionalDouble.empty(),
+            node.has("up") ? Optional.of(node.choice("up", Up.Y)) : Optional.empty(),
+            length(node, "unit"),
+            length(node, "pointRadius"),
             node.strings("hide"),
             node.strings("highlight"),
             sections(node),
@@ -132,6 +130,12 @@ record ModelObjects(
             data.allowance().left(),
             mayLackPictures)
         .during(settings);
+  }
+
+  private static OptionalDouble length(JsonNode node, String key) {
+    return node.has(key)
+        ? OptionalDouble.of(node.number(key, 1, Range.POSITIVE))
+        : OptionalDouble.empty();
   }
 
   /** Returns the planes that cut the model; adds an error for a text that is none. */

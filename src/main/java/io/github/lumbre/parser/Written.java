@@ -6,6 +6,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelOptions;
 import java.util.List;
+import java.util.Locale;
 
 /** Values of scene files that are written. */
 final class Written {
@@ -34,12 +35,8 @@ final class Written {
 
   /** Adds what a model object reads of its file; defaults are left out. */
   static void options(JsonObject object, ModelOptions options) {
-    if (options.up() == ModelOptions.Up.Z) {
-      object.addProperty("up", "z");
-    }
-    if (options.unit() != 1) {
-      object.addProperty("unit", options.unit());
-    }
+    options.up().ifPresent(up -> object.addProperty("up", up.name().toLowerCase(Locale.ROOT)));
+    options.unit().ifPresent(unit -> object.addProperty("unit", unit));
     options.pointRadius().ifPresent(radius -> object.addProperty("pointRadius", radius));
     if (!options.sections().isEmpty()) {
       JsonArray sections = new JsonArray();

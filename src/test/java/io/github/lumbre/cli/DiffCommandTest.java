@@ -7,6 +7,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.Srgb;
+import io.github.lumbre.model.threemf.ThreeMfSample;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -72,6 +73,27 @@ class DiffCommandTest {
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(code);
     assertThat(outcome.out()).contains(part);
     assertThat(outcome.err()).isEmpty();
+  }
+
+  /** The flags correct a file that states its axis and unit, unless the other one states none. */
+  @Test
+  void axisAndUnitAreMeantForTheFileThatStatesNone() throws IOException {
+    Files.write(directory.resolve("a.3mf"), ThreeMfSample.square());
+    Files.writeString(
+        directory.resolve("a.stl"),
+        """
+        solid
+        facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0
+        endloop\nendfacet
+        facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0
+        endloop\nendfacet
+        endsolid
+        """);
+    String flags = " --up z --unit 0.001";
+    assertThat(run("diff T/a.stl T/a.3mf" + flags).out()).contains("1 the same");
+    assertThat(run("diff T/a.3mf T/a.stl" + flags).out()).contains("1 the same");
+    assertThat(run("diff T/a.3mf T/a.stl").exitCode()).isEqualTo(1);
+    assertThat(run("diff T/a.3mf T/a.3mf --up y --unit 2").exitCode()).isZero();
   }
 
   /** What a file lacks for its pictures, it lacks for a comparison. */

@@ -39,8 +39,8 @@ public @interface RenderedScene {
   /** For a model: whether it stands on a gray floor. */
   boolean ground() default false;
 
-  /** For STL, PLY, OBJ and OFF models: the axis that points up, y or z. */
-  String up() default "y";
+  /** For a model: the axis of the file that points up, y or z; empty for the one that it states. */
+  String up() default "";
 
   /** Width in pixels; 0 for that of the scene, or 320 for a model. */
   int width() default 0;

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.ParameterContext;
 import org.junit.jupiter.api.extension.ParameterResolutionException;
@@ -107,13 +108,19 @@ public final class RenderedSceneExtension implements ParameterResolver {
         .build();
   }
 
+  private static ModelOptions.Up up(RenderedScene wanted) {
+    return switch (wanted.up()) {
+      case "y" -> ModelOptions.Up.Y;
+      case "z" -> ModelOptions.Up.Z;
+      default -> throw new IllegalArgumentException("up: expected y or z, found " + wanted.up());
+    };
+  }
+
   private static Stage stage(RenderedScene wanted) {
     Stage stage = Stage.DEFAULT;
-    if (wanted.up().equals("z")) {
-      stage =
-          stage.reading(new ModelOptions(Optional.empty(), Optional.empty(), ModelOptions.Up.Z, 1));
-    } else if (!wanted.up().equals("y")) {
-      throw new IllegalArgumentException("up: expected y or z, found " + wanted.up());
+    if (!wanted.up().isEmpty()) {
+      Optional<ModelOptions.Up> up = Optional.of(up(wanted));
+      stage = stage.reading(ModelOptions.DEFAULT.oriented(up, OptionalDouble.empty()));
     }
     if (!wanted.view().isEmpty()) {
       stage = stage.seenFrom(Stage.View.of(wanted.view()));

@@ -9,6 +9,7 @@ import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.scene.Setting;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 
 /** The arguments that several tools take. Stateless. */
@@ -18,7 +19,7 @@ final class ModelInputs {
           "model", "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model.");
 
   static final Input<Boolean> Z_UP =
-      Input.flag("z_up", "Whether the z axis of an STL, PLY, OBJ or OFF file points up.");
+      Input.flag("z_up", "Whether the z axis of the file points up, whatever it states.");
 
   static final Input<List<String>> HIDE =
       Input.texts(
@@ -57,9 +58,10 @@ final class ModelInputs {
 
   private static Stage stage(Arguments arguments) throws ToolException {
     Look look = look(arguments.get(LOOK));
-    Up up = arguments.get(Z_UP) ? Up.Z : Up.Y;
+    Optional<Up> up = arguments.get(Z_UP) ? Optional.of(Up.Z) : Optional.empty();
     ModelOptions options =
-        new ModelOptions(Optional.empty(), Optional.empty(), up, 1)
+        ModelOptions.DEFAULT
+            .oriented(up, OptionalDouble.empty())
             .hiding(arguments.get(HIDE))
             .highlighting(arguments.get(HIGHLIGHT))
             .looking(look.materials());

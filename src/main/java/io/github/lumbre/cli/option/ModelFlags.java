@@ -19,6 +19,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.OptionSpec;
@@ -154,13 +155,13 @@ public final class ModelFlags extends Flags {
   @Option(
       names = "--up",
       paramLabel = "y|z",
-      description = "Axis that points up in STL, PLY, OBJ and OFF files (y).")
+      description = "Axis of the file that points up (y; glTF and 3MF: as the file states).")
   private Optional<String> up;
 
   @Option(
       names = "--unit",
       paramLabel = "LENGTH",
-      description = "Length of the unit of STL, PLY, OBJ and OFF files (1).")
+      description = "Length of the file's unit (1; glTF and 3MF: as the file states, in meters).")
   private Optional<Double> unit;
 
   @Option(
@@ -233,17 +234,23 @@ public final class ModelFlags extends Flags {
   }
 
   private ModelOptions options() {
-    double length = length("--unit", unit.orElse(1.));
-    String axis = up.orElse("y").toLowerCase(Locale.ROOT);
-    require(axis.equals("y") || axis.equals("z"), "--up: expected y or z, found " + axis);
+    unit.ifPresent(length -> length("--unit", length));
+    up.ifPresent(axis -> require(isAxis(axis), "--up: expected y or z, found " + axis));
     ModelOptions options =
-        new ModelOptions(pose.map(this::pose), variant, axis.equals("z") ? Up.Z : Up.Y, length)
+        new ModelOptions(pose.map(this::pose), variant, Up.Y, 1)
+            .oriented(
+                up.map(axis -> axis.equalsIgnoreCase("z") ? Up.Z : Up.Y),
+                unit.map(OptionalDouble::of).orElseGet(OptionalDouble::empty))
             .hiding(hidden)
             .highlighting(highlighted);
     return cut(
         points
             .map(radius -> options.withPointRadius(length("--points", radius)))
             .orElse(options));
+  }
+
+  private static boolean isAxis(String name) {
+    return name.equalsIgnoreCase("y") || name.equalsIgnoreCase("z");
   }
 
   private ModelOptions cut(ModelOptions options) {

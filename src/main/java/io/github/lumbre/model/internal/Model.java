@@ -113,6 +113,22 @@ public record Model(
     return with(fromFile, unit, newParts, lights, pointRadius, warnings, List.of());
   }
 
+  /** Returns this model, standing still, with other parts, cameras and lights. */
+  Model with(List<ModelPart> newParts, List<ModelCamera> newCameras, List<ModelLight> newLights) {
+    return new Model(
+        fromFile,
+        unit,
+        front,
+        newParts,
+        pointRadius,
+        newCameras,
+        newLights,
+        variants,
+        animations,
+        warnings,
+        List.of());
+  }
+
   public Model warning(List<String> more) {
     List<String> all = new ArrayList<>(warnings);
     all.addAll(more);

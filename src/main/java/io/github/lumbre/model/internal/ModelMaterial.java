@@ -88,6 +88,26 @@ public record ModelMaterial(
         hatch);
   }
 
+  /** Returns this material with a number that it states, times a factor. */
+  ModelMaterial scaled(MaterialParameter parameter, double factor) {
+    MaterialInput stated = input(parameter);
+    Map<MaterialParameter, MaterialInput> changed = new HashMap<>(inputs);
+    changed.put(parameter, stated.withFactor(stated.factor().times(factor)));
+    return new ModelMaterial(
+        name,
+        location,
+        changed,
+        normalMap,
+        emission,
+        alphaMode,
+        alphaCutoff,
+        doubleSided,
+        unlit,
+        flat,
+        glossy,
+        hatch);
+  }
+
   /** Returns the value of a parameter; its default if the model does not state it. */
   public MaterialInput input(MaterialParameter parameter) {
     return inputs.getOrDefault(parameter, MaterialInput.of(parameter.missing()));

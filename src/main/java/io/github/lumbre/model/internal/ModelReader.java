@@ -105,26 +105,32 @@ public final class ModelReader {
   /** Returns what the options show of a model, except for one of an archive, which is finished. */
   private static Model finished(Model read, ModelFormat format, ModelOptions options)
       throws ModelFormatException {
-    double unit = format == ModelFormat.GLTF ? 1 : options.unit();
+    Model placed = placed(read, format, options);
     double radius =
         options.pointRadius().isPresent()
-            ? options.pointRadius().getAsDouble() * unit
-            : PointSpacing.radius(checked(read, options));
+            ? options.pointRadius().getAsDouble() * options.unit().orElse(1)
+            : PointSpacing.radius(checked(placed, options));
     List<Model> poses = new ArrayList<>();
     for (Model pose : read.poses()) {
-      poses.add(shown(pose, format, options, radius));
+      poses.add(shown(placed(pose, format, options), options, radius));
     }
-    Model all = poses.isEmpty() ? shown(read, format, options, radius) : Model.inMotion(poses);
+    Model all = poses.isEmpty() ? shown(placed, options, radius) : Model.inMotion(poses);
     return Sections.cut(all, options);
   }
 
-  private static Model shown(
-      Model read, ModelFormat format, ModelOptions options, double pointRadius)
+  /** Returns a model in the up axis and the unit of the options. */
+  private static Model placed(Model read, ModelFormat format, ModelOptions options) {
+    return switch (format) {
+      case GLTF -> ModelCorrection.of(read, options);
+      case THREE_MF -> read; // Its reader applies them to what the file states.
+      default -> read.from(options.toWorld(), "");
+    };
+  }
+
+  private static Model shown(Model read, ModelOptions options, double pointRadius)
       throws ModelFormatException {
     Model model = PartSelection.labeled(Looks.of(checked(read, options), options));
-    boolean statesUnit = format == ModelFormat.GLTF || format == ModelFormat.THREE_MF;
-    Model placed = statesUnit ? model : model.from(options.toWorld(), "");
-    Model sized = placed.withPointRadius(pointRadius);
+    Model sized = model.withPointRadius(pointRadius);
     ModelReach.require(sized);
     return PartSelection.shown(sized, options);
   }

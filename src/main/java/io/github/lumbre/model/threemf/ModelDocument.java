@@ -4,6 +4,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.internal.LengthUnit;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.threemf.ThreeMfObject.Component;
 import io.github.lumbre.model.threemf.ThreeMfObject.Surface;
@@ -13,7 +14,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -34,22 +34,7 @@ final class ModelDocument {
   private final Map<Integer, ThreeMfObject> objects = new HashMap<>();
   private final List<Component> items = new ArrayList<>();
   private final PropertyReader properties;
-  private Unit unit = Unit.MILLIMETER;
-
-  private enum Unit {
-    MICRON(1e-6),
-    MILLIMETER(.001),
-    CENTIMETER(.01),
-    INCH(.0254),
-    FOOT(.3048),
-    METER(1);
-
-    private final double meters;
-
-    Unit(double meters) {
-      this.meters = meters;
-    }
-  }
+  private LengthUnit unit = LengthUnit.MILLIMETER;
 
   private ModelDocument(ZipInput in, ThreeMfFile file, boolean isRoot) {
     xml = new XmlReader(in);
@@ -78,13 +63,8 @@ final class ModelDocument {
     return items;
   }
 
-  /** Returns the length of the unit in meters. */
-  double unit() {
-    return unit.meters;
-  }
-
-  String unitName() {
-    return unit.name().toLowerCase(Locale.ROOT);
+  LengthUnit unit() {
+    return unit;
   }
 
   private void read() throws ModelFormatException, IOException {
@@ -108,16 +88,14 @@ final class ModelDocument {
     }
   }
 
-  private Unit readUnit() throws ModelFormatException {
-    String name = xml.text("unit").orElse("millimeter");
-    for (Unit known : Unit.values()) {
-      if (known.name().equalsIgnoreCase(name)) {
-        return known;
-      }
-    }
-    throw xml.error(
-        "expected micron, millimeter, centimeter, inch, foot or meter, found unit "
-            + PrintableText.quoted(name));
+  private LengthUnit readUnit() throws ModelFormatException {
+    String name = xml.text("unit").orElse(LengthUnit.MILLIMETER.title());
+    return LengthUnit.named(name)
+        .orElseThrow(
+            () ->
+                xml.error(
+                    "expected micron, millimeter, centimeter, inch, foot or meter, found unit "
+                        + PrintableText.quoted(name)));
   }
 
   private void readResources() throws ModelFormatException, IOException {

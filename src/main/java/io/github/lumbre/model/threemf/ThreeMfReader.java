@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
+import io.github.lumbre.model.internal.LengthUnit;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelPart;
@@ -22,8 +23,8 @@ import java.util.Optional;
 
 /**
  * Reads 3MF files (3MF core specification 1.3) with the materials and properties extension and the
- * production extension. The file states its unit, which becomes meters as in glTF, and z points up.
- * Triangles are flat. Stateless.
+ * production extension. The file states its unit, which becomes meters as in glTF, and z points up,
+ * unless the options correct them. Triangles are flat. Stateless.
  */
 public final class ThreeMfReader {
   private static final String RELATIONS = "_rels/.rels";
@@ -54,8 +55,8 @@ public final class ThreeMfReader {
       throws ModelFormatException, IOException {
     ThreeMfFile file = new ThreeMfFile(ZipParts.of(bytes, options.limits()), options);
     ModelDocument root = ModelDocument.read(file, root(file.parts()), "", true);
-    Transform toWorld =
-        new ModelOptions(Optional.empty(), Optional.empty(), Up.Z, root.unit()).toWorld();
+    double unit = root.unit().meters();
+    Transform toWorld = options.toWorld(Up.Z, unit);
     long count = 0;
     for (Component item : root.items()) {
       count += item.object().parts();
@@ -66,7 +67,8 @@ public final class ThreeMfReader {
       item.object().addTo(parts, toWorld.times(item.toParent()), Optional.empty());
     }
     file.tally().addTo(file.warnings());
-    return PlainModel.of(parts, file.warnings().all()).from(toWorld, root.unitName());
+    return PlainModel.of(parts, file.warnings().all())
+        .from(toWorld, LengthUnit.nameOf(options.unit().orElse(unit)));
   }
 
   /** Returns the name of the part with the model, by the relations of the archive. */

@@ -24,6 +24,7 @@ import io.github.lumbre.model.internal.ModelTexture.Wrap;
 import io.github.lumbre.model.internal.PlainModel;
 import java.io.InterruptedIOException;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -122,10 +123,23 @@ class ThreeMfReaderTest {
     ModelPart part = new ThreeMfSample(model).fixture().part();
     assertNear(ModelFixture.mapped(part, 1, 0, 0), meters, 0, 0);
     assertThat(new ThreeMfSample(model).fixture().read().unit()).isEqualTo(unit);
-    ModelOptions options =
-        new ModelOptions(Optional.empty(), Optional.empty(), ModelOptions.Up.Y, 7);
-    part = new ThreeMfSample(model).fixture().with(options).part();
-    assertNear(ModelFixture.mapped(part, 1, 0, 0), meters, 0, 0);
+    assertNear(ModelFixture.mapped(part, 0, 0, 1), 0, meters, 0);
+  }
+
+  @Test
+  void optionsCorrectTheUnitAndTheAxis() throws ModelFormatException {
+    ThreeMfSample sample = ThreeMfSample.of(object("", "", ""));
+    ModelOptions inch =
+        ModelOptions.DEFAULT.oriented(Optional.empty(), OptionalDouble.of(.0254));
+    Model model = sample.fixture().with(inch).read();
+    assertThat(model.unit()).isEqualTo("inch");
+    assertNear(ModelFixture.mapped(model.parts().get(0), 1, 2, 3), .0254, .0762, -.0508);
+    assertNear(model.fromFile().point(new Vec3(1, 2, 3)), .0254, .0762, -.0508);
+    ModelOptions lying =
+        ModelOptions.DEFAULT.oriented(Optional.of(ModelOptions.Up.Y), OptionalDouble.empty());
+    model = sample.fixture().with(lying).read();
+    assertThat(model.unit()).isEqualTo("millimeter");
+    assertNear(ModelFixture.mapped(model.parts().get(0), 1, 2, 3), .001, .002, .003);
   }
 
   @Test
