@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import com.google.gson.JsonNull;
 import io.github.lumbre.cli.output.JsonText;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -31,11 +32,11 @@ final class Answers {
   /**
    * Returns the answer to a request that cannot be answered otherwise.
    *
-   * @param id of the request; empty if it cannot be read
+   * @param id of the request; empty if it cannot be read, which is null in the answer
    */
   static Map<String, Object> error(Optional<Object> id, RpcException e) {
     Map<String, Object> answer = message();
-    id.ifPresent(known -> answer.put("id", known));
+    answer.put("id", id.orElse(JsonNull.INSTANCE));
     answer.put("error", e.error());
     return answer;
   }
@@ -55,7 +56,7 @@ final class Answers {
 
   /** Writes a message, or the messages of a batch. */
   void write(Object message) {
-    byte[] line = (JsonText.line(message) + "\n").getBytes(StandardCharsets.UTF_8);
+    byte[] line = (JsonText.completeLine(message) + "\n").getBytes(StandardCharsets.UTF_8);
     synchronized (this) {
       if (!isBroken) {
         try {

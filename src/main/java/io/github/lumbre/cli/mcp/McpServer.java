@@ -71,7 +71,7 @@ final class McpServer {
         answer(value, answers::write);
       }
     } catch (RpcException e) {
-      answers.write(Answers.error(Optional.empty(), e));
+      answers.write(Answers.error(LineIdentity.of(line.bytes()), e));
     }
   }
 

@@ -5,12 +5,13 @@ import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.json.JsonValue;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /**
- * A message of JSON-RPC 2.0 from a client.
+ * A message of JSON-RPC 2.0 from a client. A member that is null counts as absent.
  *
  * @param id a string or a long; empty for a notification
  * @param params its members; empty without parameters
@@ -87,10 +88,17 @@ record Message(Optional<Object> id, String method, Map<String, JsonValue> params
     require(method != null && method.isString(), "method: expected a string");
     Optional<Object> id = id(value);
     require(id.isPresent() || !members.containsKey("id"), "id: expected a string or an integer");
-    JsonValue params = members.get("params");
-    require(params == null || params.isObject(), "params: expected an object");
+    Optional<JsonValue> params = Optional.ofNullable(present(value).get("params"));
+    require(params.isEmpty() || params.get().isObject(), "params: expected an object");
     return Optional.of(
-        new Message(id, method.text(), params == null ? Map.of() : params.members()));
+        new Message(id, method.text(), params.map(Message::present).orElse(Map.of())));
+  }
+
+  /** Returns the members of an object that are not null. */
+  static Map<String, JsonValue> present(JsonValue object) {
+    Map<String, JsonValue> members = new LinkedHashMap<>(object.members());
+    members.values().removeIf(JsonValue::isNull);
+    return members;
   }
 
   /** Returns a string or integer as an identity; empty for other values. */
@@ -111,6 +119,6 @@ record Message(Optional<Object> id, String method, Map<String, JsonValue> params
   Optional<JsonValue> meta(String key) {
     return Optional.ofNullable(params.get("_meta"))
         .filter(JsonValue::isObject)
-        .flatMap(meta -> Optional.ofNullable(meta.members().get(key)));
+        .flatMap(meta -> Optional.ofNullable(present(meta).get(key)));
   }
 }

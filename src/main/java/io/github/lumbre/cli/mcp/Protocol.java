@@ -275,6 +275,6 @@ final class Protocol {
           RpcException.INVALID_PARAMS,
           "params.arguments: expected an object, found " + arguments.found());
     }
-    return new Call(tool.get(), arguments == null ? Map.of() : arguments.members());
+    return new Call(tool.get(), arguments == null ? Map.of() : Message.present(arguments));
   }
 }

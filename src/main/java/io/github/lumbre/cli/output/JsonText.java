@@ -16,6 +16,8 @@ public final class JsonText {
       (number, type, context) -> new JsonPrimitive(decimal(number));
 
   private static final Gson LINE = builder().disableHtmlEscaping().create();
+  private static final Gson COMPLETE =
+      builder().disableHtmlEscaping().serializeNulls().create();
   private static final Gson PRETTY = builder().setPrettyPrinting().create();
 
   private JsonText() {}
@@ -31,6 +33,15 @@ public final class JsonText {
    */
   public static String line(Object value) {
     return LINE.toJson(value);
+  }
+
+  /**
+   * Returns a value in one line, with the members that are null.
+   *
+   * @throws IllegalArgumentException if a number in it is not finite
+   */
+  public static String completeLine(Object value) {
+    return COMPLETE.toJson(value);
   }
 
   /**

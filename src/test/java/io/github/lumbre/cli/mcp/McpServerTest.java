@@ -245,6 +245,79 @@ class McpServerTest {
   }
 
   @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\",\"params\":null}",
+        "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"tools/list\",\"params\":null}",
+        "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"tools/list\","
+            + "\"params\":{\"_meta\":null,\"cursor\":null}}",
+        "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"tools/call\",\"params\":{\"name\":\"echo\","
+            + "\"_meta\":{\"progressToken\":null},\"arguments\":{\"text\":\"a\",\"times\":null}}}"
+      })
+  void nullIsAbsent(String message) throws IOException {
+    List<JsonElement> answers = answers(START + message + "\n");
+    assertThat(answers.get(1).getAsJsonObject().has("result")).as(answers.get(1) + "").isTrue();
+    assertThat(answers.get(1).toString()).doesNotContain("isError");
+  }
+
+  @Test
+  void requiredArgumentsAreNotNull() throws IOException {
+    for (String arguments : List.of("null", "{\"text\":null}")) {
+      String line = call(1, "").replace("\"arguments\":{}", "\"arguments\":" + arguments);
+      assertThat(only(line).toString()).contains("isError", "text: expected a string", "found none");
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "7 | {\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"ping\",}",
+        "7 | {\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"pi",
+        "7 | {\"method\":ping, \"params\":{\"id\":8}, \"id\" : 7, \"jsonrpc\":\"2.0\"}",
+        "7 | {\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"ping\",\"params\":{\"a\":1e400}}",
+        "7 | {\"jsonrpc\":\"2.0\",\"id\":7,\"id\":7,\"method\":\"ping\"}",
+        "7 | {\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"ping\",\"method\":\"ping\"}",
+        "\"a\\\"\\u0062\" | {\"jsonrpc\":\"2.0\",\"id\":\"a\\\"\\u0062\" \"method\":\"ping\"}",
+        "null | {\"jsonrpc\":\"2.0\",\"id\":7,\"id\":8,\"method\":\"ping\"}",
+        "null | {\"jsonrpc\":\"2.0\",\"id\":7",
+        "null | {\"jsonrpc\":\"2.0\",\"id\":\"7",
+        "null | {\"jsonrpc\":\"2.0\",\"id\":7.5,}",
+        "null | {\"jsonrpc\":\"2.0\",\"params\":{\"id\":7},}",
+        "null | {\"jsonrpc\":\"2.0\",\"method\":\"id\",\"a\":[\"id\",7],}",
+        "null | [{\"jsonrpc\":\"2.0\",\"id\":7,}]",
+        "null | not JSON",
+        "null | 7"
+      })
+  void unreadableLinesGetTheirIdentityBack(String id, String message) throws IOException {
+    JsonObject answer = only(message + "\n");
+    assertThat(answer.has("error")).isTrue();
+    assertThat(answer.has("id")).isTrue();
+    assertThat(answer.get("id")).isEqualTo(JsonParser.parseString(id));
+  }
+
+  @Test
+  void aLongLineGetsItsIdentityBack() throws IOException {
+    String line = request(9, "ping", "\"a\":\"" + " ".repeat(Message.MAX_BYTES) + "\"");
+    assertThat(only(line).get("id").getAsInt()).isEqualTo(9);
+  }
+
+  /** Bytes that are not UTF-8, and halves of characters, which JSON can escape. */
+  @Test
+  void brokenCharactersHarmNoIdentity() throws IOException {
+    byte[] line = request(7, "ping", "\"a\":\"?\"").getBytes(StandardCharsets.UTF_8);
+    for (int i = 0; i < line.length; i++) {
+      line[i] = line[i] == '?' ? (byte) 0xff : line[i];
+    }
+    JsonObject answer = answers(line, new Echo()).get(0).getAsJsonObject();
+    assertThat(code(answer)).isEqualTo(-32700);
+    assertThat(answer.get("id").getAsInt()).isEqualTo(7);
+    answer = only(request("\"\\ud83d\"", "ping", ""));
+    assertThat(code(answer)).isEqualTo(-32700);
+    assertThat(answer.get("id").isJsonNull()).isTrue();
+  }
+
+  @ParameterizedTest
   @ValueSource(strings = {"resources/list", "ping", "initialize", "", "tools/lists"})
   void unknownMethodsGetTheirError(String method) throws IOException {
     assertThat(code(only(request(1, method, META)))).isEqualTo(-32601);
