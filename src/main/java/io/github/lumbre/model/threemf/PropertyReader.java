@@ -45,28 +45,39 @@ final class PropertyReader {
     return groups;
   }
 
-  /** Reads the resource at which the reader is; returns false if it is none of these. */
+  /**
+   * Reads the resource at which the reader is; returns false if it is none of these. Some programs
+   * write elements of the extension without its prefix, as elements of the core.
+   */
   boolean read() throws ModelFormatException, IOException {
-    if (xml.is(ThreeMfExtensions.CORE, "basematerials")) {
-      readColors(Kind.MATERIAL, "base", "displaycolor");
-    } else if (!xml.namespace().equals(ThreeMfExtensions.MATERIALS)) {
+    boolean isCore = xml.namespace().equals(ThreeMfExtensions.CORE);
+    if (!isCore && !xml.namespace().equals(ThreeMfExtensions.MATERIALS)) {
       return false;
-    } else {
-      switch (xml.name()) {
-        case "colorgroup" -> readColors(Kind.COLOR, "color", "color");
-        case "texture2d" -> readTexture();
-        case "texture2dgroup" -> readCoordinates();
-        case "compositematerials" -> readComposites();
-        case "multiproperties" -> readLayers();
-        default ->
-            file.warnings()
-                .once(
-                    xml.name(),
-                    xml.location(),
-                    PrintableText.shortened(xml.name()) + " has no effect on the picture");
+    }
+    switch (xml.name()) {
+      case "basematerials" -> readColors(Kind.MATERIAL, "base", "displaycolor");
+      case "colorgroup" -> readColors(Kind.COLOR, "color", "color");
+      case "texture2d" -> readTexture();
+      case "texture2dgroup" -> readCoordinates();
+      case "compositematerials" -> readComposites();
+      case "multiproperties" -> readLayers();
+      default -> {
+        if (isCore) {
+          return false;
+        }
+        file.warnings()
+            .once(
+                xml.name(),
+                xml.location(),
+                PrintableText.shortened(xml.name()) + " has no effect on the picture");
       }
     }
     return true;
+  }
+
+  /** Returns whether an element of a group is a property, with or without its prefix. */
+  private boolean isProperty(String name) {
+    return xml.is(ThreeMfExtensions.MATERIALS, name) || xml.is(ThreeMfExtensions.CORE, name);
   }
 
   private PropertyGroup group(Kind kind, ModelMaterial textured) throws ModelFormatException {
@@ -93,10 +104,9 @@ final class PropertyReader {
 
   private void readColors(Kind kind, String element, String attribute) throws ModelFormatException {
     PropertyGroup group = group(kind, PlainModel.defaultMaterial());
-    String namespace = xml.namespace();
     int depth = xml.depth();
     while (xml.nextWithin(depth)) {
-      if (xml.is(namespace, element)) {
+      if (isProperty(element)) {
         file.take(xml.location(), PROPERTY_BYTES);
         group.add(xml.text("name").orElse(""), color(attribute));
       }
@@ -172,7 +182,7 @@ final class PropertyReader {
     PropertyGroup group = group(Kind.TEXTURE, textures.get(id));
     int depth = xml.depth();
     while (xml.nextWithin(depth)) {
-      if (xml.is(ThreeMfExtensions.MATERIALS, "tex2coord")) {
+      if (isProperty("tex2coord")) {
         file.take(xml.location(), PROPERTY_BYTES);
         double u = xml.number("u");
         double v = xml.number("v");
@@ -194,7 +204,7 @@ final class PropertyReader {
     PropertyGroup group = group(Kind.COLOR, PlainModel.defaultMaterial());
     int depth = xml.depth();
     while (xml.nextWithin(depth)) {
-      if (xml.is(ThreeMfExtensions.MATERIALS, "composite")) {
+      if (isProperty("composite")) {
         file.take(xml.location(), PROPERTY_BYTES);
         group.add("", mixture(base, mixed));
       }
@@ -256,7 +266,7 @@ final class PropertyReader {
     PropertyGroup group = put(xml.integer("id", Integer.MAX_VALUE), shown.like());
     int depth = xml.depth();
     while (xml.nextWithin(depth)) {
-      if (xml.is(ThreeMfExtensions.MATERIALS, "multi")) {
+      if (isProperty("multi")) {
         file.take(xml.location(), PROPERTY_BYTES);
         List<Integer> indices = integers("pindices", Integer.MAX_VALUE);
         int index = top < indices.size() ? indices.get(top) : 0;

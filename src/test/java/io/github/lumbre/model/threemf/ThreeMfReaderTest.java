@@ -280,6 +280,22 @@ class ThreeMfReaderTest {
             "3D/root.model line 8: of several layers of properties, the top one is shown");
   }
 
+  /** As in samples of the 3MF consortium. */
+  @Test
+  void prefixesOfPropertiesMayBeMissing() throws ModelFormatException {
+    String layers =
+        "<m:multiproperties id=\"7\" pids=\"2 3\"><multi pindices=\"1\"/>"
+            + "<multi pindices=\"0 1\"/></m:multiproperties>";
+    String mixed =
+        "<compositematerials id=\"6\" matid=\"2\" matindices=\"0 1\"><composite"
+            + " values=\"1 0.25\"/></compositematerials>";
+    String colors = COLORS.replace("<m:", "<").replace("</m:", "</");
+    Model model = read(BASE + colors + layers + object("pid=\"7\" pindex=\"1\"", "", ""));
+    assertThat(model.parts().get(0).geometry().colors()).startsWith(0, 1, 0, 1);
+    model = read(BASE + mixed + object("pid=\"6\"", "", ""));
+    assertThat(model.parts().get(0).geometry().colors()).startsWith(.8f, .2f, 0);
+  }
+
   @Test
   void partsOfTheProductionExtensionAreRead() throws ModelFormatException {
     String other = ThreeMfSample.model(BASE + object("pid=\"2\"", "", ""), "");
