@@ -33,11 +33,13 @@ record OffHeader(
   /**
    * Reads a header, and the line end after it.
    *
+   * @param layout the number of edges may be missing in {@link OffLayout#LINES} alone
    * @param bytes the size of the file
    * @throws ModelFormatException if the text has no header, is shorter than its header requires, or
    *     has another form than vertices of three coordinates as text
    */
-  static OffHeader read(TextScanner scanner, int bytes) throws ModelFormatException {
+  static OffHeader read(TextScanner scanner, int bytes, OffLayout layout)
+      throws ModelFormatException {
     Matcher keyword = KEYWORD.matcher(scanner.nextWordOfText() ? scanner.word() : "");
     if (!keyword.matches()) {
       throw scanner.error("expected \"OFF\", found something else");
@@ -49,7 +51,10 @@ record OffHeader(
     }
     long vertices = keyword.group(3).isEmpty() ? count(scanner) : glued(keyword.group(3));
     long faces = count(scanner);
-    scanner.endLine();
+    if (layout != OffLayout.LINES) {
+      count(scanner);
+    }
+    layout.end(scanner);
     long least = VERTEX_BYTES * vertices + FACE_BYTES * faces;
     // The last line end may be missing.
     long found = bytes - scanner.position() + 1L;

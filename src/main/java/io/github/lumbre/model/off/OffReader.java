@@ -3,6 +3,7 @@ package io.github.lumbre.model.off;
 import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -21,7 +22,8 @@ import java.util.Optional;
 /**
  * Reads OFF texts (Geomview manual, "OFF: Object File Format"), with normals, colors and texture
  * coordinates of vertices, and colors of faces. Polygons become triangle fans. Colors of vertices
- * win over those of faces. Without faces, the vertices are points. Not reusable.
+ * win over those of faces. Without faces, the vertices are points. A text that is not laid out in
+ * lines is read by its numbers alone, see {@link OffLayout}. Not reusable.
  */
 public final class OffReader {
   /** The fewest bytes of a triangle: {@code 3 0 1 2} with a line end. */
@@ -34,6 +36,7 @@ public final class OffReader {
 
   private final TextScanner scanner;
   private final int size;
+  private final OffLayout layout;
   private final ModelOptions options;
   private final Warnings warnings = new Warnings();
   private final Tally tally = new Tally();
@@ -45,12 +48,14 @@ public final class OffReader {
   /** The number of the face of each triangle. */
   private int[] faces;
 
-  private OffReader(byte[] file, ModelOptions options) throws ModelFormatException {
+  private OffReader(byte[] file, ModelOptions options, OffLayout layout)
+      throws ModelFormatException {
     this.options = options;
+    this.layout = layout;
     size = file.length;
     scanner = new TextScanner(file);
-    header = OffHeader.read(scanner, size);
-    vertices = new OffVertices(header, options.limits());
+    header = OffHeader.read(scanner, size, layout);
+    vertices = new OffVertices(header, layout, options.limits());
     colors = new OffColors(header.faces());
     if (header.faces() == 0) {
       ModelLimits.require("", "points", options.limits().triangles(), header.vertices());
@@ -70,7 +75,18 @@ public final class OffReader {
   /** Returns the triangles of an OFF text. */
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
       throws ModelFormatException {
-    return new OffReader(file, options).read();
+    Optional<ModelFormatException> first = Optional.empty();
+    for (OffLayout layout : OffLayout.values()) {
+      try {
+        return new OffReader(file, options, layout).read();
+      } catch (ModelFormatException e) {
+        if (first.isEmpty() && e.kind() != Kind.MALFORMED) {
+          throw e;
+        }
+        first = first.or(() -> Optional.of(e));
+      }
+    }
+    throw first.orElseThrow();
   }
 
   private Model read() throws ModelFormatException {
@@ -80,9 +96,12 @@ public final class OffReader {
         throw scanner.error("expected " + header.faces() + " faces, found " + i);
       }
       readFace(i);
-      scanner.endLine();
+      layout.end(scanner);
     }
     if (scanner.nextWordOfText()) {
+      if (layout != OffLayout.LINES) {
+        throw scanner.error("expected the end of the file after the last face, found more");
+      }
       warnings.add(scanner.location(), "ignored what follows the last face");
     }
     tally.addTo(warnings);
@@ -92,7 +111,7 @@ public final class OffReader {
   }
 
   private void readFace(int face) throws ModelFormatException {
-    int corners = (int) scanner.integer(0, size);
+    int corners = (int) scanner.integer(layout.isTokens() ? 3 : 0, size);
     if (corners < 3) {
       tally.add(Tally.NARROW, scanner.location());
       return;
@@ -104,7 +123,7 @@ public final class OffReader {
       add(face, first, previous, next);
       previous = next;
     }
-    double[] color = new double[MOST_COLORS + 1];
+    double[] color = new double[layout.isTokens() ? 0 : MOST_COLORS + 1];
     int found = 0;
     while (found < color.length && scanner.nextWord()) {
       color[found++] = scanner.numberOrNan();
@@ -115,7 +134,7 @@ public final class OffReader {
   }
 
   private int vertex() throws ModelFormatException {
-    if (!scanner.nextWord()) {
+    if (!layout.next(scanner)) {
       throw scanner.error("expected a vertex, found the end of the line");
     }
     return (int) scanner.integer(0, header.vertices() - 1L);

@@ -11,7 +11,7 @@ import io.github.lumbre.model.internal.TriangleList;
 import io.github.lumbre.model.internal.Warnings;
 import java.util.Arrays;
 
-/** The vertices of an OFF text, one a line. Mutable. */
+/** The vertices of an OFF text. Mutable. */
 final class OffVertices {
   /** A position, a normal, a color with alpha, and texture coordinates. */
   private static final int MOST_NUMBERS = 12;
@@ -20,6 +20,7 @@ final class OffVertices {
   private static final double[] NONE = {};
 
   private final OffHeader header;
+  private final OffLayout layout;
   private final double[] positions;
   private final double[] uvs;
   private final OffColors colors;
@@ -30,8 +31,9 @@ final class OffVertices {
   /**
    * @throws ModelFormatException if the vertices need more memory than the limits allow
    */
-  OffVertices(OffHeader header, Limits limits) throws ModelFormatException {
+  OffVertices(OffHeader header, OffLayout layout, Limits limits) throws ModelFormatException {
     this.header = header;
+    this.layout = layout;
     int count = header.vertices();
     ModelLimits.requireMemory("", MOST_BYTES * count, limits);
     positions = new double[3 * count];
@@ -46,13 +48,31 @@ final class OffVertices {
       if (!scanner.nextWordOfText()) {
         throw scanner.error("expected " + header.vertices() + " vertices, found " + i);
       }
+      int line = scanner.line();
       int size = 0;
       do {
         numbers[size++] = scanner.numberOrNan();
-      } while (size < MOST_NUMBERS && scanner.nextWord());
+      } while (hasNext(size, scanner));
+      if (scanner.line() > line && !layout.isTokens() && scanner.hasMoreWords()) {
+        throw scanner.error("expected the end of the line after a vertex, found more");
+      }
       put(i, numbers, size, scanner, tally);
-      scanner.endLine();
+      layout.end(scanner);
     }
+  }
+
+  /**
+   * Moves to the next number of a vertex; returns false if there is none.
+   *
+   * @param size how many numbers have been read
+   */
+  private boolean hasNext(int size, TextScanner scanner) {
+    int least = 3 + (header.hasNormals() ? 3 : 0) + (header.hasCoordinates() ? 2 : 0);
+    if (layout.isTokens()) {
+      int count = least + (header.hasColors() ? layout.colorSize() : 0);
+      return size < count && scanner.nextWordOfText();
+    }
+    return size < least ? layout.next(scanner) : size < MOST_NUMBERS && scanner.nextWord();
   }
 
   private void put(int vertex, double[] numbers, int size, TextScanner scanner, Tally tally)
@@ -71,7 +91,7 @@ final class OffVertices {
     }
     if (header.hasColors()) {
       colors.put(vertex, numbers, color, uv - color, scanner, tally);
-    } else if (uv > color || scanner.hasMoreWords()) {
+    } else if (uv > color || !layout.isTokens() && scanner.hasMoreWords()) {
       tally.add("ignored words at the end of a line", scanner.location());
     }
   }

@@ -57,6 +57,46 @@ class OffReaderTest {
     assertThat(mesh.colors()).isEmpty();
   }
 
+  /** Numbers of a vertex or a face on several lines, several of these on one line, or all on one. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "OFF;4 1 0;" + SQUARE + "4 0;1;2;3;",
+        "OFF;4 1 0;0 0;0;1;0 0;1 1;0;0 1 0;4;0 1 2 3",
+        "OFF;4 1 0;0 0 0 1 0 0;1 1 0 0 1 0;4 0 1 2 3",
+        "OFF 4 1 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3",
+        "OFF;4;1;0;0;0;0;1;0;0;1;1;0;0;1;0;4;0;1;2;3",
+        "OFF;4 2 0;" + SQUARE + "3 0 1 2 3 0 2 3",
+        "OFF # text;4 2 0 0 0 0 1 0 0;1 1 0 # corner;0 1 0 3 0 1 2 3 0 2 3;;"
+      })
+  void linesNeedNotBeThoseOfVerticesAndFaces(String text) throws ModelFormatException {
+    Model model = off(text).read();
+    assertThat(model.warnings()).isEmpty();
+    ModelGeometry mesh = model.parts().get(0).geometry();
+    assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+    assertThat(mesh.indices()).containsExactly(0, 1, 2, 0, 2, 3);
+    assertThat(mesh.colors()).isEmpty();
+  }
+
+  @Test
+  void attributesNeedNotBeOnOneLine() throws ModelFormatException {
+    Model model = off("OFF;4 2 0;" + SQUARE + "3 0;1 2 255 0 0;3 0 2 3 0 255 0;").read();
+    assertThat(model.warnings()).isEmpty();
+    assertThat(model.parts().get(0).geometry().colors()).startsWith(1, 0, 0, 1);
+    for (String color : new String[] {"0 51 0", "0 51 0 255"}) {
+      String text = "COFF 3 1 0 0 0 0 %s 1 0 0 %s 0 1 0 %s 3 0 1 2";
+      ModelGeometry mesh = off(text.formatted(color, color, color)).geometry();
+      assertThat(mesh.colors()).startsWith(0, linear(.2), 0, 1);
+      assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 0, 1, 0);
+    }
+    String all =
+        "STCNOFF 3 1 0 0 0 0 0 0 1 1 0 0 1 0 1 1 0 0 0 0 1 1 0 0 1 1 1"
+            + " 0 1 0 0 0 1 1 0 0 1 .5 .5";
+    ModelGeometry mesh = off(all + " 3 0 1 2").geometry();
+    assertThat(mesh.normals()).containsExactly(0, 0, 1, 0, 0, 1, 0, 0, 1);
+    assertThat(mesh.uv0()).containsExactly(0, 1, 1, 1, .5, .5);
+  }
+
   @Test
   void materialIsLightGray() throws ModelFormatException {
     ModelPart part = off("OFF;4 1 0;" + SQUARE + "4 0 1 2 3;").part();
