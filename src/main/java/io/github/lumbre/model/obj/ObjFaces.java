@@ -11,7 +11,8 @@ import java.util.Arrays;
 /**
  * Reads the vertices and faces of an OBJ text: {@code v}, {@code vt}, {@code vn} and {@code f}.
  * Polygons become triangle fans. If a file has no {@code vt} or no {@code vn}, indices into that
- * list are ignored; otherwise they are checked. Mutable.
+ * list are ignored; otherwise they are checked: in models, wrong ones of {@code vt} and {@code vn}
+ * are as none. Mutable.
  */
 final class ObjFaces {
   private static final int POSITION = 0;
@@ -199,7 +200,13 @@ final class ObjFaces {
       return NONE;
     }
     int found = index > 0 ? index - 1 : counts[list] + index;
-    if (found < 0 || found >= totals[list]) {
+    boolean isInList = found >= 0 && found < totals[list];
+    if (!isInList && isModel && list != POSITION) {
+      String things = list == UV ? "texture coordinates" : "normals";
+      tally.add("ignored indices of " + things + " beyond their list", scanner.location());
+      return NONE;
+    }
+    if (!isInList) {
       throw scanner.error(
           "expected "
               + (list == POSITION ? "a vertex" : list == UV ? "a vt" : "a vn")

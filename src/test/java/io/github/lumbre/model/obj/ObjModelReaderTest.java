@@ -43,6 +43,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the reading of OBJ files with objects, groups and materials. */
 class ObjModelReaderTest {
@@ -96,6 +97,27 @@ class ObjModelReaderTest {
     assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(new Rgb(1, 0, 0));
     assertThat(part.material().input(BASE_COLOR).texture().orElseThrow().image().location())
         .isEqualTo("b/t.png");
+  }
+
+  /** The corners of such a face are as those without a normal; its triangle is flat. */
+  @ParameterizedTest
+  @ValueSource(strings = {"1//1 3//2 4//1", "1//-1 3//-2 4//-1"})
+  void normalsBeyondTheirListAreAsNone(String face) throws ModelFormatException {
+    Model model = obj("vn 0 0 -1;f 1//1 2//1 3//1;f " + face).read();
+    double[] normals = model.parts().get(0).geometry().normals();
+    assertThat(normals).startsWith(0, 0, -1).endsWith(0, 0, 1);
+    assertThat(model.warnings())
+        .containsExactly("line 7: ignored indices of normals beyond their list: 1");
+  }
+
+  @Test
+  void textureCoordinatesBeyondTheirListAreAsNone() throws ModelFormatException {
+    Model model = obj("vt .5 .25;f 1/1 2/7 3/-2").read();
+    ModelGeometry mesh = model.parts().get(0).geometry();
+    assertThat(mesh.uv0()).containsExactly(0, 0, 1, 0, 0, 1);
+    assertThat(model.warnings())
+        .containsExactly("line 6: ignored indices of texture coordinates beyond their list: 2");
+    assertThat(obj("f 1 2 5").refusal()).contains("expected a vertex from 1 to 4, found 5");
   }
 
   @Test
