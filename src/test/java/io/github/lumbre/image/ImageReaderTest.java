@@ -306,13 +306,21 @@ class ImageReaderTest {
     assertMalformed(file, "PNG ends too early");
   }
 
+  /** What ends a file has no pixels. */
   @Test
-  void everyTruncationIsMalformed() throws IOException {
-    for (byte[] file :
-        new byte[][] {png(9, 9, 8, PngFixture.RGB, true), jpeg(BufferedImage.TYPE_INT_RGB)}) {
-      for (int length = 0; length < file.length; length++) {
-        byte[] part = Arrays.copyOf(file, length);
+  void everyTruncationOfPixelsIsMalformed() throws IOException {
+    everyTruncation(png(9, 9, 8, PngFixture.RGB, true), 12);
+    everyTruncation(jpeg(BufferedImage.TYPE_INT_RGB), 2);
+  }
+
+  private static void everyTruncation(byte[] file, int end) throws IOException {
+    Pixels whole = ImageReader.decode(file);
+    for (int length = 0; length < file.length; length++) {
+      byte[] part = Arrays.copyOf(file, length);
+      if (length < file.length - end) {
         assertRefused(part, ImageFormatException.Kind.MALFORMED, "");
+      } else {
+        assertSame(ImageReader.decode(part), whole);
       }
     }
   }
@@ -405,13 +413,12 @@ class ImageReaderTest {
   }
 
   @Test
-  void aFileWithoutEndIsMalformed() {
-    byte[] file =
-        new PngFixture()
-            .header(1, 1, 8, PngFixture.RGB, false)
-            .data(1, 1, 8, PngFixture.RGB, false, noise(8))
-            .unfinished();
-    assertMalformed(file, "PNG is truncated");
+  void aFileWithoutEndHasAllPixels() throws IOException {
+    PngFixture rows = new PngFixture().header(4, 2, 8, PngFixture.RGB, false);
+    byte[] half = rows.data(4, 1, 8, PngFixture.RGB, false, noise(8)).unfinished();
+    assertMalformed(half, "PNG ends too early");
+    byte[] header = new PngFixture().header(1, 1, 8, PngFixture.RGB, false).unfinished();
+    assertMalformed(header, "PNG is truncated");
   }
 
   @Test

@@ -17,8 +17,8 @@ import java.nio.charset.StandardCharsets;
  * @param height in pixels
  * @param components number of color components
  * @param adobe color transform in the Adobe marker, or -1 if there is no such marker
- * @param content the file without color profiles, previews and comments, and with a JFIF marker if
- *     the three components are YCbCr
+ * @param content the file without color profiles, previews and comments, with an end marker, and
+ *     with a JFIF marker if the three components are YCbCr
  */
 public record JpegFile(int width, int height, int components, int adobe, byte[] content) {
   private static final int YCCK = 2;
@@ -26,6 +26,7 @@ public record JpegFile(int width, int height, int components, int adobe, byte[] 
     (byte) 0xff, (byte) 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0
   };
   private static final int START_OF_SCAN = 0xda;
+  private static final byte[] END = {(byte) 0xff, (byte) 0xd9};
 
   public static boolean startsIn(byte[] file) {
     return file.length >= 3 && unsigned(file, 0) == 0xffd8 && file[2] == (byte) 0xff;
@@ -42,6 +43,7 @@ public record JpegFile(int width, int height, int components, int adobe, byte[] 
     ByteBuffer frame = ByteBuffer.allocate(0);
     boolean jfif = false;
     int adobe = -1;
+    int kind = 0;
     int at = 2;
     while (true) {
       at = skipFill(file, at);
@@ -49,6 +51,7 @@ public record JpegFile(int width, int height, int components, int adobe, byte[] 
       int length = segmentLength(file, at);
       if (isFrame(marker)) {
         frame = frame(file, at, length);
+        kind = marker;
       }
       jfif |= marker == 0xe0 && hasText(file, at, length, "JFIF\0");
       boolean isAdobe = marker == 0xee && hasText(file, at, length, "Adobe") && length >= 14;
@@ -64,8 +67,9 @@ public record JpegFile(int width, int height, int components, int adobe, byte[] 
     if (frame.limit() == 0) {
       throw malformed("JPEG has no header");
     }
-    JpegScans.check(file, at);
+    boolean hasEnd = JpegScans.check(file, at, new JpegCoverage(frame, kind));
     kept.write(file, at, file.length - at);
+    kept.writeBytes(hasEnd ? new byte[0] : END);
     return of(frame, jfif, adobe, kept.toByteArray());
   }
 
@@ -195,13 +199,16 @@ public record JpegFile(int width, int height, int components, int adobe, byte[] 
     private JpegScans() {}
 
     /**
-     * Checks the number of scans.
+     * Checks the scans, and returns whether an end marker follows them. Without one, the scans have
+     * to hold the whole picture; decoding finds out whether the data of the last one are cut off.
      *
      * @param from position of the first scan's marker
+     * @param coverage receives the scans
      * @throws ImageFormatException if there are more than {@link #MAX_SCANS}, or the file ends
      *     before the picture does, in which case libraries would fill the rest with gray
      */
-    static void check(byte[] file, int from) throws ImageFormatException {
+    static boolean check(byte[] file, int from, JpegCoverage coverage)
+        throws ImageFormatException {
       int scans = 0;
       int at = from;
       while (at + 1 < file.length) {
@@ -210,15 +217,23 @@ public record JpegFile(int width, int height, int components, int adobe, byte[] 
           at++;
         } else if (marker == END_OF_IMAGE) {
           requireFew(scans);
-          return;
+          return true;
         } else if (isAlone(marker)) {
           at += 2;
         } else {
-          scans += marker == START_OF_SCAN ? 1 : 0;
-          at += 2 + length(file, at + 2);
+          int length = length(file, at + 2);
+          if (marker == START_OF_SCAN && at + 2 + length <= file.length) {
+            scans++;
+            coverage.add(ByteBuffer.wrap(file, at + 4, length - 2).slice());
+          }
+          at += 2 + length;
         }
       }
-      throw malformed("JPEG is truncated");
+      if (at > file.length || !coverage.isComplete()) {
+        throw malformed("JPEG is truncated");
+      }
+      requireFew(scans);
+      return false;
     }
 
     private static void requireFew(int scans) throws ImageFormatException {

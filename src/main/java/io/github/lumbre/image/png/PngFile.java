@@ -25,7 +25,7 @@ import java.util.zip.Inflater;
  * @param isInterlaced whether the pixels are stored in seven passes
  * @param palette red, green and blue of each index; empty without a palette
  * @param transparency of colors
- * @param file the bytes of the file
+ * @param file the bytes of the file, with an end chunk
  */
 public record PngFile(
     int width,
@@ -52,6 +52,9 @@ public record PngFile(
 
   static final int FRAME_BYTES = 12;
 
+  /** The checksum of a chunk that ends a file. */
+  private static final int END_SUM = 0xae426082;
+
   /**
    * The largest number of bytes that one byte of deflated data can inflate to (zlib technical
    * notes).
@@ -75,7 +78,8 @@ public record PngFile(
    * @throws ImageFormatException if the chunks are damaged, or the picture exceeds the limits or is
    *     larger than its data can hold
    */
-  private static PngFile read(byte[] file) throws ImageFormatException {
+  private static PngFile read(byte[] stored) throws ImageFormatException {
+    byte[] file = ended(stored);
     ByteBuffer in = ByteBuffer.wrap(file);
     ByteBuffer header = header(file);
     int width = header.getInt();
@@ -137,8 +141,8 @@ public record PngFile(
    *
    * @throws ImageFormatException if the file is damaged
    */
-  public static Map<String, String> texts(byte[] file) throws ImageFormatException {
-    read(file);
+  public static Map<String, String> texts(byte[] stored) throws ImageFormatException {
+    byte[] file = read(stored).file;
     ByteBuffer in = ByteBuffer.wrap(file).position(Long.BYTES);
     Map<String, String> texts = new LinkedHashMap<>();
     while (in.getInt(in.position() + 4) != IEND) {
@@ -161,6 +165,38 @@ public record PngFile(
       in.position(start + length + FRAME_BYTES);
     }
     return texts;
+  }
+
+  /**
+   * Returns a file with an end chunk. One without it, or with a part of it, may have all pixels,
+   * which decoding finds out.
+   *
+   * @throws ImageFormatException if the last chunk of such a file is damaged
+   */
+  private static byte[] ended(byte[] file) throws ImageFormatException {
+    ByteBuffer in = ByteBuffer.wrap(file);
+    int last = Long.BYTES;
+    int at = Long.BYTES;
+    boolean hasPixels = false;
+    while (file.length - at >= FRAME_BYTES && in.getInt(at + 4) != IEND) {
+      long next = (long) at + (in.getInt(at) & 0xffffffffL) + FRAME_BYTES;
+      if (next > file.length) {
+        return file;
+      }
+      hasPixels |= in.getInt(at + 4) == IDAT;
+      last = at;
+      at = (int) next;
+    }
+    if (!hasPixels || file.length - at >= FRAME_BYTES) {
+      return file;
+    }
+    checkSum(file, last, in.getInt(last));
+    return ByteBuffer.allocate(at + FRAME_BYTES)
+        .put(file, 0, at)
+        .putInt(0)
+        .putInt(IEND)
+        .putInt(END_SUM)
+        .array();
   }
 
   private static ByteBuffer header(byte[] file) throws ImageFormatException {

@@ -8,9 +8,16 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.jpeg.JpegFixture.Values;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.SplittableRandom;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.stream.ImageOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -192,10 +199,74 @@ class JpegFileTest {
         new JpegFixture().segment(0xc1, frame).end(), "JPEG has 12 bits a channel, expected 8");
   }
 
-  /** A single byte of the end marker does not end the data. */
+  private static JpegFixture sound() {
+    return new JpegFixture().header(3, 2, NUMBERS).scan(3, 2, NUMBERS, VALUES);
+  }
+
   @Test
-  void dataWithoutAnEndAreTruncated() {
-    JpegFixture file = new JpegFixture().header(1, 1, NUMBERS).scan(1, 1, NUMBERS, VALUES);
-    assertMalformed(file.bytes(0x12, 0xd9, 0xff, 0).unfinished(), "JPEG is truncated");
+  void theEndMarkerMayBeMissing() throws ImageFormatException {
+    Pixels whole = ImageReader.decode(sound().end());
+    byte[] data = sound().unfinished();
+    assertSame(ImageReader.decode(data), whole);
+    assertSame(ImageReader.decode(sound().bytes(0xff).unfinished()), whole);
+    for (int length = 0; length < data.length; length++) {
+      byte[] cut = Arrays.copyOf(data, length);
+      assertThatThrownBy(() -> ImageReader.decode(cut)).isInstanceOf(ImageFormatException.class);
+    }
+  }
+
+  private static void assertSame(Pixels found, Pixels expected) {
+    for (int y = 0; y < expected.height(); y++) {
+      for (int x = 0; x < expected.width(); x++) {
+        for (int c = 0; c < 3; c++) {
+          assertThat(found.raw(x, y, c)).isEqualTo(expected.raw(x, y, c));
+        }
+      }
+    }
+  }
+
+  /** A scan that is missing would leave a color or a detail out. */
+  @Test
+  void aMissingScanIsNotPassedOver() {
+    JpegFixture one = new JpegFixture().header(1, 1, NUMBERS).scan(1, 1, "\1", VALUES);
+    assertMalformed(one.unfinished(), "JPEG is truncated");
+    assertMalformed(one.bytes(0x12, 0xd9, 0xff, 0).unfinished(), "JPEG is truncated");
+  }
+
+  @Test
+  void everyScanOfAProgressivePictureIsNeeded() throws IOException {
+    byte[] file = progressive();
+    Pixels whole = ImageReader.decode(file);
+    int accepted = 0;
+    for (int length = 2; length < file.length; length++) {
+      byte[] cut = Arrays.copyOf(file, length);
+      try {
+        assertSame(ImageReader.decode(cut), whole);
+        accepted++;
+      } catch (ImageFormatException e) {
+        assertThat(length).isLessThan(file.length - 1);
+      }
+    }
+    assertThat(accepted).isEqualTo(2);
+  }
+
+  /** Returns a small progressive picture with several scans. */
+  private static byte[] progressive() throws IOException {
+    BufferedImage picture = new BufferedImage(24, 16, BufferedImage.TYPE_INT_RGB);
+    SplittableRandom random = new SplittableRandom(5);
+    for (int i = 0; i < 24 * 16; i++) {
+      picture.setRGB(i % 24, i / 24, random.nextInt());
+    }
+    javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+    ImageWriteParam param = writer.getDefaultWriteParam();
+    param.setProgressiveMode(ImageWriteParam.MODE_DEFAULT);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (ImageOutputStream stream = ImageIO.createImageOutputStream(out)) {
+      writer.setOutput(stream);
+      writer.write(null, new IIOImage(picture, null, null), param);
+    } finally {
+      writer.dispose();
+    }
+    return out.toByteArray();
   }
 }
