@@ -169,6 +169,15 @@ class ModelCommandsTest {
     assertSame("a.pfm", "b.pfm");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"14:00+0200", "14:00+02", "12:00:00z", "06:30:00.0-0530"})
+  void zonesOfTimesHaveTheFormsOfIso(String time) throws IOException {
+    String flags = " --sky sun --sun 48.1,11.6@2026-06-21T";
+    runs("import T/sample.glb -o T/a.json" + flags + "14:00+02:00");
+    runs("import T/sample.glb -o T/b.json" + flags + time);
+    assertSame("a.json", "b.json");
+  }
+
   @Test
   void flagsChangeThePicture() throws IOException {
     runs("render T/sample.glb -o T/a.pfm" + SMALL);

@@ -14,6 +14,8 @@ import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import io.github.lumbre.scene.Setting;
 import java.lang.reflect.Field;
 import java.time.OffsetDateTime;
+import java.time.format.DateTimeFormatter;
+import java.time.format.DateTimeFormatterBuilder;
 import java.time.format.DateTimeParseException;
 import java.util.HashSet;
 import java.util.List;
@@ -30,6 +32,14 @@ import picocli.CommandLine.ParameterException;
 @Command(optionListHeading = Headings.MODEL)
 public final class ModelFlags extends Flags {
   private static final String TRANSPARENT = "transparent";
+
+  /** A time with a zone in the forms of ISO 8601: Z, +02:00, +0200 and +02. */
+  private static final DateTimeFormatter TIME =
+      new DateTimeFormatterBuilder()
+          .parseCaseInsensitive()
+          .append(DateTimeFormatter.ISO_LOCAL_DATE_TIME)
+          .appendPattern("[XXX][X]")
+          .toFormatter(Locale.ROOT);
 
   @Option(
       names = "--camera",
@@ -325,7 +335,7 @@ public final class ModelFlags extends Flags {
 
   private View sunAt(double latitude, double longitude, String time) {
     try {
-      return Sky.sunAt(latitude, longitude, OffsetDateTime.parse(time).toInstant());
+      return Sky.sunAt(latitude, longitude, OffsetDateTime.parse(time, TIME).toInstant());
     } catch (DateTimeParseException e) {
       throw failure("--sun: expected a time such as 2026-06-21T12:00Z, found " + time);
     } catch (IllegalArgumentException e) {

@@ -7,8 +7,9 @@ import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.internal.TextScanner;
 import io.github.lumbre.model.internal.Warnings;
 import io.github.lumbre.text.PrintableText;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Reads photometric files of lamps: IES LM-63 of 1986, 1991, 1995, 2002 and 2019, with type C
@@ -18,6 +19,10 @@ import java.util.Optional;
 public final class IesReader {
   /** The largest number of vertical, and of horizontal, angles; a file has at most 361. */
   static final int MAX_ANGLES = 1024;
+
+  /** The last line of the header, with or without blanks. */
+  private static final Pattern TILT =
+      Pattern.compile("TILT *= *(.*?) *", Pattern.CASE_INSENSITIVE);
 
   private static final String[] TYPES = {"C", "B", "A"};
 
@@ -79,15 +84,15 @@ public final class IesReader {
   private void readHeader() throws ModelFormatException {
     String first = scanner.nextWord() ? scanner.word() : "";
     hasBallastLampFactor = !first.startsWith("IESNA:") && !first.startsWith("IES:");
-    String word = first;
-    while (!word.toUpperCase(Locale.ROOT).startsWith("TILT=")) {
+    Matcher line = TILT.matcher(restOfLine(first));
+    while (!line.matches()) {
       if (!scanner.hasMore()) {
         throw scanner.error("expected a line TILT=NONE of an IES file (LM-63), found its end");
       }
       scanner.endLine();
-      word = scanner.nextWord() ? scanner.word() : "";
+      line.reset(scanner.nextWord() ? restOfLine(scanner.word()) : "");
     }
-    String tilt = word.length() > 5 ? word.substring(5) : scanner.remainingWords();
+    String tilt = line.group(1);
     String location = scanner.location();
     scanner.endLine();
     if (tilt.equalsIgnoreCase("NONE")) {
@@ -104,6 +109,12 @@ public final class IesReader {
         next(i < pairs ? "a tilt" : "the factor of a tilt");
       }
     }
+  }
+
+  /** Returns the rest of a line with its first word, if that may state the tilt. */
+  private String restOfLine(String word) {
+    boolean mayBe = word.regionMatches(true, 0, "TILT", 0, 4);
+    return mayBe ? word + " " + scanner.remainingWords() : "";
   }
 
   /** Checks that the rest of the file can have as many numbers as it should. */

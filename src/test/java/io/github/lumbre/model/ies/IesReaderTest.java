@@ -17,6 +17,7 @@ import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the reading of photometric files of lamps. */
 class IesReaderTest {
@@ -63,6 +64,16 @@ class IesReaderTest {
         .containsExactly(
             "line 5: the tilts are ignored, so that a tilted lamp is as bright as an upright one,"
                 + " found TILT=\"INCLUDE\"");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"TILT = NONE", "TILT =NONE", "tilt\t=\tNone ", "TILT= NONE\r"})
+  void blanksAroundTheTiltHaveNoMeaning(String line) {
+    LightProfile lamp = read(IesSamples.OLD.replace("TILT=NONE", line));
+    assertThat(lamp.intensity(direction(0, 7))).isCloseTo(25, within(1e-12));
+    assertThat(warnings.all()).isEmpty();
+    assertThat(read(IesSamples.FULL.replace("TILT=INCLUDE", "TILT = INCLUDE")).largest())
+        .isEqualTo(180);
   }
 
   @Test
