@@ -1,13 +1,33 @@
 package io.github.lumbre.file;
 
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.zip.GZIPInputStream;
 
 /** Recognizes the format of a file by its first bytes, for messages. Stateless. */
 public final class FileContent {
   /** The number of first bytes that are looked at. */
   public static final int START = 4096;
+
+  private static final int LONGEST_MARK = 64;
+
+  /** The offset of the name of an archive's first file. */
+  private static final int NAME = 30;
+
+  /** The group code 0 and its first value, perhaps after comments, whose code is 999. */
+  private static final Pattern DXF =
+      Pattern.compile("(999\\s*\\R[^\\r\\n]*\\R\\s*)*0\\s*\\R\\s*SECTION\\b");
+
+  private static final Pattern PCD =
+      Pattern.compile("(#[^\\r\\n]*\\R\\s*)*VERSION\\s+[.\\d]+\\s*\\RFIELDS\\s");
+
+  private static final Pattern IFC = Pattern.compile("FILE_SCHEMA\\s*\\(\\s*\\(\\s*'IFC");
 
   /**
    * What files of a kind begin with.
@@ -33,6 +53,7 @@ public final class FileContent {
   }
 
   private static final String MTL = "MTL, the materials of an OBJ file";
+  private static final String BLENDER = "a Blender file";
   private static final String LFS = "a Git LFS pointer instead of the file";
 
   private static final List<Kind> KINDS =
@@ -68,10 +89,18 @@ public final class FileContent {
           new Kind("; FBX", "FBX"),
           new Kind("PXR-USDC", "USD"),
           new Kind("#usda", "USD"),
-          new Kind("BLENDER", "a Blender file"),
+          new Kind("BLENDER", BLENDER),
           new Kind("DRACO", "Draco"),
           new Kind("Ogawa", "Alembic"),
-          new Kind("ISO-10303-21", "STEP"),
+          new Kind("AutoCAD Binary DXF", "DXF"),
+          new Kind("AC10", "DWG"),
+          new Kind("# .PCD", "PCD"),
+          new Kind("LASF", "LAS"),
+          new Kind("# vtk DataFile", "VTK"),
+          new Kind("b3dm", "B3DM"),
+          new Kind("i3dm", "I3DM"),
+          new Kind("cmpt", "CMPT"),
+          new Kind("pnts", "PNTS"),
           new Kind("#VRML", "VRML"),
           new Kind("3D Geometry File Format", "a Rhino file"),
           new Kind("xof ", "a DirectX model"),
@@ -79,7 +108,6 @@ public final class FileContent {
           new Kind("MM....\u0002\u0000", "3DS"),
           new Kind("%PDF", "PDF"),
           new Kind("LUMBRE-FILM", "a checkpoint file"),
-          new Kind("\u001f\u008b", "a gzip archive"),
           new Kind("\u0028\u00b5\u002f\u00fd", "a Zstandard archive"),
           new Kind("7z\u00bc\u00af", "a 7-Zip archive"),
           new Kind("Rar!", "a RAR archive"),
@@ -102,6 +130,10 @@ public final class FileContent {
     if (new Kind("PK\u0003\u0004", "").isIn(start)) {
       return Optional.of(archive(text(start)));
     }
+    if (new Kind("\u001f\u008b", "").isIn(start)) {
+      boolean isBlender = describe(unpacked(start)).equals(Optional.of(BLENDER));
+      return Optional.of(isBlender ? "a compressed Blender file" : "a gzip archive");
+    }
     return ofText(text(start));
   }
 
@@ -115,6 +147,7 @@ public final class FileContent {
       case LFS -> found + "; fetch it with git lfs pull";
       case "an HTML page" -> found + "; download the file itself";
       case "a checkpoint file" -> found + "; resume it";
+      case "PCD", "LAS", "PNTS" -> found + "; convert it to PLY";
       case "an empty file", "JSON", "XML", "PDF", "a video", "another kind of file" -> found;
       default -> found + (found.endsWith(" archive") ? "; unpack it" : "; export it to GLB");
     };
@@ -125,10 +158,24 @@ public final class FileContent {
     return new String(start, 0, Math.min(start.length, START), StandardCharsets.ISO_8859_1);
   }
 
+  /** Returns the first bytes of what a gzip archive holds; none if it is damaged. */
+  private static byte[] unpacked(byte[] start) {
+    try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(start))) {
+      return in.readNBytes(LONGEST_MARK);
+    } catch (IOException e) {
+      return new byte[0];
+    }
+  }
+
   /** Returns the kind of a ZIP archive by the names of its first files. */
   private static String archive(String text) {
     if (text.contains(".usd")) {
       return "USDZ";
+    }
+    int length = text.length() < NAME ? 0 : text.charAt(NAME - 4) | text.charAt(NAME - 3) << 8;
+    String first = text.substring(Math.min(NAME, text.length())).toLowerCase(Locale.ROOT);
+    if (first.startsWith(".amf", length - 4) || first.startsWith(".ifc", length - 4)) {
+      return first.startsWith(".amf", length - 4) ? "AMF" : "IFC";
     }
     return text.contains("3D/3dmodel.model") || text.contains("3dmanufacturing")
         ? "3MF"
@@ -147,6 +194,15 @@ public final class FileContent {
     if (begin.matches("(?s)(#[^\\n]*\\n\\s*)*[STCN4n]*OFF[\\s\\d].*")) {
       return Optional.of("OFF");
     }
+    if (begin.startsWith("ISO-10303-21")) {
+      return Optional.of(IFC.matcher(begin).find() ? "IFC" : "STEP");
+    }
+    if (DXF.matcher(begin).lookingAt()) {
+      return Optional.of("DXF");
+    }
+    if (PCD.matcher(begin).lookingAt()) {
+      return Optional.of("PCD");
+    }
     if (begin.matches("(?s)solid\\b.*?\\bfacet\\b.*")) {
       return Optional.of("STL");
     }
@@ -162,6 +218,15 @@ public final class FileContent {
     }
     if (text.contains("<X3D")) {
       return "X3D";
+    }
+    if (text.contains("<VTKFile")) {
+      return "VTK";
+    }
+    if (text.contains("<amf")) {
+      return "AMF";
+    }
+    if (text.contains("<ifcXML") || text.contains("buildingsmart-tech.org/ifc")) {
+      return "IFC";
     }
     if (text.contains("<svg")) {
       return "an SVG picture";

@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.model.threemf.ThreeMfSample;
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -145,6 +148,23 @@ class FileKindsTest {
         "a.dae|<?xml version='1.0'?><COLLADA>|COLLADA; export it to GLB",
         "a.blend|BLENDER-v300|a Blender file; export it to GLB",
         "a.step|ISO-10303-21;|STEP; export it to GLB",
+        "a.ifc|ISO-10303-21;\\nHEADER;\\nFILE_SCHEMA (('IFC4'));|IFC; export it to GLB",
+        "b.ifc|<?xml version='1.0'?><ifcXML>|IFC; export it to GLB",
+        "a.ifczip|PK\\3\\4......................\\5\\0..a.ifc|IFC; export it to GLB",
+        "a.dxf|  0\\r\\nSECTION\\r\\n  2\\r\\nHEADER\\r\\n|DXF; export it to GLB",
+        "b.dxf|999\\nby a program\\n0\\nSECTION\\n2\\nENTITIES|DXF; export it to GLB",
+        "c.dxf|AutoCAD Binary DXF\\r\\n\\032\\0|DXF; export it to GLB",
+        "a.dwg|AC1027\\0\\0|DWG; export it to GLB",
+        "a.pcd|# .PCD v0.7 - Point Cloud Data\\nVERSION 0.7\\n|PCD; convert it to PLY",
+        "b.pcd|VERSION .7\\nFIELDS x y z\\n|PCD; convert it to PLY",
+        "a.las|LASF\\0\\0|LAS; convert it to PLY",
+        "a.vtk|# vtk DataFile Version 3.0\\nmesh\\nASCII|VTK; export it to GLB",
+        "a.vtp|<?xml version='1.0'?><VTKFile type='PolyData'>|VTK; export it to GLB",
+        "a.amf|<?xml version='1.0'?>\\n<amf unit='inch'>|AMF; export it to GLB",
+        "b.amf|PK\\3\\4......................\\5\\0..a.amf|AMF; export it to GLB",
+        "a.b3dm|b3dm\\1\\0\\0\\0|B3DM; export it to GLB",
+        "a.pnts|pnts\\1\\0\\0\\0|PNTS; convert it to PLY",
+        "a.gz|\\037\\213\\10\\0|a gzip archive; unpack it",
         "a.mtl|# Blender\\nnewmtl red\\n|MTL, the materials of an OBJ file; name that file",
         "a.glb.html|<!DOCTYPE html><html>|an HTML page; download the file itself",
         "a.tga|\\0\\0\\2........|another kind of file",
@@ -168,6 +188,17 @@ class FileKindsTest {
     render(file).assertFailed(ExitCodes.SCENE, name + ": " + message + found);
     Outcome.of("check", file.toString())
         .assertFailed(ExitCodes.SCENE, name + ": " + message + found);
+  }
+
+  @Test
+  void aCompressedBlenderFileIsNamed() throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (OutputStream packed = new GZIPOutputStream(out)) {
+      packed.write("BLENDER-v279".getBytes(StandardCharsets.US_ASCII));
+      packed.write(new byte[100_000]);
+    }
+    render(Files.write(folder.resolve("a.blend"), out.toByteArray()))
+        .assertFailed(ExitCodes.SCENE, "found a compressed Blender file; export it to GLB");
   }
 
   @ParameterizedTest
