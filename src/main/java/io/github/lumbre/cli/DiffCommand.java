@@ -163,7 +163,7 @@ final class DiffCommand extends Subcommand {
       return ModelReader.read(
           path.getFileName().toString(),
           Files.readAllBytes(path),
-          ModelFolder.of(path.toAbsolutePath().getParent()),
+          ModelFolder.of(path.toAbsolutePath().getParent(), stage.options().assets()),
           stage.options().lenient(true));
     } catch (ModelFormatException e) {
       Kind kind =

@@ -70,6 +70,9 @@ final class ImportCommand extends Subcommand {
     require(
         !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
         "--labels: cannot be used; a scene file holds no labels");
+    require(
+        !spec.commandLine().getParseResult().hasMatchedOption("--assets"),
+        "--assets: cannot be used; a scene may use only files in its own folder or below");
     Stage stage = flags.stage();
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : stage.files(model)) {

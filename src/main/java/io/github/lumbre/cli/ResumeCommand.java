@@ -111,6 +111,14 @@ final class ResumeCommand extends Subcommand {
       description = "Scene file, if it has moved (as before).")
   private Optional<Path> scene;
 
+  @Option(
+      names = "--assets",
+      paramLabel = "DIR",
+      description =
+          "Further folder from which files of the model may come, as when rendering began."
+              + " Repeatable.")
+  private List<Path> assets = List.of();
+
   @Mixin private final SettingFlags work = new SettingFlags("", Group.EXECUTION);
 
   @Mixin private final BudgetFlags budgets = new BudgetFlags();
@@ -264,7 +272,7 @@ final class ResumeCommand extends Subcommand {
                     work.override(settings);
                   }),
               budgets.time());
-      SceneFile file = notes.read(parser, path);
+      SceneFile file = notes.read(parser.withAssets(assets), path);
       requireSameFiles(notes, header, file, path);
       requireSame(header, file, path);
       run.errors().warnings(file.warnings());
@@ -290,7 +298,8 @@ final class ResumeCommand extends Subcommand {
             + ": "
             + what
             + " changed since the checkpoint file was created; to resume, restore the files, or"
-            + " name an unchanged copy of the scene with --scene COPY");
+            + " name an unchanged copy of the scene with --scene COPY"
+            + (notes.sceneText(path).isPresent() ? ", or folders of its files with --assets" : ""));
   }
 
   private void requireSame(FilmHeader header, SceneFile file, Path path) throws TaskException {

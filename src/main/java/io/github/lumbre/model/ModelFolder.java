@@ -1,5 +1,6 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.model.internal.NamedFiles;
 import io.github.lumbre.text.PrintableText;
@@ -11,7 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Reads the files that a model names: those in the model's own folder and below. */
+/** Reads the files that a model names: those in the folders that it may use, and below. */
 @FunctionalInterface
 public interface ModelFolder {
   /** A folder without files. */
@@ -24,7 +25,18 @@ public interface ModelFolder {
 
   /** Returns access to the files in a folder and below. */
   static ModelFolder of(Path folder) {
-    return new FileFolder(folder.toAbsolutePath().normalize());
+    return of(folder, List.of());
+  }
+
+  /**
+   * Returns access to the files in a folder and below, and in further folders and below. Links are
+   * resolved first; what then lies in none of them is refused.
+   *
+   * @param folder of the model, in which names start
+   * @param assets further folders, in which files that are missing are searched, too
+   */
+  static ModelFolder of(Path folder, List<Path> assets) {
+    return new FileFolder(new AllowedFolders(folder.toAbsolutePath().normalize(), assets));
   }
 
   /**

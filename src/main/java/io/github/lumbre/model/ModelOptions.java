@@ -7,6 +7,7 @@ import io.github.lumbre.model.section.Section;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -39,6 +40,9 @@ import java.util.stream.IntStream;
  * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
  *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
  *     pictures of a model that is rendered by itself
+ * @param assets folders, besides that of the model, from which files that it names may come; see
+ *     {@link ModelFolder#of(Path, List)}. They have no effect if the bytes of the
+ *     limits are limited, as those of uploads are, or if the caller passes a {@link ModelFolder}
  */
 public record ModelOptions(
     Optional<Pose> pose,
@@ -51,7 +55,8 @@ public record ModelOptions(
     List<String> sections,
     String look,
     Limits limits,
-    boolean lenient) {
+    boolean lenient,
+    List<Path> assets) {
   /** The look of matte, light gray surfaces. Cut-outs stay cut out; glass is opaque, too. */
   public static final String CLAY = "clay";
 
@@ -71,7 +76,8 @@ public record ModelOptions(
           List.of(),
           "",
           Limits.NONE,
-          false);
+          false,
+          List.of());
 
   private static final double QUARTER_TURN_DEGREES = 90;
 
@@ -135,6 +141,7 @@ public record ModelOptions(
     sections = List.copyOf(sections);
     sections.forEach(Section::of);
     Objects.requireNonNull(limits, "limits");
+    assets = List.copyOf(assets);
     if (!List.of("", CLAY, WHITE).contains(look)) {
       throw new IllegalArgumentException("look: expected clay or white, found " + look);
     }
@@ -161,7 +168,8 @@ public record ModelOptions(
         List.of(),
         "",
         Limits.NONE,
-        false);
+        false,
+        List.of());
   }
 
   /** Returns these options with the motion of their pose by the shutter and poses of settings. */
@@ -182,18 +190,41 @@ public record ModelOptions(
         sections,
         look,
         limits,
-        lenient);
+        lenient,
+        assets);
   }
 
   private ModelOptions with(OptionalDouble radius, Limits newLimits, boolean isLenient) {
     return new ModelOptions(
-        pose, variant, up, unit, radius, hidden, highlighted, sections, look, newLimits, isLenient);
+        pose,
+        variant,
+        up,
+        unit,
+        radius,
+        hidden,
+        highlighted,
+        sections,
+        look,
+        newLimits,
+        isLenient,
+        assets);
   }
 
   private ModelOptions showing(
       List<String> hide, List<String> highlight, List<String> cut, String newLook) {
     return new ModelOptions(
-        pose, variant, up, unit, pointRadius, hide, highlight, cut, newLook, limits, lenient);
+        pose,
+        variant,
+        up,
+        unit,
+        pointRadius,
+        hide,
+        highlight,
+        cut,
+        newLook,
+        limits,
+        lenient,
+        assets);
   }
 
   /** Returns these options with another up axis and unit; empty for those of the file. */
@@ -209,7 +240,8 @@ public record ModelOptions(
         sections,
         look,
         limits,
-        lenient);
+        lenient,
+        assets);
   }
 
   /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
@@ -249,6 +281,23 @@ public record ModelOptions(
   /** Returns these options, lenient or not. */
   public ModelOptions lenient(boolean isLenient) {
     return with(pointRadius, limits, isLenient);
+  }
+
+  /** Returns these options with further folders of files; see {@link #assets}. */
+  public ModelOptions withAssets(List<Path> folders) {
+    return new ModelOptions(
+        pose,
+        variant,
+        up,
+        unit,
+        pointRadius,
+        hidden,
+        highlighted,
+        sections,
+        look,
+        limits,
+        lenient,
+        folders);
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

@@ -1,6 +1,8 @@
 package io.github.lumbre.model;
 
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.internal.AllowedFolders;
+import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelLimits;
@@ -48,8 +50,8 @@ public final class Models {
   public static ModelFile read(Path file, ModelOptions options)
       throws ModelFormatException, IOException {
     Path parent = file.toAbsolutePath().normalize().getParent();
-    return read(
-        file.getFileName().toString(), Files.readAllBytes(file), ModelFolder.of(parent), options);
+    ModelFolder folder = new FileFolder(AllowedFolders.of(parent, options));
+    return read(file.getFileName().toString(), Files.readAllBytes(file), folder, options);
   }
 
   /**

@@ -5,6 +5,7 @@ import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -48,17 +49,31 @@ final class AssetData {
   /** Files that need not exist: their bytes by the names that assets use. */
   private final Map<String, byte[]> inMemory;
 
+  private final List<Path> modelAssets;
+
   /**
    * @param sceneFile path of the scene file; relative asset paths start in its folder
    * @param hash receives the bytes of all files that are read
    * @param allowance what may be read
    * @param inMemory bytes of files that are not read from the folder, by their names
+   * @param modelAssets further folders of the model for which a scene stands; others have none
    */
-  AssetData(Path sceneFile, SceneHash hash, Allowance allowance, Map<String, byte[]> inMemory) {
+  AssetData(
+      Path sceneFile,
+      SceneHash hash,
+      Allowance allowance,
+      Map<String, byte[]> inMemory,
+      List<Path> modelAssets) {
     this.sceneFile = sceneFile;
     this.hash = hash;
     this.allowance = allowance;
     this.inMemory = Map.copyOf(inMemory);
+    this.modelAssets = List.copyOf(modelAssets);
+  }
+
+  /** Returns further folders of files of the model for which the scene stands. */
+  List<Path> modelAssets() {
+    return modelAssets;
   }
 
   /** Returns what may be read of the scene. */
@@ -134,15 +149,52 @@ final class AssetData {
           try {
             return bytes(parent + name);
           } catch (Unusable e) {
-            throw new ModelFormatException(
-                e.kind == Kind.LIMIT
-                    ? ModelFormatException.Kind.TOO_LARGE
-                    : ModelFormatException.Kind.ASSET,
-                location,
-                e.getMessage());
+            throw e.inModel(location);
           }
         };
     return files.searchedBy(name -> search.map(s -> s.of(name)).orElse(List.of()));
+  }
+
+  /**
+   * Returns access to the files that a model names which is rendered by itself: those in its own
+   * folder and in those of the options. It adds no errors to the scene.
+   *
+   * @param model name of the model file, relative to the scene's folder
+   */
+  ModelFolder ownFolderOf(String model, ModelOptions options) {
+    String parent = model.substring(0, model.lastIndexOf('/') + 1);
+    Path folder = sceneFile.toAbsolutePath().resolveSibling(parent).normalize();
+    AllowedFolders allowed = AllowedFolders.of(folder, options);
+    ModelFolder files =
+        (name, location) -> {
+          try {
+            return inMemory.containsKey(parent + name)
+                ? bytes(parent + name)
+                : bytes(allowed, parent, name);
+          } catch (Unusable e) {
+            throw e.inModel(location);
+          }
+        };
+    return files.searchedBy(allowed::similar);
+  }
+
+  private byte[] bytes(AllowedFolders allowed, String parent, String name) throws Unusable {
+    try {
+      Optional<Path> found = isPath(name) ? allowed.find(name) : Optional.empty();
+      Path path = found.orElseThrow(() -> new Unusable(Kind.ASSET, allowed.refusal(name)));
+      requireFile(name, path);
+      byte[] bytes = Files.readAllBytes(path);
+      note(allowed.isOwn(path) ? parent + name : WrittenStage.slashed(path), bytes);
+      return bytes;
+    } catch (NoSuchFileException e) {
+      throw Unusable.missing(name);
+    } catch (ClosedByInterruptException e) {
+      throw new CancellationException(e.toString());
+    } catch (InvalidPathException e) {
+      throw Unusable.unreadable(name, FileFailure.reason(e));
+    } catch (IOException e) {
+      throw Unusable.unreadable(name, FileFailure.reason(e));
+    }
   }
 
   /** Returns a folder whose files are counted and noted as files of the scene. */
@@ -242,6 +294,20 @@ final class AssetData {
       this.kind = kind;
     }
 
+    static Unusable missing(String name) {
+      return new Unusable(
+          Kind.ASSET, "expected a file, found none at " + PrintableText.quoted(name));
+    }
+
+    ModelFormatException inModel(String location) {
+      return new ModelFormatException(
+          kind == Kind.LIMIT
+              ? ModelFormatException.Kind.TOO_LARGE
+              : ModelFormatException.Kind.ASSET,
+          location,
+          getMessage());
+    }
+
     static Unusable unreadable(String name, String reason) {
       return new Unusable(
           Kind.ASSET,
@@ -327,8 +393,7 @@ final class AssetData {
     try {
       real = path.get().toRealPath();
     } catch (NoSuchFileException e) {
-      throw new Unusable(
-          Kind.ASSET, "expected a file, found none at " + PrintableText.quoted(name));
+      throw Unusable.missing(name);
     }
     if (!real.startsWith(folder)) {
       throw new Unusable(
@@ -347,10 +412,15 @@ final class AssetData {
    * @throws InvalidPathException if the file system cannot represent the name
    */
   private static Optional<Path> relative(String name) {
+    return Optional.of(name)
+        .filter(AssetData::isPath)
+        .map(Path::of)
+        .filter(path -> !path.isAbsolute());
+  }
+
+  /** Returns whether a name is neither empty nor a URL, and no path of another system. */
+  private static boolean isPath(String name) {
     boolean isUrl = URL.matcher(name).matches();
-    if (name.isEmpty() || isUrl || name.startsWith("\\") || name.indexOf(0) >= 0) {
-      return Optional.empty();
-    }
-    return Optional.of(Path.of(name)).filter(path -> !path.isAbsolute());
+    return !name.isEmpty() && !isUrl && !name.startsWith("\\") && name.indexOf(0) < 0;
   }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -60,7 +61,8 @@ final class InputFile {
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
-    AssetData data = new AssetData(file, new SceneHash(), Allowance.unlimited(), Map.of());
+    AssetData data =
+        new AssetData(file, new SceneHash(), Allowance.unlimited(), Map.of(), List.of());
     Set<Path> files = new LinkedHashSet<>(data.files(root.objects("assets"), AssetData.FILE_KEY));
     ObjectTree tree = ObjectTree.of(root);
     files.addAll(data.modelFiles(tree.nodes(ObjectTree.Type.MODEL)));

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
@@ -86,8 +87,12 @@ record ModelObjects(
             ? new ModelPlace.OfFile(node.problems())
             : new ModelPlace.OfObject(node, AssetData.FILE_KEY, name);
     ModelOptions options = options(node, lenient || isTheScene);
+    ModelFolder files =
+        isTheScene
+            ? data.ownFolderOf(name, options.withAssets(data.modelAssets()))
+            : data.folderOf(name);
     try {
-      Model model = ModelReader.read(name, content, data.folderOf(name), options);
+      Model model = ModelReader.read(name, content, files, options);
       if (node.has("useCamera")) {
         String camera = node.string("useCamera").orElse("");
         parts.seenBy(StageCamera.inPoses(model, camera, object.toWorld()));
@@ -128,7 +133,8 @@ record ModelObjects(
             sections(node),
             node.choice("look", LOOKS, ""),
             data.allowance().left(),
-            mayLackPictures)
+            mayLackPictures,
+            List.of())
         .during(settings);
   }
 

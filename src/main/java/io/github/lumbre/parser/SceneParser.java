@@ -6,6 +6,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -55,18 +56,24 @@ public final class SceneParser {
   private final SettingsChange settings;
   private final TextureChange textures;
   private final Optional<Kernel> kernel;
+  private final List<Path> assets;
 
   /** Creates a parser without overrides: missing assets are errors, settings are the file's. */
   public SceneParser() {
-    this(false, SettingsChange.NONE, TextureChange.NONE, Optional.empty());
+    this(false, SettingsChange.NONE, TextureChange.NONE, Optional.empty(), List.of());
   }
 
   private SceneParser(
-      boolean lenient, SettingsChange settings, TextureChange textures, Optional<Kernel> kernel) {
+      boolean lenient,
+      SettingsChange settings,
+      TextureChange textures,
+      Optional<Kernel> kernel,
+      List<Path> assets) {
     this.lenient = lenient;
     this.settings = settings;
     this.textures = textures;
     this.kernel = kernel;
+    this.assets = List.copyOf(assets);
   }
 
   /**
@@ -74,17 +81,17 @@ public final class SceneParser {
    * in scenes, as warnings, not errors.
    */
   public SceneParser lenient() {
-    return new SceneParser(true, settings, textures, kernel);
+    return new SceneParser(true, settings, textures, kernel, assets);
   }
 
   /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(lenient, settings.inMode(newMode), textures, kernel);
+    return new SceneParser(lenient, settings.inMode(newMode), textures, kernel, assets);
   }
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
-    return new SceneParser(lenient, settings.overriding(newChange), textures, kernel);
+    return new SceneParser(lenient, settings.overriding(newChange), textures, kernel, assets);
   }
 
   /**
@@ -109,7 +116,7 @@ public final class SceneParser {
    *     #MAX_PIXELS_EVER}
    */
   public SceneParser limitedTo(Limits newLimits) {
-    return new SceneParser(lenient, settings.limitedTo(newLimits), textures, kernel);
+    return new SceneParser(lenient, settings.limitedTo(newLimits), textures, kernel, assets);
   }
 
   /**
@@ -119,17 +126,26 @@ public final class SceneParser {
    */
   public SceneParser interpolatingTextures(boolean interpolated) {
     TextureChange changed = textures.filtering(interpolated ? Filter.BILINEAR : Filter.NEAREST);
-    return new SceneParser(lenient, settings, changed, kernel);
+    return new SceneParser(lenient, settings, changed, kernel, assets);
   }
 
   private SceneParser counting(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, settings, changed, kernel);
+    return new SceneParser(lenient, settings, changed, kernel, assets);
   }
 
   /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
-    return new SceneParser(lenient, settings, textures, Optional.of(newKernel));
+    return new SceneParser(lenient, settings, textures, Optional.of(newKernel), assets);
+  }
+
+  /**
+   * Returns a parser for the text of a scene around a model that was read with further folders of
+   * files, see {@link ModelOptions#assets}: that model gets them again. Scenes that name models
+   * among other objects get none.
+   */
+  public SceneParser withAssets(List<Path> folders) {
+    return new SceneParser(lenient, settings, textures, kernel, folders);
   }
 
   /**
@@ -294,8 +310,10 @@ public final class SceneParser {
   public SceneFile parse(Path folder, Path model, Stage stage)
       throws SceneFormatException, IOException {
     Path file = model.toAbsolutePath().normalize();
+    // In the scene, the model may use files of the scene's folder.
+    Stage inScene = stage.reading(stage.options().withAssets(List.of(folder)));
     return TimedReading.of(
-        limits(), problemsOf(file), () -> staged(file, stage, folder, false).scene(this));
+        limits(), problemsOf(file), () -> staged(file, inScene, folder, false).scene(this));
   }
 
   /** Returns what the parser makes of settings. */
@@ -415,11 +433,11 @@ public final class SceneParser {
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
     SceneHash hash = new SceneHash();
     hash.text(text);
-    AssetTable assets = new AssetTable(root, lenient);
-    AssetData data = new AssetData(file, hash, allowance, files);
+    AssetTable table = new AssetTable(root, lenient);
+    AssetData data = new AssetData(file, hash, allowance, files, assets);
     SceneReader world =
         new SceneReader(
-            root, assets, data, used, textures, kernel(), String.valueOf(file.getFileName()));
+            root, table, data, used, textures, kernel(), String.valueOf(file.getFileName()));
     world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);

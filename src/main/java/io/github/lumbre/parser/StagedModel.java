@@ -87,7 +87,8 @@ final class StagedModel {
    * @param folder where asset paths start; contains the model and the sky's picture
    * @param file absolute path of the model
    * @param content of the file
-   * @param others has the files that the model names; empty for those in its own folder
+   * @param others has the files that the model names; empty for those in its own folder and in
+   *     those of its options
    * @param isFrame whether the model may have nothing to show, in one frame of an animation
    * @throws SceneFormatException if the model cannot be used
    * @throws IOException if the thread is interrupted
@@ -111,10 +112,14 @@ final class StagedModel {
     allowance.addBytes(content.length).ifPresent(e -> place.spot().error(Kind.LIMIT, e));
     problems.throwIfAny();
     String name = WrittenStage.slashed(folder.relativize(file));
-    data = new AssetData(folder.resolve(file.getFileName()), hash, allowance, Map.of());
+    data = new AssetData(folder.resolve(file.getFileName()), hash, allowance, Map.of(), List.of());
     data.note(name, content);
+    ModelOptions options = stage.options().limitedTo(data.allowance().left());
     Model whole =
-        read(name, content, others.map(data::counted).orElseGet(() -> data.folderOf(name)));
+        read(
+            name,
+            content,
+            others.map(data::counted).orElseGet(() -> data.ownFolderOf(name, options)));
     requireSky();
     framing = Framing.of(whole);
     ShapeReader.isMeasurable(place.spot(), new Bounds3(framing.min(), framing.max()));

@@ -64,7 +64,17 @@ class OutputGuardTest {
           "view --compare",
           "views MODEL",
           "views --oidn",
-          "trade SCENE");
+          "trade SCENE",
+          "render --assets",
+          "view --assets",
+          "resume --assets",
+          "views --assets",
+          "import --assets",
+          "check --assets",
+          "audit --assets",
+          "pixel --assets",
+          "diff --assets",
+          "trade --assets");
 
   /** A command line for each path that commands write; OUT is the output. */
   private static final Map<String, String> OUTPUTS =

@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.mcp;
 
-import com.google.gson.JsonNull;
 import io.github.lumbre.cli.output.JsonText;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -36,7 +35,7 @@ final class Answers {
    */
   static Map<String, Object> error(Optional<Object> id, RpcException e) {
     Map<String, Object> answer = message();
-    answer.put("id", id.orElse(JsonNull.INSTANCE));
+    answer.put("id", id.orElse(null));
     answer.put("error", e.error());
     return answer;
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
@@ -93,6 +94,6 @@ final class Roots {
    * @param most bytes of a file
    */
   static ModelFolder folderOf(Path model, long most) {
-    return new FileFolder(model.getParent(), most);
+    return new FileFolder(new AllowedFolders(model.getParent(), List.of()), most);
   }
 }

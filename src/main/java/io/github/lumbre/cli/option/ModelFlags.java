@@ -13,6 +13,8 @@ import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import io.github.lumbre.scene.Setting;
 import java.lang.reflect.Field;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.OffsetDateTime;
 import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeFormatterBuilder;
@@ -175,6 +177,14 @@ public final class ModelFlags extends Flags {
   private Optional<Double> unit;
 
   @Option(
+      names = "--assets",
+      paramLabel = "DIR",
+      description =
+          "Further folder from which textures and buffers that the model names may come."
+              + " Repeatable.")
+  private List<Path> assets = List.of();
+
+  @Option(
       names = "--points",
       paramLabel = "RADIUS",
       description = "Radius of points, in the file's unit (by their density).")
@@ -208,6 +218,14 @@ public final class ModelFlags extends Flags {
             "--crease", crease, Setting.CREASE_ANGLE, shown, Setting.CREASE_ANGLE.missing()),
         shownLabels(),
         options().looking(shown.materials()));
+  }
+
+  /** Returns {@link #stage} of a model from standard input, which names no files. */
+  public Stage stageOfStandardInput() {
+    require(
+        assets.isEmpty(),
+        "--assets: cannot be used with a model from standard input, which names no files");
+    return stage();
   }
 
   private Set<String> shownLabels() {
@@ -251,6 +269,7 @@ public final class ModelFlags extends Flags {
             .oriented(
                 up.map(axis -> axis.equalsIgnoreCase("z") ? Up.Z : Up.Y),
                 unit.map(OptionalDouble::of).orElseGet(OptionalDouble::empty))
+            .withAssets(assetFolders())
             .hiding(hidden)
             .highlighting(highlighted);
     return cut(
@@ -261,6 +280,18 @@ public final class ModelFlags extends Flags {
 
   private static boolean isAxis(String name) {
     return name.equalsIgnoreCase("y") || name.equalsIgnoreCase("z");
+  }
+
+  private List<Path> assetFolders() {
+    for (Path folder : assets) {
+      require(
+          Files.isDirectory(folder),
+          "--assets: expected a folder, found "
+              + (Files.exists(folder) ? "a file" : "none")
+              + " at "
+              + folder);
+    }
+    return assets;
   }
 
   private ModelOptions cut(ModelOptions options) {

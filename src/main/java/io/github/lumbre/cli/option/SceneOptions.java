@@ -13,6 +13,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
+import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.internal.ModelSequence;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import java.io.IOException;
@@ -108,8 +109,8 @@ public final class SceneOptions {
       guardedBy(given);
       try {
         if (isModel()) {
-          model.stage();
-          given.readsAssets(one, () -> modelFiles(one));
+          Stage stage = model.stage();
+          given.readsAssets(one, stage.options().assets(), () -> modelFiles(one));
         } else {
           model.requireNone();
         }
@@ -208,15 +209,19 @@ public final class SceneOptions {
       Path named = isStandardInput() ? PictureOutput.STDIN : scene;
       sequence =
           Optional.of(
-              ModelSequence.of(parser, named, content, model.stage(), motion.orElseThrow()));
+              ModelSequence.of(parser, named, content, stage(), motion.orElseThrow()));
     }
     return sequence.get();
+  }
+
+  private Stage stage() {
+    return isStandardInput() ? model.stageOfStandardInput() : model.stage();
   }
 
   private SceneFile parsed(byte[] content, SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     return isModel()
-        ? parser.parse(PictureOutput.STDIN.toString(), content, model.stage())
+        ? parser.parse(PictureOutput.STDIN.toString(), content, stage())
         : parser.parse(content, PictureOutput.STDIN);
   }
 

@@ -36,7 +36,16 @@ public final class OutputGuard {
     Set<Path> files() throws SceneFormatException, IOException;
   }
 
-  private record Assets(Path scene, AssetList list) {
+  /**
+   * @param others folders besides the scene's from which files may come
+   */
+  private record Assets(Path scene, List<Path> others, AssetList list) {
+    /** Returns whether a file in a folder may be one of the files. */
+    boolean mayBeIn(Path folder) {
+      return folder.startsWith(PictureOutput.real(scene).getParent())
+          || others.stream().map(PictureOutput::real).anyMatch(folder::startsWith);
+    }
+
     /** Returns the files; none if the scene cannot be read, which the command itself reports. */
     Set<Path> files() {
       try {
@@ -85,7 +94,16 @@ public final class OutputGuard {
 
   /** Adds the files that a scene's assets name. */
   public OutputGuard readsAssets(Path scene, AssetList list) {
-    assets.add(new Assets(scene, list));
+    return readsAssets(scene, List.of(), list);
+  }
+
+  /**
+   * Adds the files that a scene's assets name.
+   *
+   * @param others folders besides the scene's from which they may come
+   */
+  public OutputGuard readsAssets(Path scene, List<Path> others, AssetList list) {
+    assets.add(new Assets(scene, others, list));
     return this;
   }
 
@@ -153,8 +171,8 @@ public final class OutputGuard {
   }
 
   /**
-   * Reads the asset list of a scene only if an output exists in the scene's folder or below: only
-   * then can it be an asset.
+   * Reads the asset list of a scene only if an output exists in a folder of its files or below:
+   * only then can it be an asset.
    */
   private void checkAssets() throws TaskException {
     Set<Path> folders = new HashSet<>();
@@ -166,8 +184,7 @@ public final class OutputGuard {
       }
     }
     for (Assets ofScene : assets) {
-      Path folder = PictureOutput.real(ofScene.scene).getParent();
-      if (folders.stream().anyMatch(existing -> existing.startsWith(folder))) {
+      if (folders.stream().anyMatch(ofScene::mayBeIn)) {
         checkAssets(ofScene.scene, ofScene.files());
       }
     }

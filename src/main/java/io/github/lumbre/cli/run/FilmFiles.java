@@ -25,7 +25,7 @@ final class FilmFiles {
   }
 
   /**
-   * Returns the names of changed files.
+   * Returns the names of changed and of missing files.
    *
    * @param then text of the film's header
    * @param sceneName name of the scene file in the result
@@ -42,13 +42,13 @@ final class FilmFiles {
     if (!now.scene().equals(before.get(""))) {
       changed.add(sceneName);
     }
-    now.assets()
-        .forEach(
-            (name, hash) -> {
-              if (before.containsKey(name) && !hash.equals(before.get(name))) {
-                changed.add(name);
-              }
-            });
+    before.remove("");
+    before.forEach(
+        (name, hash) -> {
+          if (!hash.equals(now.assets().get(name))) {
+            changed.add(name);
+          }
+        });
     return changed;
   }
 }

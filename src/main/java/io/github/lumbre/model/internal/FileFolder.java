@@ -11,42 +11,37 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
-/** Reads the files in a folder and below. Mutable; confined to one thread. */
+/** Reads the files in some folders and below. Mutable; confined to one thread. */
 public final class FileFolder implements ModelFolder {
-  private final Path folder;
+  private final AllowedFolders folders;
   private final long mostBytes;
-  private final FileSearch search;
 
-  /**
-   * @param folder absolute and normalized
-   */
-  public FileFolder(Path folder) {
-    this(folder, Long.MAX_VALUE);
+  public FileFolder(AllowedFolders folders) {
+    this(folders, Long.MAX_VALUE);
   }
 
   /**
-   * @param folder absolute and normalized
    * @param mostBytes of a file
    */
-  public FileFolder(Path folder, long mostBytes) {
-    this.folder = folder;
+  public FileFolder(AllowedFolders folders, long mostBytes) {
+    this.folders = folders;
     this.mostBytes = mostBytes;
-    search = new FileSearch(folder);
   }
 
   @Override
   public byte[] read(String name, String location) throws ModelFormatException, IOException {
     String problem;
     try {
-      Path path = folder.resolve(name).normalize();
-      if (!path.startsWith(folder) || !path.toRealPath().startsWith(folder.toRealPath())) {
-        problem = "expected a file inside the model's folder, found " + PrintableText.quoted(name);
-      } else if (Files.isRegularFile(path)) {
-        requireSize(path, name, location);
-        return Files.readAllBytes(path);
+      Optional<Path> path = folders.find(name);
+      if (path.isEmpty()) {
+        problem = folders.refusal(name);
+      } else if (Files.isRegularFile(path.get())) {
+        requireSize(path.get(), name, location);
+        return Files.readAllBytes(path.get());
       } else {
-        String found = Files.isDirectory(path) ? "a folder" : "no regular file";
+        String found = Files.isDirectory(path.get()) ? "a folder" : "no regular file";
         problem = "expected a file, found " + found + " at " + PrintableText.quoted(name);
       }
     } catch (ClosedByInterruptException e) {
@@ -72,7 +67,7 @@ public final class FileFolder implements ModelFolder {
 
   @Override
   public List<String> similar(String name) {
-    return search.of(name);
+    return folders.similar(name);
   }
 
   private static String unreadable(String name, String reason) {
