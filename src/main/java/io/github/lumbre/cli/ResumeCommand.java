@@ -217,6 +217,7 @@ final class ResumeCommand extends Subcommand {
     budgets.validate();
     checkpoints.validate();
     kernel.validate();
+    checks().requireFolders("--assets", assets);
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
       throw Kind.SCENE.failure(film + ": does not exist");
     }

@@ -112,6 +112,7 @@ class AssetsFlagTest {
   void foldersAreChecked() throws IOException {
     run("check T/models/a.obj --assets T/no").assertFailed(2, "--assets: expected a folder, found");
     run("check T/models/a.obj --assets T/x.png").assertFailed(2, "found a file");
+    run("resume T/a.film --assets T/no").assertFailed(2, "--assets: expected a folder, found none");
     run("import T/models/a.obj -o T/a.json" + ASSETS).assertFailed(2, "--assets: cannot be used");
     Files.writeString(folder.resolve("s.json"), "{}");
     run("check T/s.json" + ASSETS).assertFailed(2, "--assets: requires a model file");

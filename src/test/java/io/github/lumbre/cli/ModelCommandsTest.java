@@ -603,9 +603,9 @@ class ModelCommandsTest {
       delimiter = '|',
       value = {
         "none.png|expected a file, found none at \"none.png\"",
-        "../no.png|expected a relative path inside the scene's folder, found \"../no.png\"",
+        "../no.png|expected a file inside the model's folder, found \"../no.png\"",
         "folder|expected a file, found a folder at \"folder\"",
-        "a\0b|expected a relative path inside the scene's folder, found \"a\\u0000b\"",
+        "a\0b|expected a file inside the model's folder, found \"a\\u0000b\"",
         "paint.png/b|expected a readable file, found \"paint.png/b\": not a directory",
       })
   void anObjFileMayLackItsPictures(String name, String warning) throws IOException {

@@ -3,7 +3,9 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.internal.FrameSize;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
@@ -40,6 +42,20 @@ public record FlagChecks(CommandSpec spec) {
     require(
         ImageFormat.of(file).isPresent(),
         file + ": expected a name that ends in one of " + ImageFormat.endings());
+  }
+
+  /**
+   * Requires folders that exist.
+   *
+   * @throws ParameterException that names the flag and the first one that does not
+   */
+  public void requireFolders(String flag, List<Path> folders) {
+    for (Path folder : folders) {
+      String found = Files.exists(folder) ? "a file" : "none";
+      require(
+          Files.isDirectory(folder),
+          flag + ": expected a folder, found " + found + " at " + folder);
+    }
   }
 
   /**

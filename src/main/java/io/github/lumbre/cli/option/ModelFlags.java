@@ -13,7 +13,6 @@ import io.github.lumbre.parser.internal.Look;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import io.github.lumbre.scene.Setting;
 import java.lang.reflect.Field;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.OffsetDateTime;
 import java.time.format.DateTimeFormatter;
@@ -262,6 +261,7 @@ public final class ModelFlags extends Flags {
   }
 
   private ModelOptions options() {
+    checks().requireFolders("--assets", assets);
     unit.ifPresent(length -> length("--unit", length));
     up.ifPresent(axis -> require(isAxis(axis), "--up: expected y or z, found " + axis));
     ModelOptions options =
@@ -269,7 +269,7 @@ public final class ModelFlags extends Flags {
             .oriented(
                 up.map(axis -> axis.equalsIgnoreCase("z") ? Up.Z : Up.Y),
                 unit.map(OptionalDouble::of).orElseGet(OptionalDouble::empty))
-            .withAssets(assetFolders())
+            .withAssets(assets)
             .hiding(hidden)
             .highlighting(highlighted);
     return cut(
@@ -280,18 +280,6 @@ public final class ModelFlags extends Flags {
 
   private static boolean isAxis(String name) {
     return name.equalsIgnoreCase("y") || name.equalsIgnoreCase("z");
-  }
-
-  private List<Path> assetFolders() {
-    for (Path folder : assets) {
-      require(
-          Files.isDirectory(folder),
-          "--assets: expected a folder, found "
-              + (Files.exists(folder) ? "a file" : "none")
-              + " at "
-              + folder);
-    }
-    return assets;
   }
 
   private ModelOptions cut(ModelOptions options) {
