@@ -6,9 +6,11 @@ import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.LaterStep;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Denoising;
@@ -53,7 +55,9 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -142,7 +146,8 @@ final class ViewsCommand extends Subcommand {
           report.print(out);
           return code;
         },
-        out);
+        out,
+        Interruption::exitCode);
   }
 
   private int run(Stage stage, OutputGuard guard, JsonSummary report)
@@ -160,9 +165,8 @@ final class ViewsCommand extends Subcommand {
       RenderSettings settings = first.settings();
       MemoryCheck.require(settings, FilmLayers.of(settings, first.scene()));
       frames.reserve(Fallback.TEMPORARY);
-      interruption.requireRender();
       long start = System.nanoTime();
-      render(views, frames, monitor, messages);
+      render(views, frames, interruption, monitor, messages);
       if (json) {
         describe(views, report);
       }
@@ -237,7 +241,12 @@ final class ViewsCommand extends Subcommand {
    *
    * @throws TaskException if a picture cannot be written, or a signal ends the command
    */
-  private void render(ModelViews views, Frames frames, RenderMonitor monitor, Messages messages)
+  private void render(
+      ModelViews views,
+      Frames frames,
+      Interruption interruption,
+      RenderMonitor monitor,
+      Messages messages)
       throws SceneFormatException, TaskException {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
@@ -254,17 +263,20 @@ final class ViewsCommand extends Subcommand {
       frames.render(
           new JsonSummary("views", model),
           () -> {
+            interruption.requireRender();
             Film film = rendered(settings, view, monitor);
             DenoisedPicture denoised = denoised(film, frames, monitor, messages);
             Image clean = denoised.image(film.develop());
             DisplayLight drawn =
                 monitor
-                    .unlessStopped(() -> drawing.onDisplay(view, name, clean, options))
+                    .finishing(
+                        "drawing lines and labels",
+                        () -> drawing.onDisplay(view, name, clean, options))
                     .orElseThrow(ViewsCommand::stopped);
             notes.forEach(note -> messages.line(name.get() + ": " + note));
             notes.clear();
             pictures.add(drawn);
-            frames.picture().write(drawn.image(), denoised.noting(drawn.options()));
+            frames.picture().write(drawn.image(), options(denoised, drawn, film));
             denoised.requireDone();
             return ExitCodes.OK;
           });
@@ -311,11 +323,22 @@ final class ViewsCommand extends Subcommand {
     }
     Denoising used = denoising.get().withThreads(threads.orElse(0));
     DenoisedPicture denoised =
-        DenoisedPicture.of(film, used, frames.picture().target(), messages, monitor);
-    if (monitor.isCancelled()) {
+        DenoisedPicture.of(film, used, frames.picture().target(), true, messages, monitor);
+    if (denoised.isMissing() && denoised.failure().isEmpty()) {
       throw stopped();
     }
     return denoised;
+  }
+
+  /** Returns how to write a picture, which is partial if its denoiser has failed. */
+  private static ImageWriter.Options options(
+      DenoisedPicture denoised, DisplayLight drawn, Film film) {
+    if (!denoised.isMissing()) {
+      return denoised.noting(drawn.options());
+    }
+    String samples = Numbers.count(film.mostSamples(), "sample") + " per pixel";
+    String lack = LaterStep.text(samples, Set.of(LaterStep.DENOISING));
+    return drawn.options().withMetadata(Map.of(PictureMetadata.PARTIAL, lack));
   }
 
   private static TaskException stopped() {

@@ -5,11 +5,14 @@ import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
@@ -19,6 +22,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -45,6 +49,7 @@ public final class DevelopFlags extends Flags {
 
   /**
    * Develops a film and writes the picture. The picture's file is reserved before the film is read.
+   * A signal while the picture is denoised leaves it noisy and partial.
    *
    * @param name of the film, for messages
    */
@@ -54,17 +59,21 @@ public final class DevelopFlags extends Flags {
       requireLayers(picture);
       FilmFile film = source.film();
       Messages messages = new Messages(spec.commandLine().getErr());
-      DenoisedPicture denoised =
-          denoising.isPresent()
-              ? DenoisedPicture.of(film.film(), denoising.get(), output, messages)
-              : DenoisedPicture.NOISY;
-      develop(name, film, denoised, picture, messages);
+      ImageWriter.Options options = options(name, film, picture, messages);
+      DenoisedPicture denoised = DenoisedPicture.NOISY;
+      try (Interruption interruption = Interruption.listen();
+          RenderMonitor monitor =
+              new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"))) {
+        interruption.requireRender();
+        if (denoising.isPresent()) {
+          denoised =
+              DenoisedPicture.of(film.film(), denoising.get(), output, true, messages, monitor);
+        }
+        write(name, film, denoised, picture, options);
+      }
       report(film, output);
       denoised.tell(summary(messages), new JsonSummary("develop", name));
       denoised.requireDone();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw Kind.STOPPED.failure("stopped; no picture is written", e);
     }
   }
 
@@ -105,9 +114,8 @@ public final class DevelopFlags extends Flags {
     return wanted;
   }
 
-  private void develop(
-      Path name, FilmFile film, DenoisedPicture denoised, PictureOutput picture, Messages messages)
-      throws TaskException {
+  private ImageWriter.Options options(
+      Path name, FilmFile film, PictureOutput picture, Messages messages) throws TaskException {
     FilmNotes notes = new FilmNotes(name, film.header());
     if (notes.hasLines()) {
       messages.line(
@@ -117,12 +125,26 @@ public final class DevelopFlags extends Flags {
     Exposure stops = picture.isForScreen() ? FilmExposure.of(wanted, name, film, messages) : wanted;
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = stored.bits().isPresent() ? stored.bits().get() : notes.bits();
-    Map<String, String> metadata = notes.metadata();
+    return new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), notes.metadata());
+  }
+
+  private void write(
+      Path name,
+      FilmFile film,
+      DenoisedPicture denoised,
+      PictureOutput picture,
+      ImageWriter.Options options)
+      throws TaskException {
+    Map<String, String> metadata = new LinkedHashMap<>(options.metadata());
+    new FilmNotes(name, film.header())
+        .lack(film.film(), denoised.isMissing())
+        .ifPresent(lack -> metadata.put(PictureMetadata.PARTIAL, lack));
     Set<Layer> layers = picture.hasLayers() ? layers(name, film) : Set.of();
     FilmPicture developed = FilmPicture.of(film.film(), film.header().layers(), layers);
     metadata.putAll(developed.metadata());
-    ImageWriter.Options options =
-        new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), metadata);
-    picture.write(denoised.image(developed.image()), developed.layers(), denoised.noting(options));
+    picture.write(
+        denoised.image(developed.image()),
+        developed.layers(),
+        denoised.noting(options.withMetadata(metadata)));
   }
 }

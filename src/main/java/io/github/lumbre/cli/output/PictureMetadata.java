@@ -38,7 +38,7 @@ public final class PictureMetadata {
   /** The keyword of the denoiser. */
   public static final String DENOISED = "Denoised";
 
-  /** The keyword that marks a picture whose render was stopped. */
+  /** The keyword that marks a picture that lacks samples, or a step after them. */
   public static final String PARTIAL = "Partial";
 
   private static final Set<Setting<?>> HAVE_OTHER_NAMES =

@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Supplier;
 
 /**
@@ -25,9 +26,14 @@ import java.util.function.Supplier;
  *
  * @param seconds rendering time
  * @param samplesInAll number of samples of the picture, including samples of earlier runs
+ * @param missing the steps after the samples that the picture lacks
  */
 public record Summary(
-    RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
+    RenderSettings settings,
+    RenderResult result,
+    double seconds,
+    long samplesInAll,
+    Set<LaterStep> missing) {
   /** The luminance after exposure below which a pixel is dark. */
   private static final double DARK = .1;
 
@@ -39,6 +45,17 @@ public record Summary(
 
   /** The number of digits of a mean number of samples. */
   private static final int DIGITS = 3;
+
+  /** Creates the summary of a picture that has all steps after its samples. */
+  public Summary(
+      RenderSettings settings, RenderResult result, double seconds, long samplesInAll) {
+    this(settings, result, seconds, samplesInAll, Set.of());
+  }
+
+  /** Returns whether the picture has all its samples and the steps after them. */
+  public boolean isComplete() {
+    return result.complete() && missing.isEmpty();
+  }
 
   /** Prints the picture's path, its size, its samples, its noise and the rendering time. */
   public void print(Path output, NoiseReport noise, Messages messages) {
@@ -52,10 +69,11 @@ public record Summary(
             Locale.ROOT,
             "%s: %s%dx%d pixels, %s%s, %.2f s, %s samples/s",
             output.equals(PictureOutput.STANDARD) ? "standard output" : output,
-            result.complete() ? "" : "stopped early, partial picture of ",
+            (result.complete() ? "" : "stopped early, ")
+                + (isComplete() ? "" : "partial picture of "),
             image.width(),
             image.height(),
-            result.complete() ? samples : progress(),
+            isComplete() ? samples : progress(),
             noise,
             seconds,
             Numbers.rate(result.statistics().samples(), seconds)));
@@ -67,19 +85,33 @@ public record Summary(
   }
 
   /**
-   * Returns the mean number of finished samples, rounded down to three digits: {@code 24.7 of 4000
-   * samples per pixel}.
+   * Returns what a partial picture has and lacks: {@code 24.7 of 4000 samples per pixel, not
+   * denoised}. The mean number of finished samples is rounded down to three digits.
    */
   public String progress() {
+    return LaterStep.text(sampled(), missing);
+  }
+
+  private String sampled() {
     Image image = result.image();
-    BigDecimal mean =
-        BigDecimal.valueOf((double) samplesInAll / ((long) image.width() * image.height()));
+    long pixels = (long) image.width() * image.height();
+    return sampled(samplesInAll, pixels, settings.samples());
+  }
+
+  /**
+   * Returns {@code 24.7 of 4000 samples per pixel}: the mean, rounded down to three digits.
+   *
+   * @param samples of all pixels
+   * @param limit samples per pixel of the complete picture
+   */
+  public static String sampled(long samples, long pixels, int limit) {
+    BigDecimal mean = BigDecimal.valueOf((double) samples / pixels);
     int digits = Math.max(DIGITS, mean.precision() - mean.scale());
     String done =
         mean.round(new MathContext(digits, RoundingMode.DOWN)).stripTrailingZeros().toPlainString();
-    return settings.samples() == RenderSettings.MAX_SAMPLES
+    return limit == RenderSettings.MAX_SAMPLES
         ? perPixel(done)
-        : done + " of " + perPixel(String.valueOf(settings.samples()));
+        : done + " of " + perPixel(String.valueOf(limit));
   }
 
   /** Prints the counters of the render. */

@@ -19,11 +19,17 @@ import java.util.Optional;
  *
  * @param denoised the denoised picture; empty if the picture keeps its noise
  * @param failure the denoiser's failure
+ * @param isWanted whether the picture shall be denoised
  */
-public record DenoisedPicture(Optional<Denoised> denoised, Optional<TaskException> failure) {
-  /** A picture that keeps its noise. */
+public record DenoisedPicture(
+    Optional<Denoised> denoised, Optional<TaskException> failure, boolean isWanted) {
+  /** A picture that shall keep its noise. */
   public static final DenoisedPicture NOISY =
-      new DenoisedPicture(Optional.empty(), Optional.empty());
+      new DenoisedPicture(Optional.empty(), Optional.empty(), false);
+
+  /** A picture that keeps its noise because its render was stopped. */
+  private static final DenoisedPicture STOPPED =
+      new DenoisedPicture(Optional.empty(), Optional.empty(), true);
 
   /**
    * Denoises the picture of a film.
@@ -31,13 +37,13 @@ public record DenoisedPicture(Optional<Denoised> denoised, Optional<TaskExceptio
    * @param target where the picture is written
    * @throws InterruptedException if the thread is interrupted
    */
-  public static DenoisedPicture of(Film film, Denoising denoising, Path target, Messages messages)
+  private static DenoisedPicture of(Film film, Denoising denoising, Path target, Messages messages)
       throws InterruptedException {
     String name = target.equals(PictureOutput.STANDARD) ? "standard output" : target.toString();
     try {
       NoisyPicture noisy = NoisyPicture.of(film);
       denoising.advise(noisy, name, messages);
-      return new DenoisedPicture(Optional.of(denoising.denoise(noisy)), Optional.empty());
+      return new DenoisedPicture(Optional.of(denoising.denoise(noisy)), Optional.empty(), true);
     } catch (TaskException e) {
       return failed(e.kind(), e.getMessage(), name, e);
     } catch (OutOfMemoryError e) {
@@ -46,22 +52,39 @@ public record DenoisedPicture(Optional<Denoised> denoised, Optional<TaskExceptio
     }
   }
 
-  /** Denoises the picture of a film, unless the render is or was stopped. */
+  /**
+   * Denoises the picture of a film, unless the render was stopped before the film had all its
+   * samples, or denoising is stopped.
+   *
+   * @param target where the picture is written
+   * @param isSampled whether the film has all its samples
+   */
   public static DenoisedPicture of(
-      Film film, Denoising denoising, Path target, Messages messages, RenderMonitor monitor) {
+      Film film,
+      Denoising denoising,
+      Path target,
+      boolean isSampled,
+      Messages messages,
+      RenderMonitor monitor) {
     Optional<DenoisedPicture> done =
-        monitor.isCancelled()
-            ? Optional.empty()
-            : monitor.unlessStopped(() -> of(film, denoising, target, messages));
+        isSampled
+            ? monitor.finishing("denoising", () -> of(film, denoising, target, messages))
+            : Optional.empty();
     if (done.isEmpty()) {
       messages.line("not denoised, because the render was stopped");
     }
-    return done.orElse(NOISY);
+    return done.orElse(STOPPED);
   }
 
   private static DenoisedPicture failed(Kind kind, String reason, String name, Throwable cause) {
     String text = reason + "; the noisy picture is " + name;
-    return new DenoisedPicture(Optional.empty(), Optional.of(new TaskException(kind, text, cause)));
+    return new DenoisedPicture(
+        Optional.empty(), Optional.of(new TaskException(kind, text, cause)), true);
+  }
+
+  /** Returns whether the picture keeps its noise, although it shall be denoised. */
+  public boolean isMissing() {
+    return isWanted && denoised.isEmpty();
   }
 
   /** Returns the picture to write, given the noisy one. */

@@ -2,7 +2,9 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.cli.output.LaterStep;
 import io.github.lumbre.cli.output.PictureMetadata;
+import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
@@ -14,6 +16,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Size;
@@ -23,11 +26,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -193,6 +198,30 @@ public record FilmNotes(Path film, FilmHeader header) {
   /** Returns whether the film's picture has lines, which the film does not hold. */
   public boolean hasLines() {
     return header.notes().containsKey(LINE_WIDTH);
+  }
+
+  /**
+   * Returns what a picture of a film has and lacks: {@code 24.7 of 4000 samples per pixel, not
+   * denoised}; empty if it has all samples and steps. A render with a target error may end before
+   * it has all samples.
+   *
+   * @param isNoisy whether the picture shall be denoised, and is not
+   */
+  public Optional<String> lack(Film samples, boolean isNoisy) throws TaskException {
+    Set<LaterStep> missing = EnumSet.noneOf(LaterStep.class);
+    if (isNoisy) {
+      missing.add(LaterStep.DENOISING);
+    }
+    if (hasLines()) {
+      missing.add(LaterStep.DRAWING);
+    }
+    long pixels = header.window().pixels();
+    boolean isOpen = samples() == RenderSettings.MAX_SAMPLES || targetError().isPresent();
+    boolean isSampled = isOpen || samples.totalSamples() >= pixels * samples();
+    return isSampled && missing.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            LaterStep.text(Summary.sampled(samples.totalSamples(), pixels, samples()), missing));
   }
 
   public int bits() throws TaskException {

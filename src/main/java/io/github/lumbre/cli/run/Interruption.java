@@ -9,11 +9,13 @@ import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.parser.SceneFormatException;
 import java.io.InterruptedIOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -38,6 +40,12 @@ public final class Interruption implements AutoCloseable {
   /** The time that a command without a result has to end on its own. */
   private static final long PATIENCE_MILLIS = 1000;
 
+  /**
+   * The time after the first signal, or after the deadline, in which a picture that has all its
+   * samples can still be completed.
+   */
+  static final Duration GRACE = Duration.ofSeconds(3);
+
   /** The exit code of the first signal; 0 before that. */
   private static final AtomicInteger FIRST = new AtomicInteger();
 
@@ -46,7 +54,9 @@ public final class Interruption implements AutoCloseable {
   private final CountDownLatch closed = new CountDownLatch(1);
   private boolean rendering;
   private Optional<Thread> waiting = Optional.empty();
+  private Optional<Thread> finishing = Optional.empty();
   private volatile boolean requested;
+  private long requestedAt;
 
   private Interruption() {}
 
@@ -94,10 +104,13 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
-  /** Starts to listen for signals. */
+  /** Starts to listen for signals. One that has arrived before counts, too. */
   public static Interruption listen() {
     Interruption interruption = new Interruption();
     LISTENING.add(interruption);
+    if (FIRST.get() != 0) {
+      interruption.request();
+    }
     return interruption;
   }
 
@@ -169,6 +182,46 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
+  /**
+   * Returns the result of a step of a picture that has all its samples; empty if it is not done
+   * within {@link #GRACE} after the first signal, or after the deadline.
+   */
+  <T> Optional<T> finishing(Deadline deadline, Waiting<T> action) {
+    Duration left = beginFinishing(deadline);
+    TimeLimit alarm = TimeLimit.start(left);
+    try (alarm) {
+      if (left.isNegative()) {
+        return Optional.empty();
+      }
+      return Optional.of(action.get());
+    } catch (InterruptedException | CancellationException e) {
+      return Optional.empty();
+    } finally {
+      endFinishing();
+    }
+  }
+
+  /**
+   * Arranges that a signal interrupts this thread later.
+   *
+   * @return the time that the thread has now, negative if there is none
+   */
+  private synchronized Duration beginFinishing(Deadline deadline) {
+    finishing = Optional.of(Thread.currentThread());
+    Duration ofDeadline = deadline.left().plus(GRACE);
+    Duration ofSignal = GRACE.minusNanos(requested ? System.nanoTime() - requestedAt : 0);
+    return requested && ofSignal.compareTo(ofDeadline) < 0 ? ofSignal : ofDeadline;
+  }
+
+  private synchronized void interruptFinishing() {
+    finishing.ifPresent(Thread::interrupt);
+  }
+
+  private synchronized void endFinishing() {
+    finishing = Optional.empty();
+    Thread.interrupted();
+  }
+
   /** Returns the exception for a render that a signal or the deadline ended without a sample. */
   static TaskException withoutPicture(boolean isOutOfTime) {
     String end = isOutOfTime ? "--timeout: the time ended" : "stopped";
@@ -221,7 +274,12 @@ public final class Interruption implements AutoCloseable {
 
   /** Requests the end of the command. Returns whether it has a result to save. */
   synchronized boolean request() {
-    requested = true;
+    if (!requested) {
+      requested = true;
+      requestedAt = System.nanoTime();
+      CompletableFuture.delayedExecutor(GRACE.toMillis(), TimeUnit.MILLISECONDS)
+          .execute(this::interruptFinishing);
+    }
     interruptWaiting();
     return rendering;
   }

@@ -7,6 +7,7 @@ import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ForecastReport;
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.LaterStep;
 import io.github.lumbre.cli.output.LightReport;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.NoiseReport;
@@ -14,17 +15,13 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
-import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Exposure;
-import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.ParsedScene;
-import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassListener;
@@ -108,48 +105,35 @@ public record RenderJob(
    */
   private int run(FilmRenderer renderer, Film film, Optional<FilmHeader> header)
       throws TaskException {
-    RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
-    long start = System.nanoTime();
-    boolean isForVectors = file.scene().mayChangeKernel();
-    boolean isTimed = budget.secondsLeft().isPresent();
-    PassLoop loop = new PassLoop(engine.over(scene, file, renderer, isTimed), film);
-    PassResult passes;
-    RenderStatistics statistics;
-    LightReport light;
     try (monitor) {
-      plan(renderer, header);
-      begin(film);
-      passes = loop.run(budget.watch(), new Listener(), monitor);
-      statistics = faults.plus(passes.statistics());
-      light = light(film, statistics);
+      RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
+      long start = System.nanoTime();
+      boolean isForVectors = file.scene().mayChangeKernel();
+      boolean isTimed = budget.secondsLeft().isPresent();
+      PassLoop loop = new PassLoop(engine.over(scene, file, renderer, isTimed), film);
+      PassResult passes;
+      try {
+        plan(renderer, header);
+        begin(film);
+        passes = loop.run(budget.watch(), new Listener(), monitor);
+        monitor.busy("developing");
+      } finally {
+        // Save here: the JVM may exit as soon as no output is pending.
+        try (keeper) {
+          keeper.saveLast(film);
+        }
+      }
+      requireSamples(film);
+      RenderStatistics statistics = faults.plus(passes.statistics());
+      RendererInside.of(renderer).guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
+      RenderResult result = new RenderResult(film.develop(), passes.complete(), statistics);
+      NoiseReport noise = budget.report(film);
+      finish(film, result, noise, 1e-9 * (System.nanoTime() - start), isForVectors);
+      return exitCode(result.statistics(), noise);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return ExitCodes.INTERRUPTED;
-    } finally {
-      // Save here: the JVM may exit as soon as no output is pending.
-      try (keeper) {
-        keeper.saveLast(film);
-      }
     }
-    double seconds = (System.nanoTime() - start) * 1e-9;
-    requireSamples(film);
-    long invalidCoordinates = statistics.invalidCoordinates();
-    warnOfInvalidCoordinates(invalidCoordinates);
-    NoiseReport noise = budget.report(film);
-    RendererInside.of(renderer).guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
-    RenderResult result = new RenderResult(film.develop(), passes.complete(), statistics);
-    finish(film, result, noise, light, seconds);
-    if (isForVectors) {
-      Summary summary = new Summary(file.settings(), result, seconds, film.totalSamples());
-      summary.printKernel(said());
-    }
-    if (how.strict() && statistics.rejected() != 0) {
-      return ExitCodes.INTERNAL;
-    }
-    if (how.strict() && invalidCoordinates != 0) {
-      return ExitCodes.WARNINGS;
-    }
-    return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
   }
 
   /**
@@ -237,14 +221,6 @@ public record RenderJob(
     }
   }
 
-  /** Estimates the picture's lost energy; a stopped render skips the slow estimates. */
-  private LightReport light(Film film, RenderStatistics statistics) throws InterruptedException {
-    boolean isBrief = how.quiet() || monitor.isCancelled();
-    Optional<LightReport> report =
-        monitor.unlessStopped(() -> LightReport.of(file, film, statistics, isBrief));
-    return report.isPresent() ? report.get() : LightReport.of(file, film, statistics, true);
-  }
-
   private void warnOfInvalidCoordinates(long points) {
     if (points != 0) {
       messages.line(
@@ -262,88 +238,88 @@ public record RenderJob(
     throw Interruption.withoutPicture(monitor.isOutOfTime());
   }
 
-  private String stoppedBy() {
-    return monitor.isOutOfTime() ? "timeout" : "signal";
+  /** Does the steps after the samples, and writes the picture. */
+  private void finish(
+      Film film, RenderResult result, NoiseReport noise, double seconds, boolean isForVectors)
+      throws TaskException, InterruptedException {
+    warnOfInvalidCoordinates(result.statistics().invalidCoordinates());
+    Exposure exposure = how.exposing().of(file, result.image());
+    LaterSteps later = LaterSteps.of(this, film, result, exposure);
+    Summary summary =
+        new Summary(file.settings(), result, seconds, film.totalSamples(), later.missing());
+    write(film, later, metadata(summary, exposure, noise, later.loss()));
+    monitor.close();
+    tell(film, summary, noise, later);
+    if (isForVectors) {
+      summary.printKernel(said());
+    }
+    report(summary, noise, later.loss());
+    if (keeper.failure().isPresent()) {
+      throw new TaskException(Kind.OUTPUT, keeper.failure().get());
+    }
+    later.denoised().requireDone();
   }
 
-  private void finish(
-      Film film, RenderResult result, NoiseReport noise, LightReport light, double seconds)
-      throws TaskException {
+  private int exitCode(RenderStatistics statistics, NoiseReport noise) {
+    if (how.strict() && statistics.rejected() != 0) {
+      return ExitCodes.INTERNAL;
+    }
+    if (how.strict() && statistics.invalidCoordinates() != 0) {
+      return ExitCodes.WARNINGS;
+    }
+    return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
+  }
+
+  private Map<String, String> metadata(
+      Summary summary, Exposure exposure, NoiseReport noise, LightReport light) {
     RenderSettings settings = file.settings();
-    Summary summary = new Summary(settings, result, seconds, film.totalSamples());
-    Map<String, String> metadata = PictureMetadata.of(scene, file, settings, seconds);
-    if (!result.complete()) {
+    Map<String, String> metadata = PictureMetadata.of(scene, file, settings, summary.seconds());
+    if (!summary.isComplete()) {
       metadata.put(PictureMetadata.PARTIAL, summary.progress());
-      report.put("stopped_by", stoppedBy());
     }
     noise.putInto(metadata);
     light.putInto(metadata);
-    List<ImageLayer> layers = List.of();
-    if (picture.hasLayers() && !how.layers().isEmpty()) {
-      RecordedLayers recorded = RecordedLayers.of(settings, file.scene());
-      FilmPicture developed = FilmPicture.of(film, recorded, how.layers());
-      layers = developed.layers();
-      metadata.putAll(developed.metadata());
-    }
-    Exposure exposure = how.exposing().of(file, result.image());
     if (settings.exposure().stops().isEmpty()) {
       exposure
           .stops()
           .ifPresent(stops -> metadata.put(PictureMetadata.CHOSEN_EXPOSURE, "" + stops));
     }
-    ImageWriter.Options options =
-        new ImageWriter.Options(
-            exposure, settings.toneCurve(), how.bits(), how.jpegQuality(), metadata);
-    DenoisedPicture denoised = denoised(film);
-    write(denoised.image(result.image()), layers, denoised.noting(options));
-    tell(summary, noise, light);
-    denoised.tell(said(), report);
-    warn(result.complete() ? Optional.empty() : keeper.saved().map(RenderJob::continuation));
-    warn(coverage(film));
-    warn(evenness(film));
+    return metadata;
+  }
+
+  /** Writes the picture, and the layers if its format has them. */
+  private void write(Film film, LaterSteps later, Map<String, String> metadata)
+      throws TaskException {
+    monitor.busy("writing " + picture.target().getFileName());
+    List<ImageLayer> layers = List.of();
+    if (picture.hasLayers() && !how.layers().isEmpty()) {
+      RecordedLayers recorded = RecordedLayers.of(file.settings(), file.scene());
+      FilmPicture developed = FilmPicture.of(film, recorded, how.layers());
+      layers = developed.layers();
+      metadata.putAll(developed.metadata());
+    }
+    picture.write(later.light().image(), layers, later.options(metadata));
+  }
+
+  private void report(Summary summary, NoiseReport noise, LightReport light) {
     report.putScene(file);
     report.put("output", picture.target().toString());
-    report.putResult(result, seconds);
+    report.putResult(summary.result(), summary.seconds());
     noise.putInto(report);
-    if (!result.complete()) {
-      report.put("ended_by", stoppedBy());
+    if (!summary.isComplete()) {
+      report.put("complete", false);
+      report.put("missing", summary.missing().stream().map(LaterStep::key).toList());
+    }
+    if (!summary.isComplete() && monitor.isCancelled()) {
+      String end = monitor.isOutOfTime() ? "timeout" : "signal";
+      report.put("stopped_by", end);
+      report.put("ended_by", end);
     }
     light.putInto(report);
-    if (keeper.failure().isPresent()) {
-      throw new TaskException(Kind.OUTPUT, keeper.failure().get());
-    }
-    denoised.requireDone();
-  }
-
-  /** Writes the picture with its lines and labels, unless the render is or was stopped. */
-  private void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
-      throws TaskException {
-    Optional<DisplayLight> drawn = monitor.unlessStopped(() -> drawn(image, options));
-    if (drawn.isEmpty() && PictureDrawing.isNeeded(ParsedScene.of(file))) {
-      said().line("no lines and labels are drawn, because the render was stopped");
-    }
-    DisplayLight written = drawn.orElse(new DisplayLight(image, options));
-    picture.write(written.image(), layers, written.options());
-  }
-
-  private DisplayLight drawn(Image image, ImageWriter.Options options) {
-    PictureDrawing drawing =
-        PictureDrawing.of(
-            ParsedScene.of(file), note -> said().line(picture.target() + ": " + note));
-    return picture.isForScreen()
-        ? drawing.onDisplay(file.scene(), Optional.empty(), image, options)
-        : new DisplayLight(drawing.onLight(file.scene(), Optional.empty(), image), options);
-  }
-
-  private DenoisedPicture denoised(Film film) {
-    return how.denoising()
-        .map(denoising -> denoising.withThreads(file.settings().threads()))
-        .map(denoising -> DenoisedPicture.of(film, denoising, picture.target(), said(), monitor))
-        .orElse(DenoisedPicture.NOISY);
   }
 
   /** Returns the printer of what {@code --quiet} leaves out. */
-  private Messages said() {
+  Messages said() {
     return how.quiet() ? Messages.NONE : messages;
   }
 
@@ -385,12 +361,11 @@ public record RenderJob(
     report.put(name, values);
   }
 
-  private void tell(Summary summary, NoiseReport noise, LightReport light) {
-    Path target = picture.target();
+  private void tell(Film film, Summary summary, NoiseReport noise, LaterSteps later) {
     summary.printRejected(scene, messages);
     if (!how.quiet()) {
-      summary.print(target, noise, messages);
-      light.print(messages);
+      summary.print(picture.target(), noise, messages);
+      later.loss().print(messages);
       noise.printDoubts(messages);
     }
     if (!how.quiet() && picture.isForScreen()) {
@@ -399,5 +374,9 @@ public record RenderJob(
     if (how.stats()) {
       summary.printStatistics(messages);
     }
+    later.denoised().tell(said(), report);
+    warn(summary.isComplete() ? Optional.empty() : keeper.saved().map(RenderJob::continuation));
+    warn(coverage(film));
+    warn(evenness(film));
   }
 }

@@ -53,7 +53,7 @@ public final class RenderMonitor implements LabHost.Display {
    */
   public <T> T reading(Path scene, Interruption.Reading<T> action)
       throws TaskException, SceneFormatException {
-    display.get().busy("reading " + scene.getFileName());
+    busy("reading " + scene.getFileName());
     return interruption.reading(deadline, action);
   }
 
@@ -68,8 +68,25 @@ public final class RenderMonitor implements LabHost.Display {
 
   /** Runs a computation as {@link #unlessStopped(Interruption.Waiting)}, and shows what it does. */
   <T> Optional<T> unlessStopped(String activity, Interruption.Waiting<T> action) {
-    display.get().busy(activity);
+    busy(activity);
     return unlessStopped(action);
+  }
+
+  /**
+   * Runs a step of a picture that has all its samples, and shows it.
+   *
+   * @param activity such as {@code denoising}
+   * @return the result; empty if the step is not done within {@link Interruption#GRACE} after a
+   *     signal or the deadline
+   */
+  public <T> Optional<T> finishing(String activity, Interruption.Waiting<T> action) {
+    busy(activity);
+    return interruption.finishing(deadline, action);
+  }
+
+  /** Shows an activity that is no render. */
+  void busy(String activity) {
+    display.get().busy(activity);
   }
 
   /** Shows the limits of the render other than its samples. */
