@@ -15,6 +15,7 @@ import java.util.OptionalDouble;
  * @param secondsLeft until a time limit ends it
  * @param error current estimate of the relative error
  * @param targetError relative error that ends the render
+ * @param scale what the samples are compared with
  */
 record BarStatus(
     long done,
@@ -22,17 +23,63 @@ record BarStatus(
     double seconds,
     OptionalDouble secondsLeft,
     OptionalDouble error,
-    OptionalDouble targetError) {
+    OptionalDouble targetError,
+    Scale scale) {
   private static final int MOST_CELLS = 40;
   private static final int LEAST_CELLS = 8;
 
+  /** The share of a render that has all expected samples, and still goes on. */
+  private static final double ALMOST = .99;
+
+  /** Errors in percent that two digits show without an exponent; larger ones have no fraction. */
+  private static final double LEAST_SHOWN = 1e-4;
+
+  private static final double MOST_OF_TWO_DIGITS = 99.5;
+  private static final double MOST_SHOWN = 9999;
+
+  /**
+   * What the samples of a render are compared with.
+   *
+   * @param pixels 0 if unknown
+   * @param before samples that the picture has already
+   * @param firstPass samples that are rendered whatever the time limit is
+   * @param isForecast whether the total is an estimate
+   */
+  record Scale(long pixels, long before, long firstPass, boolean isForecast) {
+    static final Scale UNKNOWN = new Scale(0, 0, 0, false);
+
+    /** Returns this scale with an estimated total. */
+    Scale forecast() {
+      return new Scale(pixels, before, firstPass, true);
+    }
+  }
+
+  /** Creates the progress of a render of unknown scale. */
+  BarStatus(
+      long done,
+      long total,
+      double seconds,
+      OptionalDouble secondsLeft,
+      OptionalDouble error,
+      OptionalDouble targetError) {
+    this(done, total, seconds, secondsLeft, error, targetError, Scale.UNKNOWN);
+  }
+
   /**
    * Returns {@code 42 % [=====> ] 0:00:12 left, 1.5 M samples/s, noise 3.1 % (target 2.0 %)},
-   * without the last parts if they do not fit.
+   * without the last parts if they do not fit. A render whose end is not known has no share: {@code
+   * 3.4 samples per pixel, 0:00:12, 1.5 M samples/s}.
    *
    * @param columns maximum length of the line
    */
   String line(int columns) {
+    if (isOpen() && scale.pixels > 0) {
+      List<String> parts = openParts();
+      while (parts.size() > 1 && columns < length(parts) - 2) {
+        parts.remove(parts.size() - 1);
+      }
+      return cut(String.join(", ", parts), columns);
+    }
     String percent = isOpen() ? "  ? %" : String.format(Locale.ROOT, "%3.0f %%", 100 * floored());
     List<String> parts = parts();
     int room = columns - percent.length();
@@ -59,16 +106,37 @@ record BarStatus(
     if (left.isPresent()) {
       parts.add(ProgressBar.clock(left.getAsDouble()) + " left");
     }
+    addRateAndNoise(parts);
+    return parts;
+  }
+
+  private List<String> openParts() {
+    double mean = (double) (scale.before + done) / scale.pixels;
+    List<String> parts = new ArrayList<>();
+    parts.add(
+        String.format(Locale.ROOT, mean < 10 ? "%.1f" : "%.0f", mean) + " samples per pixel");
+    parts.add(ProgressBar.clock(seconds));
+    addRateAndNoise(parts);
+    return parts;
+  }
+
+  private void addRateAndNoise(List<String> parts) {
     parts.add(Numbers.rate(done, seconds) + " samples/s");
     if (targetError.isPresent() && error.isPresent() && Double.isFinite(error.getAsDouble())) {
       parts.add(
-          String.format(
-              Locale.ROOT,
-              "noise %.2g %% (target %.2g %%)",
-              100 * error.getAsDouble(),
-              100 * targetError.getAsDouble()));
+          "noise %s (target %s)"
+              .formatted(percent(error.getAsDouble()), percent(targetError.getAsDouble())));
     }
-    return parts;
+  }
+
+  private static String percent(double share) {
+    double percent = 100 * share;
+    if (percent > MOST_SHOWN) {
+      return "over %.0f %%".formatted(MOST_SHOWN);
+    }
+    boolean hasTwoDigits = percent >= LEAST_SHOWN && percent < MOST_OF_TWO_DIGITS;
+    String format = hasTwoDigits ? "%.2g %%" : percent < LEAST_SHOWN ? "%.6f %%" : "%.0f %%";
+    return String.format(Locale.ROOT, format, percent);
   }
 
   private String bar(int cells) {
@@ -91,12 +159,24 @@ record BarStatus(
   }
 
   private double ofSamples() {
-    return total == 0 ? 0 : (double) done / total;
+    double share = total == 0 ? 0 : (double) done / total;
+    return scale.isForecast ? Math.min(ALMOST, share) : share;
   }
 
   private double ofTime() {
+    double left = timeLimit();
+    return left == 0 ? 1 : Double.isInfinite(left) ? 0 : seconds / (seconds + left);
+  }
+
+  /** Returns the seconds until the time limit, or until the first pass ends, which may be later. */
+  private double timeLimit() {
     double left = Math.max(0, secondsLeft.orElse(Double.POSITIVE_INFINITY));
-    return left == 0 ? 1 : seconds / (seconds + left);
+    if (done >= scale.firstPass) {
+      return left;
+    }
+    double ofFirstPass =
+        done == 0 ? Double.POSITIVE_INFINITY : seconds * (scale.firstPass - done) / done;
+    return left == 0 || done > 0 ? Math.max(left, ofFirstPass) : left;
   }
 
   /**
@@ -111,8 +191,10 @@ record BarStatus(
 
   private OptionalDouble timeLeft() {
     double share = Math.max(ofSamples(), ofError());
-    double ofRate = share > 0 ? Math.max(0, seconds / share - seconds) : Double.POSITIVE_INFINITY;
-    double left = Math.min(ofRate, Math.max(0, secondsLeft.orElse(Double.POSITIVE_INFINITY)));
+    boolean isLate = scale.isForecast && done >= total;
+    double ofRate =
+        share > 0 && !isLate ? Math.max(0, seconds / share - seconds) : Double.POSITIVE_INFINITY;
+    double left = Math.min(ofRate, timeLimit());
     return Double.isFinite(left) ? OptionalDouble.of(left) : OptionalDouble.empty();
   }
 }

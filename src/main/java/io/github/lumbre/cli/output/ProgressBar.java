@@ -58,6 +58,7 @@ public final class ProgressBar implements ProgressDisplay {
 
   private String activity = "";
   private long total;
+  private BarStatus.Scale scale = BarStatus.Scale.UNKNOWN;
   private double start;
   private double lastTick;
   private Supplier<OptionalDouble> secondsLeft = OptionalDouble::empty;
@@ -166,13 +167,23 @@ public final class ProgressBar implements ProgressDisplay {
           activity = "";
           done.reset();
           total = totalSamples;
+          scale = BarStatus.Scale.UNKNOWN;
           start = clock.getAsDouble();
         });
   }
 
   @Override
+  public void film(long pixels, long before, long firstPass) {
+    locked(() -> scale = new BarStatus.Scale(pixels, before, firstPass, false));
+  }
+
+  @Override
   public void expected(long furtherSamples) {
-    locked(() -> total = done.sum() + furtherSamples);
+    locked(
+        () -> {
+          total = done.sum() + furtherSamples;
+          scale = scale.forecast();
+        });
   }
 
   @Override
@@ -227,7 +238,7 @@ public final class ProgressBar implements ProgressDisplay {
   }
 
   private void draw(double seconds, int columns) {
-    if (!activity.isEmpty() && seconds < PATIENCE_SECONDS) {
+    if (!activity.isEmpty() && seconds < PATIENCE_SECONDS && drawn == 0) {
       return;
     }
     if (drawn > 0 && columns != drawnWidth) {
@@ -248,7 +259,7 @@ public final class ProgressBar implements ProgressDisplay {
   }
 
   private BarStatus status(double seconds) {
-    return new BarStatus(done.sum(), total, seconds, secondsLeft.get(), error, targetError);
+    return new BarStatus(done.sum(), total, seconds, secondsLeft.get(), error, targetError, scale);
   }
 
   private void erase() {

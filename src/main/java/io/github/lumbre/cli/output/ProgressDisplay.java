@@ -23,7 +23,7 @@ public interface ProgressDisplay extends AutoCloseable {
 
   /**
    * Called when something starts that takes a while and is no render; it lasts until {@link
-   * #started}.
+   * #started} or the next one.
    *
    * @param activity such as {@code reading chair.glb}
    */
@@ -35,6 +35,15 @@ public interface ProgressDisplay extends AutoCloseable {
    * @param totalSamples number of samples; 0 if it is not known
    */
   void started(long totalSamples);
+
+  /**
+   * Called before the first sample.
+   *
+   * @param pixels number of pixels
+   * @param before samples of all pixels that the picture has already
+   * @param firstPass samples that are rendered whatever the time limit is
+   */
+  default void film(long pixels, long before, long firstPass) {}
 
   /** Called with an estimate of the remaining samples. */
   void expected(long furtherSamples);

@@ -165,6 +165,7 @@ public record RenderJob(
     monitor.limited(budget);
     long all = film.window().pixels() * file.settings().samples();
     monitor.started(budget.isOpen() ? 0 : Math.max(0, all - film.totalSamples()));
+    monitor.film(film);
     warn(budget.doubt(film));
   }
 

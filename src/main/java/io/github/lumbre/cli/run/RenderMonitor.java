@@ -6,6 +6,7 @@ import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.Film;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -94,6 +95,15 @@ public final class RenderMonitor implements LabHost.Display {
     display
         .get()
         .limited(() -> earlier(deadline.secondsLeft(), budget.secondsLeft()), budget.targetError());
+  }
+
+  /** Shows the size of a film and its existing samples; to be called after {@link #started}. */
+  void film(Film film) {
+    long pixels = film.window().pixels();
+    // --timeout ends the first pass, too, but --time does not.
+    boolean isFirst = film.fewestSamples() == 0 && deadline.secondsLeft().isEmpty();
+    long first = isFirst ? Math.max(0, pixels * film.poses() - film.totalSamples()) : 0;
+    display.get().film(pixels, film.totalSamples(), first);
   }
 
   private static OptionalDouble earlier(OptionalDouble one, OptionalDouble other) {

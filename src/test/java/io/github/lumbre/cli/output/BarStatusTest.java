@@ -60,4 +60,51 @@ class BarStatusTest {
   void unknownEndHasNoShare() {
     assertThat(samples(100, 0, 10).line(60)).startsWith("  ? % [>").endsWith("] 10 samples/s");
   }
+
+  private static BarStatus scaled(
+      long done, long total, double seconds, OptionalDouble left, BarStatus.Scale scale) {
+    return new BarStatus(done, total, seconds, left, NONE, NONE, scale);
+  }
+
+  @Test
+  void largeErrorsHaveNoExponent() {
+    for (double error : new double[] {.995, 1.5, 12, 1e9, 1e-9}) {
+      BarStatus status =
+          new BarStatus(100, 0, 10, NONE, OptionalDouble.of(error), OptionalDouble.of(.02));
+      assertThat(status.line(120)).doesNotContainPattern("[0-9]e[+-]");
+    }
+    BarStatus status =
+        new BarStatus(100, 0, 10, NONE, OptionalDouble.of(1.5), OptionalDouble.of(.02));
+    assertThat(status.line(120)).endsWith("noise 150 % (target 2.0 %)");
+  }
+
+  @Test
+  void unknownEndOfAFilmShowsSamplesPerPixelAndTime() {
+    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 1000, false);
+    assertThat(scaled(400, 0, 10, NONE, scale).line(79))
+        .isEqualTo("0.4 samples per pixel, 0:00:10, 40 samples/s");
+    assertThat(scaled(400, 0, 10, NONE, scale).line(33))
+        .isEqualTo("0.4 samples per pixel, 0:00:10");
+    BarStatus.Scale resumed = new BarStatus.Scale(1000, 12_000, 0, false);
+    assertThat(scaled(2000, 0, 10, NONE, resumed).line(79)).startsWith("14 samples per pixel, ");
+  }
+
+  /** The time of 5 s is over, and the first pass takes 30 s more. */
+  @Test
+  void firstPassesThatOutlastTheTimeLimitAreNotDone() {
+    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 1000, false);
+    assertThat(scaled(250, 0, 10, OptionalDouble.of(-5), scale).line(79))
+        .startsWith(" 25 % [")
+        .contains("] 0:00:30 left, ");
+    assertThat(scaled(0, 0, 10, OptionalDouble.of(-5), scale).line(79)).startsWith("  0 % [>");
+    assertThat(scaled(1000, 0, 10, OptionalDouble.of(30), scale).line(79)).startsWith(" 25 % [");
+  }
+
+  @Test
+  void forecastsThatWereTooLowDoNotEnd() {
+    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 0, true);
+    assertThat(scaled(9000, 8000, 10, NONE, scale).line(79))
+        .startsWith(" 99 % [")
+        .doesNotContain("left");
+  }
 }

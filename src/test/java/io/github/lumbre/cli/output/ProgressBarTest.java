@@ -135,4 +135,21 @@ class ProgressBarTest {
     columns = Optional.empty();
     assertThat(width.columns()).isPositive();
   }
+
+  @Test
+  void whatFollowsTheSamplesIsShownAtOnce() {
+    ProgressBar bar = bar(true);
+    bar.started(1000);
+    bar.advanced(1000);
+    now = 1;
+    bar.tick();
+    assertThat(printed()).contains("100 %");
+    bar.busy("denoising");
+    bar.tick();
+    assertThat(printed()).isEqualTo("\rdenoising ... 0:00:00\033[K\r");
+    bar.busy("writing a.png");
+    now = 3;
+    bar.tick();
+    assertThat(printed()).isEqualTo("\rwriting a.png ... 0:00:02\033[K\r");
+  }
 }
