@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.scene.Scene;
@@ -71,6 +72,20 @@ class BatchTest {
     }
     assertThat(batch.err().lines().toList().get(0)).startsWith("T/a/b/sample.pfm: 16x12 pixels");
     assertThat(batch.err()).containsPattern("\n2 of 2 pictures written; [0-9]+[.][0-9]{2} s\n$");
+  }
+
+  @Test
+  void progressOfSeveralScenesIsJsonThatNamesThem() {
+    Outcome batch =
+        run("render T/sample.glb T/tiny.json -o T/out --quiet --progress json" + SMALL);
+    assertThat(batch.exitCode()).as(batch.err()).isZero();
+    List<JsonObject> lines =
+        batch.err().lines().map(line -> JsonParser.parseString(line).getAsJsonObject()).toList();
+    assertThat(lines.stream().map(line -> line.get("scene").getAsString()).distinct())
+        .containsExactly("T/sample.glb", "T/tiny.json");
+    assertThat(lines.stream().map(line -> line.get("frame").getAsInt()).distinct())
+        .containsExactly(1, 2);
+    assertThat(lines).allMatch(line -> line.get("frames").getAsInt() == 2 && line.has("done"));
   }
 
   @Test

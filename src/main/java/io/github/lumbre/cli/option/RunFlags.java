@@ -19,6 +19,7 @@ import io.github.lumbre.scene.Layer;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -60,13 +61,15 @@ public final class RunFlags extends Flags {
   private String title = "";
   private List<String> names = List.of();
   private boolean isBrief;
-  private Map<String, Number> place = Map.of();
+  private Map<String, Object> place = Map.of();
   private final Set<String> warned = new HashSet<>();
 
   /** Names the current one of several scenes in its messages and on its progress bar. */
   public void about(Frames frames, Path scene) {
     Path picture = frames.target().getFileName();
     title = frames.title();
+    place = new LinkedHashMap<>(frames.placeValues());
+    place.put("scene", scene.toString());
     names = List.of(scene.toString(), String.valueOf(scene.getFileName()), picture.toString());
   }
 
@@ -76,7 +79,7 @@ public final class RunFlags extends Flags {
    */
   public void about(Frames frames) {
     title = frames.place();
-    place = frames.placeValues();
+    place = new LinkedHashMap<>(frames.placeValues());
     names = List.of(String.valueOf(frames.target().getFileName()));
     isBrief = !stats;
   }
@@ -128,7 +131,7 @@ public final class RunFlags extends Flags {
             !quiet && Boolean.getBoolean("lumbre.tty") ? ProgressStyle.BAR : ProgressStyle.NONE);
     return switch (style) {
       case BAR -> ProgressBar.onStandardError(title);
-      case JSON -> new JsonProgress(new Messages(spec.commandLine().getErr(), names), place);
+      case JSON -> new JsonProgress(new Messages(spec.commandLine().getErr()), place);
       case NONE -> ProgressDisplay.NONE;
     };
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.Executors;
@@ -16,7 +17,7 @@ public final class JsonProgress implements ProgressDisplay {
 
   private final LongAdder done = new LongAdder();
   private final Messages out;
-  private final Map<String, Number> place;
+  private final Map<String, ?> place;
   private final AtomicBoolean isStarted = new AtomicBoolean();
   private final ScheduledExecutorService clock =
       Executors.newSingleThreadScheduledExecutor(
@@ -31,9 +32,10 @@ public final class JsonProgress implements ProgressDisplay {
   private volatile OptionalDouble error = OptionalDouble.empty();
 
   /**
-   * @param place values with which each line begins, such as the number of the frame
+   * @param place values with which each line begins, such as the number of the frame or the
+   *     scene
    */
-  public JsonProgress(Messages out, Map<String, Number> place) {
+  public JsonProgress(Messages out, Map<String, ?> place) {
     this.out = out;
     this.place = place;
   }
@@ -95,14 +97,20 @@ public final class JsonProgress implements ProgressDisplay {
    * @param limit remaining seconds of the time limit; empty if there is none
    */
   static String line(
-      Map<String, Number> place,
+      Map<String, ?> place,
       long done,
       long total,
       double seconds,
       OptionalDouble limit,
       OptionalDouble relativeError) {
     JsonObject line = new JsonObject();
-    place.forEach(line::addProperty);
+    place.forEach(
+        (key, value) ->
+            line.add(
+                key,
+                value instanceof Number number
+                    ? new JsonPrimitive(number)
+                    : new JsonPrimitive(value.toString())));
     line.addProperty("done", done);
     if (total > 0) {
       line.addProperty("total", total);
