@@ -18,6 +18,11 @@ import picocli.CommandLine.ParameterException;
 public final class SequenceFlags extends Flags {
   private static final FrameRate DEFAULT_RATE = new FrameRate(25, 1);
 
+  /** The time of a turntable, unless that takes more frames per second than a GIF can have. */
+  private static final int SECONDS_OF_A_TURN = 5;
+
+  private static final int MOST_PER_SECOND = 50;
+
   @Option(
       names = "--turntable",
       paramLabel = "N",
@@ -38,7 +43,8 @@ public final class SequenceFlags extends Flags {
       names = "--fps",
       paramLabel = "N",
       description =
-          "Frames per second of an animation and of one file: 25, 12.5 or 30000/1001 (25).")
+          "Frames per second of an animation and of one file: 25, 12.5 or 30000/1001 (25; a"
+              + " turntable turns once in 5 s).")
   private Optional<FrameRate> fps;
 
   @Option(
@@ -113,7 +119,13 @@ public final class SequenceFlags extends Flags {
 
   /** Returns the frames per second. */
   public FrameRate rate() {
-    return fps.orElse(DEFAULT_RATE);
+    return fps.or(() -> turntable.map(SequenceFlags::rateOfTurntable)).orElse(DEFAULT_RATE);
+  }
+
+  private static FrameRate rateOfTurntable(int frames) {
+    return frames > MOST_PER_SECOND * SECONDS_OF_A_TURN
+        ? new FrameRate(MOST_PER_SECOND, 1)
+        : new FrameRate(frames, SECONDS_OF_A_TURN);
   }
 
   /** Returns the path of the program that writes videos; empty if it is not given. */
