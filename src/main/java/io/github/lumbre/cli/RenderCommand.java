@@ -195,7 +195,7 @@ final class RenderCommand extends Subcommand {
         return estimate(file, denoising, report);
       }
       MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
-      frames.picture().requireFits(file.settings());
+      frames.requireFits(file.settings());
       // The first frame of several takes longest to read: all of them share that time.
       Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
       RunBudget budget =

@@ -16,6 +16,8 @@ import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -46,6 +48,8 @@ final class RenderSequence {
   private List<Path> all = List.of();
   private List<Integer> part = List.of();
   private List<Integer> missing = List.of();
+  private Optional<JoinedFrames> file = Optional.empty();
+  private Optional<String> size = Optional.empty();
   private int written;
   private boolean isDenoised;
 
@@ -101,6 +105,7 @@ final class RenderSequence {
     PictureExposure exposing = PictureExposure.ofAll(finished.exposure());
     List<Path> targets = missing.stream().map(all::get).toList();
     try (Frames frames = new Frames(targets, course.interruption(), course.deadline())) {
+      frames.checkedBy(this::requireFits);
       for (int i = 0; i < missing.size() && code <= ExitCodes.WARNINGS; i++) {
         choose(missing.get(i));
         options.run.about(frames);
@@ -122,9 +127,28 @@ final class RenderSequence {
     }
   }
 
+  /** Requires that a frame suits the one file and has the size of the frames before. */
+  private void requireFits(RenderSettings settings) throws TaskException {
+    Crop window = settings.window();
+    if (file.isPresent()) {
+      file.get().requireFits(window);
+    }
+    if (isJoined && size.isPresent() && !size.get().equals(sizeOf(window))) {
+      throw Kind.USAGE.failure(
+          "%s: has %s pixels, expected %s, as the frames before; set one size with --size"
+              .formatted(options.scene.scene(), sizeOf(window), size.get()));
+    }
+    size = Optional.of(sizeOf(window));
+  }
+
+  private static String sizeOf(Crop window) {
+    return window.width() + "x" + window.height();
+  }
+
   /** Renders the frames and joins all into one file. */
   private int join(JsonSummary report) throws SceneFormatException, TaskException {
     try (JoinedFrames joined = reserved()) {
+      file = Optional.of(joined);
       int code = render();
       if (written < missing.size()) {
         if (code > ExitCodes.WARNINGS) {

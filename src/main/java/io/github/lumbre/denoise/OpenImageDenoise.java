@@ -1,11 +1,11 @@
 package io.github.lumbre.denoise;
 
 import io.github.lumbre.file.ExternalProgram;
+import io.github.lumbre.file.PrivateFolder;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -15,7 +15,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * Denoises with the program {@code oidnDenoise} of Intel Open Image Denoise, as a process of its
@@ -31,6 +30,9 @@ public final class OpenImageDenoise {
 
   private static final String PROGRAM = "oidnDenoise";
   private static final Pattern VERSION = Pattern.compile("version=([0-9.]{1,20})");
+
+  /** The header of a PFM file has three lines. */
+  private static final int MOST_HEADER_BYTES = 1024;
 
   private final ExternalProgram program;
   private final int threads;
@@ -81,13 +83,8 @@ public final class OpenImageDenoise {
    * @throws InterruptedException if the thread is interrupted; the program is ended
    */
   public Denoised denoise(NoisyPicture noisy) throws DenoiseException, InterruptedException {
-    try {
-      Path folder = Files.createTempDirectory("lumbre-denoise");
-      try {
-        return denoise(noisy, folder);
-      } finally {
-        delete(folder);
-      }
+    try (PrivateFolder folder = PrivateFolder.temporary()) {
+      return denoise(noisy, folder.path());
     } catch (IOException e) {
       throw new DenoiseException(program.path() + ": its files failed: " + e.getMessage(), e);
     }
@@ -151,6 +148,11 @@ public final class OpenImageDenoise {
   private Image result(NoisyPicture noisy, Path output) throws DenoiseException {
     Image image;
     try {
+      long size = PrivateFolder.size(output);
+      long most = MOST_HEADER_BYTES + 3L * Float.BYTES * noisy.width() * noisy.height();
+      if (size > most) {
+        throw new IOException("a file of " + size + " bytes, expected at most " + most);
+      }
       image = LinearReader.read(output);
     } catch (IOException e) {
       throw new DenoiseException(
@@ -168,14 +170,5 @@ public final class OpenImageDenoise {
       }
     }
     return image;
-  }
-
-  private static void delete(Path folder) throws IOException {
-    try (Stream<Path> files = Files.list(folder)) {
-      for (Path file : files.toList()) {
-        Files.deleteIfExists(file);
-      }
-    }
-    Files.deleteIfExists(folder);
   }
 }

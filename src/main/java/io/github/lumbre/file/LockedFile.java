@@ -91,7 +91,14 @@ final class LockedFile implements Closeable {
     }
   }
 
-  private static FileChannel create(Path target, Path path) throws IOException {
+  /**
+   * Opens a hidden file, which is created if it does not exist.
+   *
+   * @throws IOException with a message for the user, if the directory cannot be written, or if
+   *     something else has the name: a link, also a hard one, or a pipe, which may wait for ever
+   */
+  static FileChannel create(Path target, Path path) throws IOException {
+    requireOwnFile(target, path);
     try {
       return FileChannel.open(
           path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
@@ -100,6 +107,32 @@ final class LockedFile implements Closeable {
           "%s: the directory %s cannot be written: %s"
               .formatted(target, path.getParent(), reason(e, path.getParent())),
           e);
+    }
+  }
+
+  /**
+   * Requires that a hidden file is no pipe or device, and has no second name. Opening refuses
+   * directories and symbolic links.
+   */
+  static void requireOwnFile(Path target, Path path) throws IOException {
+    boolean isSpecial =
+        Files.exists(path, LinkOption.NOFOLLOW_LINKS)
+            && !Files.isDirectory(path, LinkOption.NOFOLLOW_LINKS)
+            && !Files.isSymbolicLink(path)
+            && !Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS);
+    if (isSpecial || names(path) > 1 && Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
+      throw new IOException(
+          "%s: expected a file of this program at %s, found %s; remove it"
+              .formatted(target, path, isSpecial ? "a pipe or device" : "a hard link"));
+    }
+  }
+
+  /** Returns the number of a file's names; 1 where the file system does not tell. */
+  private static int names(Path path) {
+    try {
+      return (Integer) Files.getAttribute(path, "unix:nlink", LinkOption.NOFOLLOW_LINKS);
+    } catch (IOException | UnsupportedOperationException e) {
+      return 1;
     }
   }
 

@@ -10,8 +10,12 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 
 /**
@@ -98,12 +102,51 @@ public final class OutputFile implements Closeable {
   }
 
   /**
+   * Reserves the names of many files, each of which is opened when it is written, until the
+   * returned object is closed. It holds one open file for each folder, and excludes other callers
+   * of this method. Missing directories are made, and deleted again if nothing is written.
+   *
+   * @param targets at least one
+   * @throws IOException as {@link #open(Path)}, for the first file that cannot be written
+   */
+  public static Closeable reserve(List<Path> targets) throws IOException {
+    Map<Path, List<Path>> folders = new LinkedHashMap<>();
+    for (Path target : targets) {
+      Path folder = target.toAbsolutePath().getParent();
+      folders.computeIfAbsent(folder, key -> new ArrayList<>()).add(target);
+    }
+    Deque<Closeable> reserved = new ArrayDeque<>();
+    try {
+      for (Map.Entry<Path, List<Path>> folder : folders.entrySet()) {
+        MadeFolders made = MadeFolders.of(folder.getValue().get(0));
+        reserved.push(made::deleteEmpty);
+        for (Path target : folder.getValue()) {
+          LockedFile.requireOwnFile(target, hidden(destination(target), ".tmp"));
+        }
+        reserved.push(NamesLock.open(folder.getKey(), folder.getValue()));
+      }
+    } catch (IOException e) {
+      closeAll(reserved);
+      throw e;
+    }
+    return () -> closeAll(reserved);
+  }
+
+  private static void closeAll(Deque<Closeable> reserved) throws IOException {
+    while (!reserved.isEmpty()) {
+      reserved.pop().close();
+    }
+  }
+
+  /**
    * Deletes the temporary files and reservations of this JVM that are neither committed nor closed.
    * For a program that ends immediately, because those files cannot be used afterwards. Safe for
    * use by any thread.
    */
   public static void deleteUnfinished() {
     LockedFile.deleteAll();
+    NamesLock.deleteAll();
+    PrivateFolder.deleteAll();
   }
 
   private static Path hidden(Path destination, String ending) {

@@ -18,6 +18,9 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -235,6 +238,45 @@ class AnimationCommandsTest {
     assertThat(directory.resolve("a-001.png")).hasContent("a letter");
   }
 
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void framesThatTheFileCannotHaveAreNotRendered() throws IOException {
+    Path program =
+        Files.writeString(
+            directory.resolve("ffmpeg"), "#!/bin/sh\necho ' V....D libvpx-vp9 VP9'\n");
+    assertThat(program.toFile().setExecutable(true)).isTrue();
+    run("render T/sample.glb --turntable 2 --size 65535x1 -s 1 --ffmpeg T/ffmpeg -o T/a.webm")
+        .assertFailed(ExitCodes.LIMIT, "a.webm: a video of the encoder libvpx-vp9 has at most");
+    assertThat(files("a.webm")).isEmpty();
+    Files.writeString(directory.resolve("b.json"), TinyScene.JSON);
+    Files.writeString(
+        directory.resolve("c.json"), TinyScene.with("\"width\": 16", "\"width\": 18"));
+    Outcome outcome = run("render T/b.json T/c.json -s 1 -o T/c.gif");
+    assertThat(outcome.err()).contains("c.json: has 18x12 pixels, expected 16x12");
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
+  }
+
+  /** Reading a pipe to which nobody writes would take for ever. */
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void pipesAmongTheFramesAreRefused() throws Exception {
+    String line = "render T/sample.glb --turntable 2 -o T/a.png" + SMALL;
+    for (String name : List.of("a-001.png", ".a-000.png.tmp", ".lumbre.lock")) {
+      String pipe = directory.resolve(name).toString();
+      assertThat(new ProcessBuilder("mkfifo", pipe).start().waitFor()).isZero();
+      Outcome plain = run(line);
+      assertThat(plain.exitCode()).as(plain.err()).isEqualTo(ExitCodes.OUTPUT);
+      assertThat(plain.err()).contains(name);
+      Outcome continued = run(line + " --continue");
+      assertThat(continued.err()).contains(name);
+      assertThat(continued.exitCode())
+          .as(continued.err())
+          .isEqualTo(name.startsWith(".") ? ExitCodes.OUTPUT : ExitCodes.USAGE);
+      Files.delete(Path.of(pipe));
+    }
+  }
+
   /** The pixels of the file are tested with its writer; here are its frames. */
   @Test
   void framesAreJoinedIntoOneFile() throws IOException {
@@ -257,6 +299,24 @@ class AnimationCommandsTest {
     assertThat(json.get("output").getAsString()).endsWith("a.apng");
     assertThat(json.get("frames").getAsInt()).isEqualTo(3);
     assertThat(texts("a.apng")).containsEntry("Samples", "2").doesNotContainKey("SceneHash");
+  }
+
+  /** The delays of a GIF's frames are in hundredths of a second. */
+  @ParameterizedTest
+  @CsvSource({"--seed 0, 4, 500", "--fps 10, 4, 40", "--seed 0, 3, 500"})
+  void aTurntableTurnsOnceInFiveSeconds(String flags, int frames, int hundredths)
+      throws IOException {
+    String line = "render T/sample.glb --turntable " + frames + " --size 4x3 -s 1 " + flags;
+    runs(line + " --no-denoise -o T/a.gif");
+    byte[] gif = Files.readAllBytes(directory.resolve("a.gif"));
+    int time = 0;
+    for (int i = 0; i + 7 < gif.length; i++) {
+      // A graphic control extension: its length, flags, and the delay.
+      if (gif[i] == 0x21 && (gif[i + 1] & 0xff) == 0xf9 && gif[i + 2] == 4 && gif[i + 7] == 0) {
+        time += gif[i + 4] & 0xff | (gif[i + 5] & 0xff) << Byte.SIZE;
+      }
+    }
+    assertThat(time).isEqualTo(hundredths);
   }
 
   private static String lastLine(String text) {
@@ -341,7 +401,8 @@ class AnimationCommandsTest {
     assertThat(printed.lines().filter(text -> !text.startsWith("warning: "))).hasSize(1);
     String stats = runs(line + " --stats --progress json");
     assertThat(stats.lines().filter(text -> text.contains("peak heap"))).hasSize(3);
-    assertThat(stats).contains("{\"frame\":3,\"frames\":3,\"seconds_left_in_all\":");
+    assertThat(stats.lines())
+        .anyMatch(text -> text.startsWith("{\"frame\":3,\"frames\":3,\"seconds_left_in_all\":"));
   }
 
   @Test

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.file.Disk;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
@@ -19,7 +20,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** The picture file: reserved before the render starts, written when it ends. Mutable. */
+/**
+ * The picture file: reserved before the render starts, or with others whose names are reserved
+ * together, and written when it ends. Mutable.
+ */
 public final class PictureOutput implements AutoCloseable {
   /** The path that denotes standard input or output. */
   public static final Path STANDARD = Path.of("-");
@@ -28,11 +32,16 @@ public final class PictureOutput implements AutoCloseable {
   public static final Path STDIN = Path.of("stdin");
 
   private final Path target;
-  private final OutputFile file;
-  private final Fallback fallback;
 
-  private PictureOutput(Path target, OutputFile file, Fallback fallback) {
+  /** The path that is written: the target, or a temporary file for standard output. */
+  private final Path path;
+
+  private final Fallback fallback;
+  private Optional<OutputFile> file;
+
+  private PictureOutput(Path target, Path path, Optional<OutputFile> file, Fallback fallback) {
     this.target = target;
+    this.path = path;
     this.file = file;
     this.fallback = fallback;
   }
@@ -95,10 +104,20 @@ public final class PictureOutput implements AutoCloseable {
    */
   public static PictureOutput reserve(Path target, Fallback fallback) throws TaskException {
     try {
-      return new PictureOutput(target, OutputFile.open(target), fallback);
+      return new PictureOutput(target, target, Optional.of(OutputFile.open(target)), fallback);
     } catch (IOException e) {
       throw Kind.OUTPUT.failure(e.getMessage(), e);
     }
+  }
+
+  /**
+   * Returns the output of a picture whose name is reserved by {@link OutputFile#reserve(List)}. The
+   * file is opened when the picture is written.
+   *
+   * @param fallback directory for the picture if the file cannot be written then
+   */
+  public static PictureOutput of(Path target, Fallback fallback) {
+    return new PictureOutput(target, target, Optional.empty(), fallback);
   }
 
   /**
@@ -113,7 +132,8 @@ public final class PictureOutput implements AutoCloseable {
     Path directory = fallback.directory();
     try {
       Path collected = fallback.newFile(Path.of("picture" + format.ending()));
-      return new PictureOutput(STANDARD, OutputFile.open(collected), fallback);
+      Optional<OutputFile> file = Optional.of(OutputFile.open(collected));
+      return new PictureOutput(STANDARD, collected, file, fallback);
     } catch (IOException e) {
       throw Kind.OUTPUT.failure(directory + ": cannot be written: " + e.getMessage(), e);
     }
@@ -126,7 +146,7 @@ public final class PictureOutput implements AutoCloseable {
 
   /** Returns whether the picture's format is for the screen (PNG or JPEG). */
   public boolean isForScreen() {
-    return ImageFormat.of(file.target()).filter(ImageFormat::isForScreen).isPresent();
+    return ImageFormat.of(path).filter(ImageFormat::isForScreen).isPresent();
   }
 
   /**
@@ -140,7 +160,7 @@ public final class PictureOutput implements AutoCloseable {
             .crop()
             .map(crop -> Math.max(crop.width(), crop.height()))
             .orElse(Math.max(settings.width(), settings.height()));
-    boolean isJpeg = ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.JPG));
+    boolean isJpeg = ImageFormat.of(path).equals(Optional.of(ImageFormat.JPG));
     if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
       throw Kind.LIMIT.failure(
           "%s: a JPEG has at most %s pixels on a side, found %s; choose another format"
@@ -154,7 +174,7 @@ public final class PictureOutput implements AutoCloseable {
 
   /** Returns whether the picture's format has layers. */
   public boolean hasLayers() {
-    return ImageFormat.of(file.target()).equals(Optional.of(ImageFormat.EXR));
+    return ImageFormat.of(path).equals(Optional.of(ImageFormat.EXR));
   }
 
   /** Writes a picture without layers; see {@link #write(Image, List, ImageWriter.Options)}. */
@@ -170,15 +190,22 @@ public final class PictureOutput implements AutoCloseable {
   public void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
       throws TaskException {
     try {
-      PictureEncoder.write(image, layers, file, options);
+      PictureEncoder.write(image, layers, opened(), options);
     } catch (IOException e) {
-      String failure = file.target() + ": cannot be written: " + e.getMessage();
+      String failure = path + ": cannot be written: " + e.getMessage();
       String rescue = isStandardOutput() ? "" : "; " + rescue(image, layers, options);
       throw Kind.OUTPUT.failure(failure + rescue, e);
     }
     if (isStandardOutput()) {
-      print(file.target());
+      print(path);
     }
+  }
+
+  private OutputFile opened() throws IOException {
+    if (file.isEmpty()) {
+      file = Optional.of(OutputFile.open(path, Disk.REAL));
+    }
+    return file.get();
   }
 
   private static void print(Path collected) throws TaskException {
@@ -211,9 +238,11 @@ public final class PictureOutput implements AutoCloseable {
   @Override
   public void close() {
     try {
-      file.close();
+      if (file.isPresent()) {
+        file.get().close();
+      }
       if (isStandardOutput()) {
-        Fallback.deleteIfEmpty(file.target());
+        Fallback.deleteIfEmpty(path);
       }
     } catch (IOException e) {
       throw new UncheckedIOException(e);

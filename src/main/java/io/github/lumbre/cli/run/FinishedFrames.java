@@ -54,6 +54,10 @@ public final class FinishedFrames {
     if (!Files.exists(picture)) {
       return;
     }
+    if (!Files.isRegularFile(picture)) {
+      // A pipe might wait for ever.
+      throw refused(picture, "it is not a regular file");
+    }
     Map<String, String> found = read(picture);
     if (found.containsKey(PictureMetadata.PARTIAL)) {
       return;

@@ -4,15 +4,21 @@ import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressBar;
+import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -29,8 +35,10 @@ public final class Frames implements AutoCloseable {
   private final Interruption interruption;
   private final Deadline deadline;
   private final List<PictureOutput> pictures = new ArrayList<>();
+  private Optional<Closeable> names = Optional.empty();
   private final List<Path> failed = new ArrayList<>();
   private final long start = System.nanoTime();
+  private Check check = settings -> {};
   private int current;
   private boolean reserved;
   private boolean ended;
@@ -51,6 +59,27 @@ public final class Frames implements AutoCloseable {
     this.deadline = deadline;
   }
 
+  /** Checks the settings of a frame before it is rendered. */
+  @FunctionalInterface
+  public interface Check {
+    void check(RenderSettings settings) throws TaskException;
+  }
+
+  /** Sets a check of each frame besides that of its picture's format. */
+  public void checkedBy(Check newCheck) {
+    check = newCheck;
+  }
+
+  /**
+   * Checks that the current frame can be written.
+   *
+   * @throws TaskException if it is too large
+   */
+  public void requireFits(RenderSettings settings) throws TaskException {
+    picture().requireFits(settings);
+    check.check(settings);
+  }
+
   /**
    * Returns the paths of several pictures: {@code a-000.png}, {@code a-001.png} and so on for
    * {@code a.png}.
@@ -68,14 +97,22 @@ public final class Frames implements AutoCloseable {
   }
 
   /**
-   * Reserves the files of all pictures.
+   * Reserves the files of all pictures. Those of several are opened one after the other, because a
+   * program can hold few open files.
    *
    * @throws TaskException if one of the files cannot be written
    */
   public void reserve(Fallback fallback) throws TaskException {
-    for (Path target : targets) {
-      pictures.add(PictureOutput.reserve(target, fallback));
+    if (isSingle()) {
+      reserve(PictureOutput.reserve(target(), fallback));
+      return;
     }
+    try {
+      names = Optional.of(OutputFile.reserve(targets));
+    } catch (IOException e) {
+      throw Kind.OUTPUT.failure(e.getMessage(), e);
+    }
+    targets.forEach(target -> pictures.add(PictureOutput.of(target, fallback)));
     reserved = true;
   }
 
@@ -254,6 +291,13 @@ public final class Frames implements AutoCloseable {
   public void close() {
     for (int i = pictures.size() - 1; i >= 0; i--) {
       pictures.get(i).close();
+    }
+    try {
+      if (names.isPresent()) {
+        names.get().close();
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 }

@@ -11,6 +11,7 @@ import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureTexts;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.DirectoryNotEmptyException;
@@ -70,6 +71,19 @@ public final class JoinedFrames implements AutoCloseable {
       throw Kind.USAGE.failure(target + ": " + e.getMessage(), e);
     } catch (IOException e) {
       throw Kind.OUTPUT.failure(e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Checks that the file can have frames of a size.
+   *
+   * @throws TaskException if it cannot
+   */
+  public void requireFits(Crop window) throws TaskException {
+    try {
+      writer.requireFits(window.width(), window.height());
+    } catch (IllegalArgumentException e) {
+      throw Kind.LIMIT.failure(target + ": " + e.getMessage(), e);
     }
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.image.animation;
 
 import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.gif.GifWriter;
 import io.github.lumbre.image.png.ApngWriter;
 import java.io.BufferedOutputStream;
@@ -29,6 +30,9 @@ public enum AnimationFormat {
 
   /** Viewers show a GIF frame of less than 1/50 s for 1/10 s. */
   private static final int MAX_GIF_RATE = 50;
+
+  /** The most pixels on a side: GIF has 16 bits for them. */
+  static final int MAX_SIDE = 65535;
 
   /** Returns the file name extension of the format with its dot, for example {@code .gif}. */
   public String ending() {
@@ -71,6 +75,20 @@ public enum AnimationFormat {
       throw new IllegalArgumentException(
           "a GIF has at most %d frames per second, found %s, which viewers play slowly; choose %s"
               .formatted(MAX_GIF_RATE, rate, APNG.ending()));
+    }
+  }
+
+  /**
+   * Checks the size of frames.
+   *
+   * @param what has the limit, such as {@code a GIF}
+   * @param most pixels on a side
+   */
+  static void requireFits(String what, int most, int width, int height) {
+    if (Math.max(width, height) > most || (long) width * height > ImageReader.MAX_PIXELS) {
+      throw new IllegalArgumentException(
+          "%s has at most %d pixels on a side and %d in all, found %dx%d; choose a smaller size"
+              .formatted(what, most, ImageReader.MAX_PIXELS, width, height));
     }
   }
 

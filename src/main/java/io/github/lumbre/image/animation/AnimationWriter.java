@@ -8,6 +8,15 @@ import java.util.Map;
 @FunctionalInterface
 public interface AnimationWriter {
   /**
+   * Checks that this writer can write frames of a size; to be called before they are rendered.
+   *
+   * @throws IllegalArgumentException if it cannot; the message states what to choose instead
+   */
+  default void requireFits(int width, int height) {
+    AnimationFormat.requireFits("an animation", AnimationFormat.MAX_SIDE, width, height);
+  }
+
+  /**
    * Writes an animation to a reserved file and commits it. If it fails, the file stays reserved,
    * and the frames stay as they are.
    *

@@ -2,10 +2,13 @@ package io.github.lumbre.image.animation;
 
 import io.github.lumbre.file.ExternalProgram;
 import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.file.PrivateFolder;
 import io.github.lumbre.image.internal.Srgb;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -16,9 +19,9 @@ import java.util.stream.Collectors;
 
 /**
  * Writes videos with the installed program ffmpeg, which gets the decoded frames as its input and
- * writes a hidden file beside the target. The bytes are not promised to be the same on every
- * machine. Transparent pixels are composited over black. A last column or row is repeated if the
- * size is odd, because the colors of videos are stored for 2 x 2 pixels. Immutable.
+ * writes into a private folder beside the target. The bytes are not promised to be the same on
+ * every machine. Transparent pixels are composited over black. A last column or row is repeated if
+ * the size is odd, because the colors of videos are stored for 2 x 2 pixels. Immutable.
  *
  * @param program the installed program
  * @param format a video
@@ -37,21 +40,22 @@ record VideoWriter(ExternalProgram program, AnimationFormat format, Encoder enco
       Map.of(
           AnimationFormat.MP4,
           List.of(
-              new Encoder("libx264", "-crf", "17", "-movflags", "+faststart"),
-              new Encoder("mpeg4", "-q:v", "2", "-movflags", "+faststart")),
+              new Encoder("libx264", 16384, "-crf", "17", "-movflags", "+faststart"),
+              new Encoder("mpeg4", 8190, "-q:v", "2", "-movflags", "+faststart")),
           AnimationFormat.WEBM,
           List.of(
-              new Encoder("libvpx-vp9", "-crf", "20", "-b:v", "0", "-row-mt", "1"),
-              new Encoder("libvpx", "-crf", "5", "-b:v", "50M")));
+              new Encoder("libvpx-vp9", 16384, "-crf", "20", "-b:v", "0", "-row-mt", "1"),
+              new Encoder("libvpx", 16382, "-crf", "5", "-b:v", "50M")));
 
   /**
    * An encoder of the program.
    *
+   * @param side the most pixels on a side with which it was seen to work
    * @param options for a quality at which a viewer sees no loss
    */
-  private record Encoder(String name, List<String> options) {
-    Encoder(String name, String... options) {
-      this(name, List.of(options));
+  private record Encoder(String name, int side, List<String> options) {
+    Encoder(String name, int side, String... options) {
+      this(name, side, List.of(options));
     }
   }
 
@@ -84,20 +88,38 @@ record VideoWriter(ExternalProgram program, AnimationFormat format, Encoder enco
   }
 
   @Override
+  public void requireFits(int width, int height) {
+    String what = "a video of the encoder " + encoder.name;
+    AnimationFormat.requireFits(what, encoder.side, even(width), even(height));
+  }
+
+  @Override
   public void write(AnimationFrames frames, Map<String, String> texts, OutputFile output)
       throws IOException, InterruptedException {
-    Path target = output.target().toAbsolutePath();
-    Path video = target.resolveSibling("." + target.getFileName() + ".video");
     Duration limit = MOST_AT_FIRST.plus(MOST_PER_FRAME.multipliedBy(frames.count()));
-    try {
+    try (PrivateFolder folder = PrivateFolder.beside(output.target())) {
+      Path video = folder.path().resolve("video" + format.ending());
       program.within(limit).run(arguments(frames, video), out -> writeFrames(frames, out));
-      if (!Files.exists(video) || Files.size(video) == 0) {
-        throw new IOException(program.path() + ": left no video");
-      }
-      AnimationFormat.commit(output, out -> Files.copy(video, out));
-    } finally {
-      Files.deleteIfExists(video);
+      requireVideo(video);
+      AnimationFormat.commit(
+          output,
+          out -> {
+            try (InputStream in = Files.newInputStream(video, LinkOption.NOFOLLOW_LINKS)) {
+              in.transferTo(out);
+            }
+          });
     }
+  }
+
+  private void requireVideo(Path video) throws IOException {
+    try {
+      if (PrivateFolder.size(video) > 0) {
+        return;
+      }
+    } catch (IOException e) {
+      throw new IOException(program.path() + ": left no video: " + e.getMessage(), e);
+    }
+    throw new IOException(program.path() + ": left no video: an empty file");
   }
 
   private List<String> arguments(AnimationFrames frames, Path video) {

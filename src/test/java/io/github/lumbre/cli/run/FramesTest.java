@@ -8,6 +8,8 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;
+import java.io.File;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -17,6 +19,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the end of a sequence of pictures, with a simulated clock. */
@@ -209,12 +213,40 @@ class FramesTest {
   }
 
   @Test
-  void allFilesAreReservedAtTheBeginning() throws Exception {
+  void allFilesAreReservedByOneLockAtTheBeginning() throws Exception {
     try (Frames frames = frames(COUNT)) {
       assertThat(frames.targets()).hasSize(COUNT);
-      assertThat(directory.toFile().list()).hasSize(COUNT);
+      assertThat(directory.toFile().list()).hasSize(1);
+      assertThatThrownBy(() -> frames(COUNT)).hasMessageContaining("another run is writing");
+      List<Path> later = Frames.numbered(directory.resolve("a.png"), 9).subList(3, 9);
+      Frames others = new Frames(later, interruption, deadline);
+      assertThatThrownBy(() -> others.reserve(Fallback.TEMPORARY))
+          .hasMessageContaining("a-003.png: another run is writing this file");
+      try (Frames free = new Frames(later.subList(1, 6), interruption, deadline)) {
+        free.reserve(Fallback.TEMPORARY);
+      }
       assertThatThrownBy(() -> frames(COUNT)).hasMessageContaining("another run is writing");
     }
     assertThat(directory).isEmptyDirectory();
+  }
+
+  /** Linux counts the open files of this process in this folder. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void manyFramesNeedFewOpenFiles() throws Exception {
+    File open = new File("/proc/self/fd");
+    int before = open.list().length;
+    try (Frames frames = frames(2_000)) {
+      assertThat(frames.left()).isEqualTo(2_000);
+      assertThat(open.list().length - before).isLessThan(50);
+    }
+    assertThat(directory).isEmptyDirectory();
+  }
+
+  @Test
+  void framesThatCannotBeWrittenAreNamedAtTheBeginning() throws Exception {
+    Files.createDirectory(directory.resolve("a-002.png"));
+    assertThatThrownBy(() -> frames(COUNT)).hasMessageContaining("a-002.png: is a directory");
+    assertThat(directory.toFile().list()).containsExactly("a-002.png");
   }
 }

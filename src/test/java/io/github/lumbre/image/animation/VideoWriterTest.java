@@ -81,7 +81,7 @@ class VideoWriterTest {
     assertThat(arguments)
         .contains(" -xerror ")
         .contains("-video_size 4x2 -framerate 30000/1001 -i pipe:0 -c:v libx264")
-        .endsWith("-f mp4 -y " + folder + "/.-a b.mp4.video\n");
+        .containsPattern("-f mp4 -y " + folder + "/\\.lumbre-[0-9]+/video\\.mp4\n$");
     assertOnly(target);
   }
 
@@ -89,6 +89,51 @@ class VideoWriterTest {
   private void assertOnly(Path... targets) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
       assertThat(files.filter(Files::isRegularFile)).containsExactlyInAnyOrder(targets);
+    }
+  }
+
+  /** A program, or somebody else, may have left a link at a name that can be guessed. */
+  @Test
+  void onlyANewFileBecomesTheVideo() throws Exception {
+    Path secret = Files.writeString(folder.resolve("bin.txt"), "secret");
+    Path target = folder.resolve("a.mp4");
+    AnimationFrames frames = frames(plain(2, 2, 0xff000000));
+    Files.createSymbolicLink(folder.resolve(".a.mp4.video"), secret);
+    String copy = COPY.replace("ENCODER", "libx264");
+    write(frames, target, program(copy));
+    assertThat(secret).hasContent("secret");
+    assertThat(Files.size(target)).isEqualTo(12);
+    Files.delete(target);
+    for (String left : List.of("ln -s " + secret + " \"$last\"", "mkfifo \"$last\"")) {
+      String linking = copy.replace("cat > \"$last\"", "cat > /dev/null; " + left);
+      assertThatThrownBy(() -> write(frames, target, program(linking)))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("ffmpeg: left no video: a link or another special file");
+      assertThat(target).doesNotExist();
+    }
+    assertThat(secret).hasContent("secret");
+    Files.delete(folder.resolve(".a.mp4.video"));
+    assertOnly(secret);
+    assertThat(folder.toFile().list()).containsExactlyInAnyOrder("bin", "bin.txt", "frames");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "a.mp4, libx264, 16384", "a.mp4, mpeg4, 8190", "a.webm, libvpx-vp9, 16384",
+    "a.webm, libvpx, 16382"
+  })
+  void tooLargeFramesAreRefusedBeforehand(Path name, String encoder, int most) throws Exception {
+    AnimationWriter writer =
+        AnimationFormat.of(name)
+            .orElseThrow()
+            .writer(Optional.empty(), program(COPY.replace("ENCODER", encoder)));
+    writer.requireFits(most - 1, 1);
+    for (int side : new int[] {most + 1, 65535}) {
+      assertThatThrownBy(() -> writer.requireFits(side, 1))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("a video of the encoder %s has at most %d", encoder, most);
+      assertThatThrownBy(() -> writer.requireFits(1, side))
+          .isInstanceOf(IllegalArgumentException.class);
     }
   }
 
