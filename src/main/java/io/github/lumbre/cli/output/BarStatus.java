@@ -44,13 +44,19 @@ record BarStatus(
    * @param before samples that the picture has already
    * @param firstPass samples that are rendered whatever the time limit is
    * @param isForecast whether the total is an estimate
+   * @param measured samples of the render at which the error was estimated; 0 if unknown
    */
-  record Scale(long pixels, long before, long firstPass, boolean isForecast) {
-    static final Scale UNKNOWN = new Scale(0, 0, 0, false);
+  record Scale(long pixels, long before, long firstPass, boolean isForecast, long measured) {
+    static final Scale UNKNOWN = new Scale(0, 0, 0, false, 0);
 
     /** Returns this scale with an estimated total. */
     Scale forecast() {
-      return new Scale(pixels, before, firstPass, true);
+      return new Scale(pixels, before, firstPass, true, measured);
+    }
+
+    /** Returns this scale after the error was estimated. */
+    Scale measuredAt(long samples) {
+      return new Scale(pixels, before, firstPass, isForecast, samples);
     }
   }
 
@@ -186,7 +192,13 @@ record BarStatus(
   private double ofError() {
     double found = error.orElse(Double.POSITIVE_INFINITY);
     double ratio = targetError.orElse(0) / found;
-    return total == 0 && ratio > 0 ? Math.min(1, ratio * ratio) : 0;
+    if (total > 0 || ratio == 0) {
+      return 0;
+    }
+    double since =
+        scale.measured > 0 ? (double) (scale.before + done) / (scale.before + scale.measured) : 1;
+    double share = ratio * ratio;
+    return since > 1 ? Math.min(Math.max(ALMOST, share), share * since) : Math.min(1, share);
   }
 
   private OptionalDouble timeLeft() {

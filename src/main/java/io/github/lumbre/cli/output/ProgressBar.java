@@ -174,7 +174,7 @@ public final class ProgressBar implements ProgressDisplay {
 
   @Override
   public void film(long pixels, long before, long firstPass) {
-    locked(() -> scale = new BarStatus.Scale(pixels, before, firstPass, false));
+    locked(() -> scale = new BarStatus.Scale(pixels, before, firstPass, false, 0));
   }
 
   @Override
@@ -204,7 +204,11 @@ public final class ProgressBar implements ProgressDisplay {
   public void estimable(Supplier<OptionalDouble> relativeError) {
     if (targetError.isPresent()) {
       OptionalDouble known = relativeError.get();
-      locked(() -> error = known);
+      locked(
+          () -> {
+            error = known;
+            scale = scale.measuredAt(done.sum());
+          });
     }
   }
 

@@ -80,19 +80,19 @@ class BarStatusTest {
 
   @Test
   void unknownEndOfAFilmShowsSamplesPerPixelAndTime() {
-    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 1000, false);
+    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 1000, false, 0);
     assertThat(scaled(400, 0, 10, NONE, scale).line(79))
         .isEqualTo("0.4 samples per pixel, 0:00:10, 40 samples/s");
     assertThat(scaled(400, 0, 10, NONE, scale).line(33))
         .isEqualTo("0.4 samples per pixel, 0:00:10");
-    BarStatus.Scale resumed = new BarStatus.Scale(1000, 12_000, 0, false);
+    BarStatus.Scale resumed = new BarStatus.Scale(1000, 12_000, 0, false, 0);
     assertThat(scaled(2000, 0, 10, NONE, resumed).line(79)).startsWith("14 samples per pixel, ");
   }
 
   /** The time of 5 s is over, and the first pass takes 30 s more. */
   @Test
   void firstPassesThatOutlastTheTimeLimitAreNotDone() {
-    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 1000, false);
+    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 1000, false, 0);
     assertThat(scaled(250, 0, 10, OptionalDouble.of(-5), scale).line(79))
         .startsWith(" 25 % [")
         .contains("] 0:00:30 left, ");
@@ -102,9 +102,22 @@ class BarStatusTest {
 
   @Test
   void forecastsThatWereTooLowDoNotEnd() {
-    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 0, true);
+    BarStatus.Scale scale = new BarStatus.Scale(1000, 0, 0, true, 0);
     assertThat(scaled(9000, 8000, 10, NONE, scale).line(79))
         .startsWith(" 99 % [")
         .doesNotContain("left");
+  }
+
+  /** The squared error of 0.04 at 100 samples halves at 200: half of the 400 that are needed. */
+  @Test
+  void theShareGrowsBetweenTwoEstimatesOfTheError() {
+    OptionalDouble error = OptionalDouble.of(.04);
+    BarStatus.Scale scale = new BarStatus.Scale(10, 0, 0, false, 100);
+    OptionalDouble target = OptionalDouble.of(.02);
+    assertThat(new BarStatus(200, 0, 20, NONE, error, target, scale).line(100))
+        .startsWith(" 50 %")
+        .contains("0:00:20 left");
+    assertThat(new BarStatus(4000, 0, 400, NONE, error, target, scale).line(100))
+        .startsWith(" 99 %");
   }
 }
