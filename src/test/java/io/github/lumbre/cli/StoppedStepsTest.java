@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.internal.PictureTexts;
 import io.github.lumbre.testing.Effort;
@@ -79,15 +80,19 @@ class StoppedStepsTest {
    *
    * @param run the first run of the program that sleeps, counted from 1; a picture has three
    */
-  private void sleep(int run, int seconds) throws IOException {
+  private void sleep(int run, String seconds) throws IOException {
     for (String name : List.of("runs", "begun")) {
       Files.deleteIfExists(directory.resolve("bin").resolve(name));
     }
-    Files.writeString(directory.resolve("bin/seconds"), "" + seconds);
+    Files.writeString(directory.resolve("bin/seconds"), seconds);
     Files.writeString(directory.resolve("bin/wait"), "" + run);
   }
 
   private Process start(String line) throws IOException {
+    return startClass(Main.class, List.of(Outcome.words(directory, line)));
+  }
+
+  private Process startClass(Class<?> main, List<String> arguments) throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(
@@ -97,8 +102,8 @@ class StoppedStepsTest {
                 "jdk.incubator.vector",
                 "-cp",
                 classPath(),
-                Main.class.getName()));
-    command.addAll(List.of(Outcome.words(directory, line)));
+                main.getName()));
+    command.addAll(arguments);
     Process process = Program.start(directory, command);
     started.add(process);
     return process;
@@ -136,7 +141,7 @@ class StoppedStepsTest {
 
   @Test
   void aPictureThatIsNotDenoisedIsPartial() throws Exception {
-    sleep(1, 60);
+    sleep(1, "60");
     Outcome outcome =
         stopped("TERM", "render T/sample.glb --labels axes --json -o T/a.png" + SLOW);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
@@ -152,7 +157,7 @@ class StoppedStepsTest {
 
   @Test
   void aPictureThatIsSoonDenoisedIsComplete() throws Exception {
-    sleep(3, 1);
+    sleep(3, "0.3");
     Outcome outcome = stopped("INT", "render T/sample.glb --json -o T/a.png" + SLOW);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.INTERRUPTED);
     assertThat(texts("a.png")).doesNotContainKey("Partial").containsKey("Denoised");
@@ -175,7 +180,7 @@ class StoppedStepsTest {
   void framesThatLackAStepAreRenderedAnew() throws Exception {
     String line = "render T/sample.glb --look lines --turntable 3 -o T/";
     assertThat(run(line + "whole.png" + SLOW).exitCode()).isZero();
-    sleep(5, 60);
+    sleep(5, "60");
     Outcome outcome = stopped("TERM", line + "a.png" + SLOW);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
     assertThat(outcome.err())
@@ -196,7 +201,7 @@ class StoppedStepsTest {
   void framesOfOneFileAreJoinedAfterwards() throws Exception {
     String line = "render T/sample.glb T/sample.glb --labels axes -o T/";
     assertThat(run(line + "whole.apng" + SLOW).exitCode()).isZero();
-    sleep(2, 60);
+    sleep(2, "60");
     Outcome outcome = stopped("HUP", line + "a.apng" + SLOW);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.HUNG_UP);
     assertThat(directory.resolve("a.apng")).doesNotExist();
@@ -210,7 +215,7 @@ class StoppedStepsTest {
 
   @Test
   void stoppedViewsAreNotWritten() throws Exception {
-    sleep(5, 60);
+    sleep(5, "60");
     Outcome outcome = stopped("TERM", "views T/sample.glb --json -o T/views --oidn T/bin --size 24x18");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
     assertThat(directory.resolve("views").toFile().list()).containsExactly("front.png");
@@ -223,11 +228,39 @@ class StoppedStepsTest {
   void stoppedDevelopmentsArePartial() throws Exception {
     String film = " --checkpoint T/a.film --layers denoise --no-denoise -o T/a.exr";
     assertThat(Outcome.in(directory, "render T/sample.glb" + film + SMALL).exitCode()).isZero();
-    sleep(1, 60);
+    sleep(1, "60");
     Outcome outcome = stopped("TERM", "develop T/a.film --denoise --oidn T/bin -o T/b.png");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
     assertThat(outcome.err()).contains("not denoised, because the render was stopped");
     assertThat(texts("b.png")).containsEntry("Partial", "2 of 2 samples per pixel, not denoised");
+  }
+
+  /** Runs two renders in one process, as a list of pictures on Spark does. */
+  static final class TwoRenders {
+    private TwoRenders() {}
+
+    public static void main(String[] args) {
+      Interruption.install();
+      for (String name : List.of("a.png", "b.png")) {
+        Outcome outcome =
+            Outcome.of("render", "sample.glb", "-s", "100000000", "--size", "24x18", "-o", name);
+        System.out.println(outcome.err());
+      }
+      System.exit(Interruption.exitCode(0));
+    }
+  }
+
+  @Test
+  void aSignalEndsLaterRendersOfItsProcess() throws Exception {
+    Process process = startClass(TwoRenders.class, List.of());
+    while (!Files.exists(directory.resolve(".a.png.tmp"))) {
+      assertThat(process.isAlive()).isTrue();
+      Thread.sleep(5);
+    }
+    signal("TERM", process);
+    Outcome outcome = Program.await(directory, process);
+    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
+    assertThat(directory.resolve("b.png")).doesNotExist();
   }
 
   /** Whenever a sequence is stopped, it is continued to the pictures of one that was not. */
