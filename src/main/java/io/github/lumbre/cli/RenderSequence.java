@@ -51,6 +51,7 @@ final class RenderSequence {
   private Optional<JoinedFrames> file = Optional.empty();
   private Optional<String> size = Optional.empty();
   private int written;
+  private String partial = "";
   private boolean isDenoised;
 
   /** Renders the current frame and returns its exit code. */
@@ -112,6 +113,7 @@ final class RenderSequence {
         code = Math.max(code, render(frames, exposing));
       }
       written = missing.size() - frames.left();
+      partial = frames.partial();
     }
     return code;
   }
@@ -198,6 +200,7 @@ final class RenderSequence {
         + Numbers.count(part.size(), "picture")
         + " written"
         + (isDenoised ? ", denoised" : "")
+        + partial
         + (kept() > 0 ? ", " + keptText() : "")
         + ": "
         + all.get(part.get(0))

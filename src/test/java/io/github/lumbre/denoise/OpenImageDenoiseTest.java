@@ -98,6 +98,13 @@ class OpenImageDenoiseTest {
   void nonsenseIsRefused() throws Exception {
     String out = "while [ \"$1\" != -o ]; do shift; done\n";
     assertFails(denoiser(out + "echo hello > \"$2\"\n"), "no readable picture");
+    String special = "a link or another special file";
+    assertFails(denoiser(out + "ln -s \"$0\" \"$2\"\n"), "no readable picture", special);
+    assertFails(denoiser(out + "mkfifo \"$2\"\n"), "no readable picture", special);
+    assertFails(
+        denoiser(out + "head -c 5000 /dev/zero > \"$2\"\n"),
+        "no readable picture",
+        "a file of 5000 bytes, expected at most 1120");
     assertFails(
         denoiser(out + "printf 'PF\\n1 1\\n-1.0\\n000011112222' > \"$2\"\n"),
         "expected a picture of 4x2, found 1x1");

@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that output files appear complete or not at all. */
@@ -329,5 +331,17 @@ class OutputFileTest {
     assertThatThrownBy(() -> OutputFile.open(directory.resolve("a.png")))
         .isInstanceOf(IOException.class)
         .hasMessageContaining("cannot be written: is a directory");
+  }
+
+  /** The file of a second name would be emptied. */
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void hardLinksAtTheTemporaryNameAreRefused() throws IOException {
+    Path other = Files.writeString(directory.resolve("other.txt"), "other");
+    Files.createLink(directory.resolve(".a.png.tmp"), other);
+    assertThatThrownBy(() -> OutputFile.open(directory.resolve("a.png")))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining(".a.png.tmp, found a hard link; remove it");
+    assertThat(other).hasContent("other");
   }
 }

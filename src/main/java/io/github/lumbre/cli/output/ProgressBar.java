@@ -24,7 +24,7 @@ import java.util.function.Supplier;
 public final class ProgressBar implements ProgressDisplay {
   private static final long INTERVAL_MILLIS = 250;
 
-  /** The loading time after which the bar is first shown. */
+  /** The time after which an activity is shown that is no render, or that follows a render. */
   private static final double PATIENCE_SECONDS = 0.75;
 
   /** A longer gap between redraws means that the program was suspended; it is not render time. */
@@ -60,6 +60,10 @@ public final class ProgressBar implements ProgressDisplay {
   private long total;
   private BarStatus.Scale scale = BarStatus.Scale.UNKNOWN;
   private double start;
+
+  /** The time at which the first of the activities since the last render began. */
+  private double busySince;
+
   private double lastTick;
   private Supplier<OptionalDouble> secondsLeft = OptionalDouble::empty;
   private OptionalDouble targetError = OptionalDouble.empty();
@@ -155,8 +159,11 @@ public final class ProgressBar implements ProgressDisplay {
   public void busy(String newActivity) {
     locked(
         () -> {
-          activity = Messages.printable(newActivity);
           start = clock.getAsDouble();
+          if (activity.isEmpty()) {
+            busySince = start;
+          }
+          activity = Messages.printable(newActivity);
         });
   }
 
@@ -242,7 +249,7 @@ public final class ProgressBar implements ProgressDisplay {
   }
 
   private void draw(double seconds, int columns) {
-    if (!activity.isEmpty() && seconds < PATIENCE_SECONDS && drawn == 0) {
+    if (!activity.isEmpty() && start + seconds - busySince < PATIENCE_SECONDS) {
       return;
     }
     if (drawn > 0 && columns != drawnWidth) {

@@ -42,6 +42,7 @@ public final class Frames implements AutoCloseable {
   private int current;
   private boolean reserved;
   private boolean ended;
+  private boolean isPartial;
 
   /** Renders the current frame and returns its exit code. */
   @FunctionalInterface
@@ -193,13 +194,20 @@ public final class Frames implements AutoCloseable {
    */
   public void fail(Path scene) {
     failed.add(scene);
+    isPartial = false;
     current++;
   }
 
   /** Returns {@code 11 of 12 pictures written, 1 failed: c.glb}. */
   public String summary() {
     String failures = failed.isEmpty() ? "" : ", " + failures();
-    return complete() + " of " + Numbers.count(targets.size(), "picture") + " written" + failures;
+    String written = complete() + " of " + Numbers.count(targets.size(), "picture") + " written";
+    return written + partial() + failures;
+  }
+
+  /** Returns {@code , c.png is partial}; empty if the last rendered frame is complete. */
+  public String partial() {
+    return isPartial ? ", " + target() + " is partial" : "";
   }
 
   private int complete() {
@@ -242,7 +250,8 @@ public final class Frames implements AutoCloseable {
     } finally {
       interruption.endRender();
     }
-    int partial = report.isPartial() ? 1 : 0;
+    isPartial = report.isPartial();
+    int partial = isPartial ? 1 : 0;
     current += 1 - partial;
     if (interruption.isRequested() && !isSingle() && left() > 0) {
       throw ended(Kind.STOPPED, partial);

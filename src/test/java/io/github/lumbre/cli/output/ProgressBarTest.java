@@ -136,19 +136,25 @@ class ProgressBarTest {
     assertThat(width.columns()).isPositive();
   }
 
+  /** Short activities one after the other are shown, too. */
   @Test
-  void whatFollowsTheSamplesIsShownAtOnce() {
+  void whatFollowsTheSamplesIsSoonShown() {
     ProgressBar bar = bar(true);
     bar.started(1000);
     bar.advanced(1000);
     now = 1;
     bar.tick();
     assertThat(printed()).contains("100 %");
-    bar.busy("denoising");
+    bar.busy("developing");
+    now = 1.5;
     bar.tick();
-    assertThat(printed()).isEqualTo("\rdenoising ... 0:00:00\033[K\r");
+    assertThat(printed()).isEmpty();
+    bar.busy("denoising");
+    now = 2;
+    bar.tick();
+    assertThat(printed()).isEqualTo("\rdenoising ... 0:00:01\033[K\r");
     bar.busy("writing a.png");
-    now = 3;
+    now = 4;
     bar.tick();
     assertThat(printed()).isEqualTo("\rwriting a.png ... 0:00:02\033[K\r");
   }

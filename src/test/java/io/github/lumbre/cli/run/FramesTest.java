@@ -162,7 +162,10 @@ class FramesTest {
 
   @Test
   void deadlinesInTheLastFrameLeaveItPartial() throws Exception {
-    assertThat(render(after(3), false, () -> nanos.set(1))).isZero();
+    Frames frames = after(3);
+    assertThat(render(frames, false, () -> nanos.set(1))).isZero();
+    assertThat(frames.summary())
+        .isEqualTo("3 of 4 pictures written, " + frames.target() + " is partial");
   }
 
   @Test
