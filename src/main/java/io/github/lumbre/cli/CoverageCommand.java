@@ -10,7 +10,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.Setting.Group;
 import java.util.List;
 import java.util.Optional;
@@ -80,8 +80,8 @@ final class CoverageCommand extends Subcommand {
       description = "Samples per pixel of the reference (64 times the largest of --samples).")
   private Optional<Integer> reference = Optional.empty();
 
-  @Option(names = "--size", paramLabel = "WxH", description = "Size of the frame in pixels (24x24).")
-  private Size size = new Size(24, 24);
+  @Option(names = "--size", paramLabel = "WxH|N", description = "Size of the frame in pixels (24x24).")
+  private FrameSize size = FrameSize.of("24x24");
 
   @Option(names = "--adaptive", description = "Give noisy pixels more samples.")
   private boolean adaptive;
@@ -95,6 +95,9 @@ final class CoverageCommand extends Subcommand {
     SceneFile file =
         options.load(
             options.parser().inMode(Mode.PATH).overriding(inScene -> changed(inScene)), errors());
+    require(
+        file.settings().window().pixels() >= 64,
+        "--size: expected at least 64 pixels; smaller frames have no bound");
     int most = samples.get(samples.size() - 1);
     int referenceSamples =
         reference.orElse(Math.min(RenderSettings.MAX_SAMPLES / REFERENCE_FACTOR, most))
@@ -113,9 +116,6 @@ final class CoverageCommand extends Subcommand {
   private void checkFlags() {
     settings.validate(spec);
     checks().requireSize(size);
-    require(
-        (long) size.width() * size.height() >= 64,
-        "--size: expected at least 64 pixels; smaller frames have no bound");
     requireIn("--seeds", 2, 100_000, seeds);
     reference.ifPresent(n -> requireIn("--reference", 8, RenderSettings.MAX_SAMPLES, n));
     for (int i = 0; i < samples.size(); i++) {
@@ -125,8 +125,7 @@ final class CoverageCommand extends Subcommand {
   }
 
   private RenderSettings changed(RenderSettings inScene) {
-    RenderSettings.Builder builder =
-        inScene.toBuilder().size(size.width(), size.height()).adaptive(adaptive);
+    RenderSettings.Builder builder = size.over(inScene).toBuilder().adaptive(adaptive);
     settings.override(builder);
     return builder.build();
   }
