@@ -12,6 +12,12 @@ final class EdgeKind {
   /** The angle from which on an edge between smooth normals is a crease, in degrees. */
   private static final double SMOOTH_DEGREES = 60;
 
+  /**
+   * Angles that differ by less than this count as equal, in degrees: files round positions, so that
+   * the angles of a regular prism are not the same.
+   */
+  private static final double EQUAL_DEGREES = .05;
+
   private final MeshEdges edges;
   private final double[] positions;
   private final double cosCrease;
@@ -24,8 +30,16 @@ final class EdgeKind {
   EdgeKind(MeshEdges edges, double[] positions, double creaseDegrees) {
     this.edges = edges;
     this.positions = positions;
-    cosCrease = Elementary.cosDegrees(creaseDegrees);
-    cosSmooth = Elementary.cosDegrees(Math.max(creaseDegrees, SMOOTH_DEGREES));
+    cosCrease = cosCrease(creaseDegrees);
+    cosSmooth = cosCrease(Math.max(creaseDegrees, SMOOTH_DEGREES));
+  }
+
+  /**
+   * Returns the cosine of the angle between two triangles below which the surface continues: a
+   * little less than an angle that is a crease, so that rounding does not decide at this angle.
+   */
+  static double cosCrease(double creaseDegrees) {
+    return Elementary.cosDegrees(creaseDegrees - EQUAL_DEGREES);
   }
 
   Vec3 from(int edge) {
@@ -57,7 +71,7 @@ final class EdgeKind {
 
   /**
    * Returns whether an edge is a border or a crease: its triangles do not continue each other in
-   * two opposite directions.
+   * two opposite directions. Triangles on the first one do not count.
    */
   boolean isFeature(int edge) {
     Vec3 along = along(edge);
@@ -70,10 +84,11 @@ final class EdgeKind {
         first = across;
       }
       double cos = first.dot(across);
-      if (across.maxAbs() > 0 && Math.abs(cos) < flat) {
+      boolean isContinued = across.maxAbs() > 0 && -cos > flat;
+      if (across.maxAbs() > 0 && !isContinued && cos < Math.abs(flat)) {
         return true;
       }
-      continues |= cos < 0;
+      continues |= isContinued;
     }
     return !continues;
   }

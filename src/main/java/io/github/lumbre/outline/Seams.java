@@ -2,7 +2,6 @@ package io.github.lumbre.outline;
 
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.scene.Scene;
 
 /**
@@ -29,7 +28,7 @@ final class Seams {
     this.scene = scene;
     this.eye = eye;
     beside = BESIDE * scene.radius();
-    cosCrease = Elementary.cosDegrees(creaseDegrees);
+    cosCrease = EdgeKind.cosCrease(creaseDegrees);
   }
 
   /**
