@@ -20,6 +20,7 @@ final class BodyCut {
   private final List<ModelPart> meshes;
   private final List<CutPlane> planes;
   private final Shells shells;
+  private final Nesting.Result nesting;
   private final List<MeshCut> cuts = new ArrayList<>();
   private boolean open;
   private boolean tangled;
@@ -28,6 +29,7 @@ final class BodyCut {
     this.meshes = meshes;
     this.planes = planes;
     shells = new Shells(meshes);
+    nesting = Nesting.of(meshes, shells);
     for (int plane = 0; plane < planes.size(); plane++) {
       keepTouching(plane, sides);
     }
@@ -103,13 +105,17 @@ final class BodyCut {
             int shell = shells.of(number, corner);
             if (shells.isClosed(shell)) {
               owners.putIfAbsent(shell, part);
+              boolean isTurned = nesting.turned().get(shell);
               caps.computeIfAbsent(shell, s -> new Cap(planes.get(plane)))
-                  .add(point(mesh, from, part), point(mesh, to, part));
+                  .add(
+                      point(mesh, isTurned ? to : from, part),
+                      point(mesh, isTurned ? from : to, part));
             } else {
               open = true;
             }
           });
     }
+    caps.values().removeIf(this::hasTwoFronts);
     join(caps);
     List<Surface> surfaces = new ArrayList<>();
     caps.forEach(
@@ -117,6 +123,20 @@ final class BodyCut {
             filled(cap, plane)
                 .ifPresent(shape -> surfaces.add(new Surface(shell, owners.get(shell), shape))));
     return surfaces;
+  }
+
+  /** Returns whether the triangles of a shell face both sides, so that it has no inside. */
+  private boolean hasTwoFronts(Cap cap) {
+    if (!cap.isBalanced()) {
+      return false;
+    }
+    try {
+      boolean isEmpty = cap.surface().isEmpty();
+      open |= isEmpty;
+      return isEmpty;
+    } catch (Triangulation.TooMuchException e) {
+      return false;
+    }
   }
 
   /** Joins the caps of shells to those of bodies, which have the number of a shell. */
@@ -173,6 +193,11 @@ final class BodyCut {
 
   boolean isOpen() {
     return open;
+  }
+
+  /** Returns whether some shells may be taken as cavities, or as solids, by mistake. */
+  boolean isGuess() {
+    return nesting.isGuess();
   }
 
   /** Returns whether the outlines of a cap cross too often to be filled. */

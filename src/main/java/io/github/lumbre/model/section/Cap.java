@@ -13,6 +13,9 @@ final class Cap {
   private static final double[] NONE = {};
   private static final float[] NO_COLORS = {};
 
+  /** Areas below this part of the square of the length of outlines may be none. */
+  private static final double BALANCED = 1e-6;
+
   private final CutPlane plane;
   private final PositionIndex index = new PositionIndex();
   private int[] segments = new int[64];
@@ -55,6 +58,16 @@ final class Cap {
       sum = sum.plus(from.cross(point(points, segments[i + 1]).minus(origin)));
     }
     return sum.dot(plane.normal()) / 2;
+  }
+
+  /** Returns whether outlines surround as much clockwise as counterclockwise, or nothing. */
+  boolean isBalanced() {
+    double[] points = index.positions();
+    double length = 0;
+    for (int i = 0; i < size; i += 2) {
+      length += point(points, segments[i]).minus(point(points, segments[i + 1])).length();
+    }
+    return length > 0 && Math.abs(area()) <= BALANCED * length * length;
   }
 
   /** Returns whether the first point of another cap's outlines is inside of these. */

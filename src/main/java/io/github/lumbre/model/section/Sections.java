@@ -43,7 +43,7 @@ public final class Sections {
   private static final double FEWEST_LINES = 6;
 
   /** Memory to find the shells of a mesh, per vertex and triangle. */
-  private static final long BYTES_PER_ITEM = 100;
+  private static final long BYTES_PER_ITEM = 200;
 
   private final List<CutPlane> planes;
   private final ModelOptions options;
@@ -233,6 +233,12 @@ public final class Sections {
           "outlines of parts cross",
           name,
           "the part crosses itself too often; its cut has no surface");
+    }
+    if (cut.isGuess()) {
+      warnings.add(
+          "shells contradict each other",
+          name,
+          "the part is inside out, but not all of it; shells in others are taken as cavities");
     }
   }
 

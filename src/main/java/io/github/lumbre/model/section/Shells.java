@@ -13,7 +13,7 @@ import java.util.List;
 /**
  * The shells of a body: the triangles of its meshes that are connected by vertices at the same
  * position, up to rounding. A shell is closed if its triangles pass each edge as often in one
- * direction as in the other.
+ * direction as in the other; where vertices lie within an edge, its pieces count.
  */
 final class Shells {
   private static final int BITS = 31;
@@ -50,7 +50,7 @@ final class Shells {
     Arrays.setAll(parents, i -> i);
     long[] edges = edges(meshes);
     Arrays.sort(edges);
-    markOpen(edges);
+    markOpen(edges, new OpenEdges(index.positions()));
   }
 
   private static int[] places(ModelPart mesh, Bounds3 box, PositionIndex index) {
@@ -87,7 +87,7 @@ final class Shells {
     return edges;
   }
 
-  private void markOpen(long... sorted) {
+  private void markOpen(long[] sorted, OpenEdges unpaired) {
     int i = 0;
     while (i < sorted.length) {
       long pair = sorted[i] >> 1;
@@ -96,11 +96,12 @@ final class Shells {
         balance += (sorted[i] & 1) == 1 ? 1 : -1;
       }
       int low = (int) (pair >> BITS);
-      boolean isPoint = low == (pair & Integer.MAX_VALUE);
-      if (balance != 0 && !isPoint) {
-        open[first(low)] = true;
+      int high = (int) (pair & Integer.MAX_VALUE);
+      if (balance != 0 && low != high) {
+        unpaired.add(low, high, balance);
       }
     }
+    unpaired.ends().forEach(end -> open[first(end)] = true);
   }
 
   private int first(int place) {

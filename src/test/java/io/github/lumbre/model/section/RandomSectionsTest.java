@@ -147,11 +147,13 @@ class RandomSectionsTest {
     if (model.isEmpty()) {
       return;
     }
-    assertThat(model.get().warnings()).noneMatch(warning -> warning.contains("closed"));
     CutPlane plane = Section.of(text).in(bounds(parts), Transform.IDENTITY);
     for (ModelPart part : parts) {
       List<ModelPart> caps =
           SectionsTest.caps(model.get()).stream().filter(c -> c.node() == part.node()).toList();
+      // Triangles that all have another one behind them have no inside.
+      assertThat(model.get().warnings())
+          .noneMatch(w -> w.startsWith(part.name() + ": the part is not closed") && !caps.isEmpty());
       // A part that touches the plane from behind stays as it is.
       boolean isCut =
           Arrays.stream(part.geometry().indices()).anyMatch(v -> plane.side(part.position(v)) > 0);

@@ -40,7 +40,7 @@ class SectionsTest {
   }
 
   /** Returns one part with the triangles of two, the second one turned inside out. */
-  private static ModelPart hollow(String name, ModelPart outside, ModelPart inside) {
+  static ModelPart hollow(String name, ModelPart outside, ModelPart inside) {
     double[] outer = outside.geometry().positions();
     double[] inner = inside.geometry().positions();
     double[] positions = Arrays.copyOf(outer, outer.length + inner.length);
@@ -379,6 +379,6 @@ class SectionsTest {
         ModelOptions.DEFAULT.cutBy(List.of("x=.5")).limitedTo(Limits.NONE.withMemory(100));
     assertThatThrownBy(() -> Sections.cut(PlainModel.of(List.of(box), List.of()), options))
         .isInstanceOf(ModelFormatException.class)
-        .hasMessage("box: expected at most 100 bytes of memory for the model, found 2000");
+        .hasMessage("box: expected at most 100 bytes of memory for the model, found 4000");
   }
 }
