@@ -128,7 +128,7 @@ class LayersTest {
               "cli",
               "math image drawing texture file text scene model render parser checkpoint"
                   + " denoise audit compare lab lab.perf lab.report lab.checks lab.trade cli.output"
-                  + " cli.run cli.option cli.view cli.mcp cli.diff difference"));
+                  + " cli.run cli.option cli.view cli.mcp cli.diff difference math"));
 
   /** The third-party libraries that each package may use. */
   private static final Map<String, List<String>> LIBRARIES =

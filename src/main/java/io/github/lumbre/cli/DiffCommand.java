@@ -12,12 +12,15 @@ import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.difference.FileSpace;
 import io.github.lumbre.difference.ModelDifference;
 import io.github.lumbre.difference.PartChange;
 import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
@@ -31,17 +34,19 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.text.Quantities;
 import java.io.IOException;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -78,9 +83,7 @@ import picocli.CommandLine.Parameters;
     })
 final class DiffCommand extends Subcommand {
   private static final String FORMAT = "lumbre-diff-1";
-  private static final int WIDTH = 640;
-  private static final int HEIGHT = 480;
-  private static final int DIGITS = 4;
+  private static final Size SIZE = new Size(640, 480);
 
   @Parameters(index = "0", paramLabel = "OLD", description = "Model file.")
   private Path old;
@@ -95,10 +98,17 @@ final class DiffCommand extends Subcommand {
   private Optional<Path> page = Optional.empty();
 
   @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      description = "Size of each picture of the page in pixels (640x480).")
+  private Optional<Size> size = Optional.empty();
+
+  @Option(
       names = "--tolerance",
       paramLabel = "LENGTH",
       description =
-          "Largest distance of vertices that count as the same (5e-6 of the models' diagonal).")
+          "Largest distance of vertices that count as the same, in the unit of the new file"
+              + " (5e-6 of the models' diagonal).")
   private Optional<Double> tolerance = Optional.empty();
 
   @Option(names = "--json", description = "Print the changes as JSON.")
@@ -118,6 +128,7 @@ final class DiffCommand extends Subcommand {
             require(
                 length > 0 && length < Double.POSITIVE_INFINITY,
                 "--tolerance: expected a finite number > 0, found " + length));
+    size.ifPresent(checks()::requireSize);
     require(
         !spec.commandLine().getParseResult().hasMatchedOption("--camera"),
         "--camera: cannot be used; one camera, from --view, frames both models");
@@ -128,19 +139,27 @@ final class DiffCommand extends Subcommand {
     try (TextOutput output = TextOutput.reserve(page)) {
       Stage ofOld = beside(now, old, stage);
       Stage ofNew = beside(old, now, stage);
-      Model before = read(old, ofOld);
-      Model after = read(now, ofNew);
-      before.warnings().forEach(warning -> errors().warning(old + ": " + warning));
-      after.warnings().forEach(warning -> errors().warning(now + ": " + warning));
-      double near = tolerance.orElseGet(() -> ModelDifference.tolerance(before, after));
+      ModelDifference.Side before = read(old, ofOld);
+      ModelDifference.Side after = read(now, ofNew);
+      warn(old, before.model());
+      warn(now, after.model());
+      double near =
+          tolerance.isPresent()
+              ? ModelDifference.space(after.model()).inWorld(tolerance.get())
+              : ModelDifference.tolerance(before.model(), after.model());
       ModelDifference.Result found = ModelDifference.between(before, after, near);
-      List<String> lines = found.changes().stream().map(DiffCommand::text).toList();
+      List<String> lines =
+          found.changes().stream().map(change -> text(change, found.space())).toList();
       if (page.isPresent()) {
         output.write(page(ofOld, ofNew, found, lines));
       }
       print(found, lines, near);
       return found.changes().isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
     }
+  }
+
+  private void warn(Path path, Model model) {
+    model.warnings().forEach(warning -> errors().warning(path + ": " + warning));
   }
 
   /**
@@ -155,16 +174,18 @@ final class DiffCommand extends Subcommand {
   }
 
   private boolean statesUnit(Path model, Stage own) throws TaskException {
-    return !read(model, own).unit().isEmpty();
+    return !read(model, own).model().unit().isEmpty();
   }
 
-  private Model read(Path path, Stage stage) throws TaskException {
+  private ModelDifference.Side read(Path path, Stage stage) throws TaskException {
+    String name = path.getFileName().toString();
+    ModelOptions options = stage.options().lenient(true);
     try {
-      return ModelReader.read(
-          path.getFileName().toString(),
-          Files.readAllBytes(path),
-          ModelFolder.of(path.toAbsolutePath().getParent(), stage.options().assets()),
-          stage.options().lenient(true));
+      byte[] content = Files.readAllBytes(path);
+      ModelFolder folder =
+          ModelFolder.of(path.toAbsolutePath().getParent(), stage.options().assets());
+      Model model = ModelReader.read(name, content, folder, options);
+      return new ModelDifference.Side(model, ModelReader.motions(name, content, folder, options));
     } catch (ModelFormatException e) {
       Kind kind =
           switch (e.kind()) {
@@ -184,12 +205,14 @@ final class DiffCommand extends Subcommand {
     ModelViews before = views(old, ofOld);
     ModelViews after = views(now, ofNew);
     View view = ofNew.view().orElse(View.DEFAULT);
+    Size shown = size.orElse(SIZE);
     return ChangePage.of(
-        side(old, before.seenBeside(after, view, WIDTH, HEIGHT)),
-        side(now, after.seenBeside(before, view, WIDTH, HEIGHT)),
+        side(old, before.seenBeside(after, view, shown.width(), shown.height())),
+        side(now, after.seenBeside(before, view, shown.width(), shown.height())),
         found.changes(),
         summary(found),
-        lines);
+        lines,
+        String.join("; ", found.notCompared()));
   }
 
   private ModelViews views(Path model, Stage stage) throws SceneFormatException, TaskException {
@@ -206,6 +229,7 @@ final class DiffCommand extends Subcommand {
   private ChangePage.Side side(Path path, SceneFile file) throws TaskException {
     String name = String.valueOf(path.getFileName());
     Messages messages = errors();
+    MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
     try {
       DisplayLight picture =
           CleanPicture.of(file, name, note -> messages.line(path + ": " + note), Progress.NONE);
@@ -222,18 +246,19 @@ final class DiffCommand extends Subcommand {
     found.changes().forEach(change -> counts.merge(change.kind(), 1, Integer::sum));
     List<String> texts = new ArrayList<>();
     counts.forEach((kind, count) -> texts.add(count + " " + ChangePage.word(kind)));
-    texts.add(found.same() + " the same");
+    String unchanged = found.notCompared().isEmpty() ? "the same" : "without a change found";
+    texts.add(found.same() + " " + unchanged);
     return String.join(", ", texts);
   }
 
-  private static String text(PartChange change) {
+  private static String text(PartChange change, FileSpace space) {
     List<String> texts = new ArrayList<>();
     if (change.kind() == PartChange.Kind.MOVED) {
       if (change.distance() > 0) {
-        texts.add("by " + number(change.distance()));
+        texts.add("by " + space.text(change.shift()));
       }
       if (change.degrees() > 0) {
-        texts.add("turned by " + number(change.degrees()) + " degrees");
+        texts.add("turned by " + Quantities.text(change.degrees()) + " degrees");
       }
     }
     texts.addAll(change.details());
@@ -243,10 +268,6 @@ final class DiffCommand extends Subcommand {
       texts.add("was " + PrintableText.quoted(change.old().get()));
     }
     return String.join(", ", texts);
-  }
-
-  private static String number(double value) {
-    return PrintableText.number(new BigDecimal(value, new MathContext(DIGITS)).doubleValue());
   }
 
   private void print(ModelDifference.Result found, List<String> lines, double near) {
@@ -265,6 +286,9 @@ final class DiffCommand extends Subcommand {
               .formatted(ChangePage.word(change.kind()), name, lines.get(i))
               .stripTrailing());
     }
+    if (!found.notCompared().isEmpty()) {
+      out.line("not compared: " + String.join("; ", found.notCompared()));
+    }
     page.ifPresent(file -> out.line("page       " + file));
   }
 
@@ -273,8 +297,10 @@ final class DiffCommand extends Subcommand {
     values.put("format", FORMAT);
     values.put("old", old.toString());
     values.put("new", now.toString());
-    values.put("tolerance", near);
-    values.put("same", found.same());
+    values.put("unit", found.space().unit());
+    values.put("tolerance", found.space().length(near));
+    values.put(found.notCompared().isEmpty() ? "same" : "withoutChangeFound", found.same());
+    values.put("notCompared", found.notCompared());
     values.put("changes", found.changes().stream().map(DiffCommand::values).toList());
     return values;
   }
@@ -282,13 +308,17 @@ final class DiffCommand extends Subcommand {
   private static Map<String, Object> values(PartChange change) {
     Map<String, Object> values = new LinkedHashMap<>();
     values.put("kind", ChangePage.word(change.kind()));
+    values.put("of", change.of().name().toLowerCase(Locale.ROOT));
     change.old().ifPresent(name -> values.put("old", name));
     change.now().ifPresent(name -> values.put("new", name));
     if (change.kind() == PartChange.Kind.MOVED) {
+      Vec3 shift = change.shift();
+      values.put("shift", List.of(shift.x(), shift.y(), shift.z()));
       values.put("distance", change.distance());
       values.put("degrees", change.degrees());
     }
     values.put("details", change.details());
+    values.put("parts", Math.max(change.oldParts().size(), change.nowParts().size()));
     return values;
   }
 }

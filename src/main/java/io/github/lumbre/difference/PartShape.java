@@ -3,6 +3,12 @@ package io.github.lumbre.difference;
 import io.github.lumbre.geometry.internal.PositionIndex;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelNode;
+import io.github.lumbre.model.internal.ModelPart;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -18,6 +24,7 @@ import java.util.Set;
  * @param spread root mean square distance of the surface from its centroid
  * @param bounds of the vertices
  * @param materials that the file states for the surface; empty if it states none
+ * @param surfaces the meshes
  */
 record PartShape(
     String name,
@@ -29,7 +36,20 @@ record PartShape(
     Vec3 centroid,
     double spread,
     Bounds3 bounds,
-    Set<String> materials) {
+    Set<String> materials,
+    List<Surface> surfaces) {
+  /** Returns the node of the file that the part is; empty if it has no meshes. */
+  Optional<ModelNode> node() {
+    return surfaces.stream().findFirst().map(surface -> surface.part().node());
+  }
+
+  /**
+   * A mesh of the part.
+   *
+   * @param material what the file states of its material; empty if it states none
+   */
+  record Surface(ModelPart part, String material) {}
+
   /** Sums up the surface of a part. Mutable. */
   static final class Builder {
     private final PositionIndex index = new PositionIndex();
@@ -42,12 +62,17 @@ record PartShape(
     private Vec3 sum = Vec3.ZERO;
     private Bounds3 bounds = Bounds3.EMPTY;
     private int points;
+    private final List<Surface> surfaces = new ArrayList<>();
 
     /**
      * @param middle a point near the part, so that sums stay exact
      */
     Builder(Vec3 middle) {
       this.middle = middle;
+    }
+
+    void surface(Surface surface) {
+      surfaces.add(surface);
     }
 
     private void addVertex(Vec3 p) {
@@ -94,7 +119,8 @@ record PartShape(
           middle.plus(centre),
           Math.sqrt(Math.max(0, variance)),
           bounds,
-          Set.copyOf(materials));
+          Set.copyOf(materials),
+          surfaces);
     }
   }
 
@@ -134,6 +160,32 @@ record PartShape(
     return Math.abs(area - other.area) <= areas
         && Math.abs(spread - other.spread) <= spreads
         && (triangles == 0) == (other.triangles == 0);
+  }
+
+  /** Returns the triangles, relative to the centroid. */
+  TriangleTree tree() {
+    double[] corners = new double[9 * triangles];
+    int count = 0;
+    for (Surface surface : surfaces) {
+      for (int vertex : surface.part().geometry().indices()) {
+        Vec3 p = surface.part().position(vertex).minus(centroid);
+        corners[count++] = p.x();
+        corners[count++] = p.y();
+        corners[count++] = p.z();
+      }
+    }
+    return new TriangleTree(corners);
+  }
+
+  /** Returns whether the file states the surface, and nothing of its look. */
+  boolean isBare() {
+    return surfaces.stream()
+        .allMatch(
+            surface -> {
+              ModelGeometry mesh = surface.part().geometry();
+              return surface.material().isEmpty()
+                  && mesh.normals().length + mesh.uv0().length + mesh.colors().length == 0;
+            });
   }
 
   /** Returns whether both files state materials, and other ones. */

@@ -61,9 +61,12 @@ final class PartShapes {
             surfaces.get(0).toWorld().point(vertex(surfaces.get(0).geometry(), 0)));
     Set<String> materials = new TreeSet<>();
     for (ModelPart surface : surfaces) {
-      if (!surface.material().location().isEmpty()) {
-        materials.add(text(surface.material()));
+      String material =
+          surface.material().location().isEmpty() ? "" : text(surface.material());
+      if (!material.isEmpty()) {
+        materials.add(material);
       }
+      builder.surface(new PartShape.Surface(surface, material));
       add(surface.geometry(), surface.toWorld(), builder);
     }
     return builder.build(node.label(), node.name(), materials);

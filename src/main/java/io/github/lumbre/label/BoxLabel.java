@@ -3,6 +3,7 @@ package io.github.lumbre.label;
 import io.github.lumbre.drawing.Strokes;
 import io.github.lumbre.label.LabelSheet.Tone;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.text.Quantities;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -75,7 +76,7 @@ final class BoxLabel {
     boolean isComplete = true;
     for (int axis = 0; axis < AXES; axis++) {
       double size = model.max().get(axis) - model.min().get(axis);
-      String text = LabelNumbers.text(size, model.unit());
+      String text = Quantities.text(size, model.unit());
       List<Edge> edges = outline(model.corners(), axis, SHORTEST * sheet.capital());
       isComplete &= edges.isEmpty() || edges.stream().anyMatch(e -> drawSize(sheet, e, text));
     }

@@ -1,6 +1,7 @@
 package io.github.lumbre.label;
 
 import io.github.lumbre.label.LabelSheet.Tone;
+import io.github.lumbre.text.Quantities;
 
 /**
  * A bar of a round length in the lower right corner, with its length in the plane through the
@@ -20,9 +21,9 @@ final class ScaleBar {
     if (!(scale > 0 && most > 0 && Double.isFinite(most))) {
       return false;
     }
-    double length = LabelNumbers.roundDown(most);
+    double length = Quantities.roundDown(most);
     String unit = model.unit().isEmpty() ? length == 1 ? "unit" : "units" : model.unit();
-    String text = LabelNumbers.text(length, unit);
+    String text = Quantities.text(length, unit);
     double capital = sheet.capital();
     double width = sheet.box(text, 0, 0, capital).width();
     double half = .5 * scale * length;

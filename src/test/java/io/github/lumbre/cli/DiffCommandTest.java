@@ -13,7 +13,10 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Base64;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
@@ -64,7 +67,7 @@ class DiffCommandTest {
       value = {
         "old.obj   | 0 | 2 the same",
         "same.obj  | 0 | 2 the same",
-        "moved.obj | 1 | 'moved    bolt  by 0.001'",
+        "moved.obj | 1 | 'moved    bolt  by (0, 0, 0.001)'",
         "brass.obj | 1 | 'changed  bolt  another material'",
         "plate.obj | 1 | 'removed  bolt'"
       })
@@ -188,6 +191,7 @@ class DiffCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
+        "T/old.obj T/moved.obj --size 0x4 | 2 | --size: expected",
         "T/none.obj T/old.obj             | 3 | none.obj",
         "T/a.mtl T/old.obj                | 2 | expected a model file",
         "T/old.obj T/old.obj --tolerance 0   | 2 | --tolerance",
@@ -223,5 +227,66 @@ class DiffCommandTest {
     assertThat(outcome.err()).isEmpty();
     assertThat(JsonParser.parseString(outcome.out()).getAsJsonObject().get("changes").toString())
         .contains("added");
+  }
+
+  /** Variants that are not shown may differ, so that nothing is called the same. */
+  @Test
+  void whatIsNotComparedIsSaidInsteadOfTheSame() throws IOException {
+    ModelSample.write(directory);
+    String files = "T/sample.glb T/sample.glb";
+    Outcome outcome = run("diff " + files + " -o T/page.html --view front --size 64x48");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    String line = "materials of variants that are not shown";
+    assertThat(outcome.out())
+        .contains(": 1 without a change found\n", "\nnot compared: " + line + "\n")
+        .doesNotContain("same");
+    assertThat(Files.readString(directory.resolve("page.html")))
+        .contains("<p>Not compared: " + line + ".</p>")
+        .doesNotContain("same");
+    assertThat(run("diff " + files + " --json").out())
+        .contains("\"notCompared\": [\n", line, "\"withoutChangeFound\": 1")
+        .doesNotContain("\"same\"");
+  }
+
+  @Test
+  void whatFacesShowIsCompared() throws IOException {
+    String face = "v 0 0 0 1 0 0\nv 4 0 0 1 0 0\nv 0 3 0 1 0 0\no plate\nf -3 -2 -1\n";
+    write("red.obj", face);
+    write("blue.obj", face.replace("1 0 0\n", "0 0 1\n"));
+    write("back.obj", face.replace("-3 -2 -1", "-3 -1 -2"));
+    Outcome blue = run("diff T/red.obj T/blue.obj");
+    assertThat(blue.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
+    assertThat(blue.out()).contains("changed  plate  other vertex colors");
+    Outcome back = run("diff T/red.obj T/back.obj");
+    assertThat(back.exitCode()).isEqualTo(ExitCodes.DIFFERENT);
+    assertThat(back.out()).contains("changed  plate  triangles turned over");
+  }
+
+  /** The colors beside the words are those of the picture, which is shaded. */
+  @Test
+  void theLegendHasTheColorsOfThePicture() throws IOException {
+    write("far.obj", PLATE.replace("v 4", "v 10").replace("v 0", "v 6"));
+    write("near.obj", PLATE);
+    int[] pixels = changes("diff T/far.obj T/near.obj --size 120x90");
+    assertThat(pixels).hasSize(120 * 90);
+    Matcher keys =
+        Pattern.compile("background:#([0-9a-f]{6})\"></span>([a-z ]+)")
+            .matcher(Files.readString(directory.resolve("page.html")));
+    int count = 0;
+    while (keys.find()) {
+      int key = Integer.parseInt(keys.group(1), 16);
+      long near = Arrays.stream(pixels).filter(rgb -> isNear(rgb, key)).count();
+      assertThat(near).as(keys.group(2)).isGreaterThan(300);
+      count++;
+    }
+    assertThat(count).as("moved, where it was").isEqualTo(2);
+  }
+
+  private static boolean isNear(int rgb, int key) {
+    int most = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+      most = Math.max(most, Math.abs((rgb >> shift & 255) - (key >> shift & 255)));
+    }
+    return most < 12;
   }
 }

@@ -204,7 +204,7 @@ class ModelDifferenceTest {
         .hasSize(2)
         .first()
         .asString()
-        .matches("size 4.2 x 3.4641 x 6.5 to 4.2 x 3.4641 x 13");
+        .matches("size 4.2 x 3.464 x 6.5 to 4.2 x 3.464 x 13");
     assertThat(change.details().get(1)).matches("area [0-9.]+ to [0-9.]+");
   }
 

@@ -3,7 +3,6 @@ package io.github.lumbre.cli.diff;
 import io.github.lumbre.difference.PartChange;
 import io.github.lumbre.difference.PartChange.Kind;
 import io.github.lumbre.drawing.DisplayLight;
-import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.ImageFormat;
@@ -12,7 +11,6 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.internal.ParsedScene;
 import java.nio.file.Path;
 import java.util.Base64;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -49,9 +47,15 @@ public final class ChangePage {
    *
    * @param summary of the changes in one line
    * @param lines a text for each change
+   * @param notCompared what was not compared, in words; empty for nothing
    */
   public static String of(
-      Side old, Side now, List<PartChange> changes, String summary, List<String> lines) {
+      Side old,
+      Side now,
+      List<PartChange> changes,
+      String summary,
+      List<String> lines,
+      String notCompared) {
     StringBuilder html = new StringBuilder();
     html.append("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n")
         .append("<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n")
@@ -62,17 +66,20 @@ public final class ChangePage {
         .append("<div class=\"pictures\">\n");
     figure("old: " + old.path(), old.picture(), html);
     figure("new: " + now.path(), now.picture(), html);
-    Image difference =
+    ChangePicture.Drawn difference =
         ChangePicture.of(
             ParsedScene.of(old.file()),
             old.picture().image(),
             ParsedScene.of(now.file()),
             now.picture().image(),
             changes);
-    figure("difference", new DisplayLight(difference, ImageWriter.Options.DEFAULT), html);
+    figure("difference", new DisplayLight(difference.image(), ImageWriter.Options.DEFAULT), html);
     html.append("</div>\n");
-    legend(changes, html);
+    legend(difference.colors(), html);
     table(changes, lines, html);
+    if (!notCompared.isEmpty()) {
+      html.append("<p>Not compared: " + escaped(notCompared) + ".</p>\n");
+    }
     return html.append("</body></html>\n").toString();
   }
 
@@ -84,14 +91,7 @@ public final class ChangePage {
         .append("\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n");
   }
 
-  private static void legend(List<PartChange> changes, StringBuilder html) {
-    Map<String, Rgb> keys = new LinkedHashMap<>();
-    for (PartChange change : changes) {
-      ChangePicture.color(change.kind()).ifPresent(rgb -> keys.put(word(change.kind()), rgb));
-      if (change.kind() == Kind.REMOVED || change.kind() == Kind.MOVED) {
-        keys.put("where it was", ChangePicture.GONE);
-      }
-    }
+  private static void legend(Map<String, Rgb> keys, StringBuilder html) {
     html.append("<p>");
     keys.forEach(
         (name, rgb) ->

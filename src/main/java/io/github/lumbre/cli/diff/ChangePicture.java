@@ -13,9 +13,11 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Function;
 
 /**
@@ -31,8 +33,10 @@ final class ChangePicture {
   /** Colors that people with any color vision tell apart (Okabe and Ito 2008), linear. */
   private static final Map<Kind, Rgb> COLORS = new EnumMap<>(Kind.class);
 
-  /** The color of a part where it was, and is not any more. */
-  static final Rgb GONE = new Rgb(.665, .112, 0);
+  /** The word for a part where it was, and is not any more. */
+  private static final String WAS = "where it was";
+
+  private static final Rgb GONE = new Rgb(.665, .112, 0);
 
   static {
     COLORS.put(Kind.ADDED, new Rgb(0, .342, .171));
@@ -45,8 +49,31 @@ final class ChangePicture {
   private final RenderSettings settings;
   private final PartTable parts;
   private final Map<String, PartChange> changes = new HashMap<>();
+  private final Map<String, Tint> tints = new TreeMap<>();
   private final NearestHit hit = new NearestHit();
   private final CameraRay aimed = new CameraRay();
+
+  /**
+   * A picture of changes.
+   *
+   * @param colors for each thing in it, by its word, the mean color in which it is drawn
+   */
+  record Drawn(Image image, Map<String, Rgb> colors) {}
+
+  /** The mean of colors. Mutable. */
+  private static final class Tint {
+    private Rgb sum = Rgb.BLACK;
+    private int count;
+
+    void add(Rgb color) {
+      sum = sum.plus(color);
+      count++;
+    }
+
+    Rgb mean() {
+      return sum.times(1. / count);
+    }
+  }
 
   /** A changed part that a ray meets. */
   private record Seen(PartChange change, double distance) {
@@ -57,29 +84,25 @@ final class ChangePicture {
   }
 
   /**
-   * @param name returns the name of a changed part in this model; empty to leave it out
+   * @param names returns the names of changed parts in this model
    */
   private ChangePicture(
-      ParsedScene file, List<PartChange> changes, Function<PartChange, Optional<String>> name) {
+      ParsedScene file, List<PartChange> changes, Function<PartChange, List<String>> names) {
     scene = file.scene().framed(file.settings().aspect());
     settings = file.settings();
     parts = file.model().orElseThrow().parts(file.scene());
     for (PartChange change : changes) {
-      name.apply(change).ifPresent(part -> this.changes.put(part, change));
+      names.apply(change).forEach(part -> this.changes.put(part, change));
     }
   }
 
-  static Optional<Rgb> color(Kind kind) {
-    return Optional.ofNullable(COLORS.get(kind));
-  }
-
   /**
-   * Returns the picture.
+   * Returns the picture, and the colors in it.
    *
    * @param oldPicture of the old scene
    * @param nowPicture of the new scene, by the same camera
    */
-  static Image of(
+  static Drawn of(
       ParsedScene old,
       Image oldPicture,
       ParsedScene now,
@@ -87,8 +110,8 @@ final class ChangePicture {
       List<PartChange> changes) {
     List<PartChange> gone =
         changes.stream().filter(c -> c.kind() == Kind.REMOVED || c.kind() == Kind.MOVED).toList();
-    ChangePicture before = new ChangePicture(old, gone, PartChange::old);
-    ChangePicture after = new ChangePicture(now, changes, PartChange::now);
+    ChangePicture before = new ChangePicture(old, gone, PartChange::oldParts);
+    ChangePicture after = new ChangePicture(now, changes, PartChange::nowParts);
     float[] rgb = new float[3 * nowPicture.width() * nowPicture.height()];
     for (int y = 0; y < nowPicture.height(); y++) {
       for (int x = 0; x < nowPicture.width(); x++) {
@@ -99,7 +122,10 @@ final class ChangePicture {
         rgb[at + 2] = (float) color.b();
       }
     }
-    return new Image(nowPicture.width(), nowPicture.height(), rgb, new float[0]);
+    Map<String, Rgb> colors = new LinkedHashMap<>();
+    after.tints.forEach((word, tint) -> colors.put(word, tint.mean()));
+    return new Drawn(
+        new Image(nowPicture.width(), nowPicture.height(), rgb, new float[0]), colors);
   }
 
   private static Rgb pixel(
@@ -116,7 +142,12 @@ final class ChangePicture {
           seen.map(part -> COLORS.get(part.change.kind()).times(.3 + .7 * shade)).orElse(pale);
       boolean isGone =
           before.at(u, v).filter(old -> seen.isEmpty() || old.isBefore(seen.get())).isPresent();
-      sum = sum.plus(isGone ? GONE.times(.5 + .5 * oldShade).plus(painted).times(.5) : painted);
+      Rgb color = isGone ? GONE.times(.5 + .5 * oldShade).plus(painted).times(.5) : painted;
+      if (isGone || seen.isPresent()) {
+        String word = isGone ? WAS : ChangePage.word(seen.get().change.kind());
+        after.tints.computeIfAbsent(word, w -> new Tint()).add(color);
+      }
+      sum = sum.plus(color);
     }
     return sum.times(1. / (GRID * GRID));
   }

@@ -1,12 +1,18 @@
 package io.github.lumbre.model.gltf;
 
+import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelNames;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -20,6 +26,55 @@ record GltfAnimations(GltfDocument document, GltfAccessors accessors) {
       all.add(new ModelAnimation(name, seconds(json)));
     }
     return all;
+  }
+
+  /**
+   * Returns a text for each animation that identifies its keys. The order of channels and nodes
+   * does not matter where nodes have names.
+   */
+  List<String> keys() throws ModelFormatException, IOException {
+    List<String> all = new ArrayList<>();
+    for (GltfJson animation : document.section("animations")) {
+      List<String> channels = new ArrayList<>();
+      try {
+        List<GltfJson> samplers = animation.objects("samplers");
+        for (GltfJson channel : animation.objects("channels")) {
+          int sampler = channel.requireIndex("sampler", samplers.size());
+          channels.add(target(channel) + hash(samplers.get(sampler)));
+        }
+      } catch (ModelFormatException e) {
+        channels.add(e.getMessage());
+      }
+      channels.sort(Comparator.naturalOrder());
+      all.add(Sha256.of(String.join("\n", channels).getBytes(StandardCharsets.UTF_8)));
+    }
+    return all;
+  }
+
+  private String target(GltfJson channel) throws ModelFormatException {
+    GltfJson target = channel.requireObject("target");
+    OptionalInt node = target.index("node", document.size("nodes"));
+    String number = node.isPresent() ? Integer.toString(node.getAsInt()) : "";
+    String name =
+        node.isPresent()
+            ? document.section("nodes").get(node.getAsInt()).text("name", number)
+            : number;
+    return name + " " + target.text("path", "") + " ";
+  }
+
+  private String hash(GltfJson sampler) throws ModelFormatException, IOException {
+    MessageDigest digest = Sha256.digest();
+    for (String member : List.of("input", "output")) {
+      double[] numbers = accessors.fractions(accessors.require(sampler, member));
+      ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * numbers.length);
+      for (double number : numbers) {
+        // The sum with 0 replaces -0 by 0.
+        bytes.putFloat((float) number + 0f);
+      }
+      digest.update(bytes.array());
+    }
+    String hash = HexFormat.of().formatHex(digest.digest());
+    return sampler.text("interpolation", "LINEAR") + " " + hash;
   }
 
   private List<String> names() throws ModelFormatException {

@@ -14,6 +14,7 @@ import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLight;
 import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelMotions;
 import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import java.io.IOException;
@@ -99,6 +100,30 @@ public final class GltfReader {
   public static Model read(
       byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
       throws ModelFormatException, IOException {
+    return reader(content, folder, options, budget).read();
+  }
+
+  /** Returns what a file states of its motion; {@code read} explains the arguments. */
+  public static ModelMotions motions(byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    GltfReader reader = reader(content, folder, options, new GltfBudget(options.limits()));
+    List<String> deformations = new ArrayList<>();
+    if (reader.document.size("skins") > 0) {
+      deformations.add("skins");
+    }
+    for (GltfJson mesh : reader.document.section("meshes")) {
+      for (GltfJson primitive : mesh.objects("primitives")) {
+        if (primitive.has("targets") && !deformations.contains("morph targets")) {
+          deformations.add("morph targets");
+        }
+      }
+    }
+    return new ModelMotions(reader.animations.keys(), deformations);
+  }
+
+  private static GltfReader reader(
+      byte[] content, ModelFolder folder, ModelOptions options, GltfBudget budget)
+      throws ModelFormatException, IOException {
     GltfContainer container = GltfContainer.of(content);
     // The text of the JSON is also kept as strings.
     budget.allocate("", (long) content.length + container.json().remaining());
@@ -108,7 +133,7 @@ public final class GltfReader {
     GltfExtensions.check(document);
     ModelFiles files = new ModelFiles(folder, options.limits(), document.warnings());
     GltfBuffers buffers = new GltfBuffers(document, container.binary(), files);
-    return new GltfReader(document, buffers, options).read();
+    return new GltfReader(document, buffers, options);
   }
 
   /** Returns the model in its pose, or in motion. */

@@ -73,6 +73,12 @@ public enum ModelFormat {
     this.endings = List.of(endings);
   }
 
+  /** Returns what a file of this format states of its motion. */
+  ModelMotions motions(byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return this == GLTF ? GltfReader.motions(content, folder, options) : ModelMotions.NONE;
+  }
+
   /** Returns a file of this format in words, with an article. */
   String title() {
     return title;

@@ -102,6 +102,20 @@ public final class ModelReader {
     }
   }
 
+  /**
+   * Returns what a file states of its motion; nothing for files in archives, and for formats
+   * without motion.
+   *
+   * @param name of the file
+   * @param content bytes of the file
+   * @param folder reads other files that the model names
+   */
+  public static ModelMotions motions(
+      String name, byte[] content, ModelFolder folder, ModelOptions options)
+      throws ModelFormatException, IOException {
+    return format(name, content).motions(content, folder, options);
+  }
+
   /** Returns what the options show of a model, except for one of an archive, which is finished. */
   private static Model finished(Model read, ModelFormat format, ModelOptions options)
       throws ModelFormatException {

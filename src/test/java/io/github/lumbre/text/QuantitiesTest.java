@@ -1,4 +1,4 @@
-package io.github.lumbre.label;
+package io.github.lumbre.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,7 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the numbers on labels. */
-class LabelNumbersTest {
+class QuantitiesTest {
   @ParameterizedTest
   @CsvSource({
     "12.5, millimeter, 12.5 mm",
@@ -21,7 +21,7 @@ class LabelNumbersTest {
     "40, units, 40 units"
   })
   void numbersHaveFourDigits(double value, String unit, String text) {
-    assertThat(LabelNumbers.text(value, unit)).isEqualTo(text);
+    assertThat(Quantities.text(value, unit)).isEqualTo(text);
   }
 
   @ParameterizedTest
@@ -38,6 +38,6 @@ class LabelNumbersTest {
     "3e17, 2e17"
   })
   void scaleBarsHaveRoundLengths(double most, double length) {
-    assertThat(LabelNumbers.roundDown(most)).isEqualTo(length);
+    assertThat(Quantities.roundDown(most)).isEqualTo(length);
   }
 }

@@ -1,4 +1,4 @@
-package io.github.lumbre.label;
+package io.github.lumbre.text;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
@@ -6,8 +6,8 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Map;
 
-/** Numbers and units on labels. Stateless. */
-final class LabelNumbers {
+/** Numbers and units as people read them, on labels and in texts. Stateless. */
+public final class Quantities {
   private static final MathContext DIGITS = new MathContext(4);
   private static final MathContext ONE_DIGIT = new MathContext(1, RoundingMode.DOWN);
 
@@ -23,10 +23,10 @@ final class LabelNumbers {
           "foot", "ft",
           "meter", "m");
 
-  private LabelNumbers() {}
+  private Quantities() {}
 
   /** Returns a finite number with four significant digits, such as 12.35 or 1.235e-9. */
-  static String text(double value) {
+  public static String text(double value) {
     return text(new BigDecimal(value).round(DIGITS).stripTrailingZeros());
   }
 
@@ -37,16 +37,17 @@ final class LabelNumbers {
   }
 
   /** Returns a number with its unit; the number alone if there is none. */
-  static String text(double value, String unit) {
+  public static String text(double value, String unit) {
     return unit.isEmpty() ? text(value) : text(value) + " " + symbol(unit);
   }
 
-  static String symbol(String unit) {
+  /** Returns the symbol of a unit, such as mm for millimeter; its name if it has none. */
+  public static String symbol(String unit) {
     return SYMBOLS.getOrDefault(unit, unit);
   }
 
   /** Returns the largest of 1, 2, 5, 10, 20 and so on, and of 0.5, 0.2, 0.1, up to a number. */
-  static double roundDown(double value) {
+  public static double roundDown(double value) {
     BigDecimal digit = new BigDecimal(value).round(ONE_DIGIT);
     int first = digit.unscaledValue().intValueExact();
     int round = first >= 5 ? 5 : first >= 2 ? 2 : 1;
