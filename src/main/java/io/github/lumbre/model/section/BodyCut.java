@@ -17,6 +17,9 @@ final class BodyCut {
   /** The largest number of shells that are bodies of their own. */
   private static final int MAX_BODIES = 256;
 
+  /** The largest number of pairs of bodies that are looked at for a common area. */
+  private static final int MAX_PAIRS = 1000;
+
   private final List<ModelPart> meshes;
   private final List<CutPlane> planes;
   private final Shells shells;
@@ -117,6 +120,7 @@ final class BodyCut {
     }
     caps.values().removeIf(this::hasTwoFronts);
     join(caps);
+    joinOverlapping(caps);
     List<Surface> surfaces = new ArrayList<>();
     caps.forEach(
         (shell, cap) ->
@@ -156,6 +160,22 @@ final class BodyCut {
       boolean isJoined = isOne || !solids.contains(shell);
       if (isJoined && around.isPresent() && around.get() != shell) {
         caps.get(around.get()).add(caps.remove(shell));
+      }
+    }
+  }
+
+  /** Joins the caps of bodies that overlap, so that no place is filled twice. */
+  private void joinOverlapping(Map<Integer, Cap> caps) {
+    List<Integer> shells = List.copyOf(caps.keySet());
+    int tried = 0;
+    for (int one : shells) {
+      for (int other : shells) {
+        boolean isPair = one < other && caps.containsKey(one) && caps.containsKey(other);
+        if (isPair && caps.get(one).isNear(caps.get(other)) && tried++ < MAX_PAIRS) {
+          Optional<Cap> both = caps.get(one).union(caps.get(other));
+          both.ifPresent(cap -> caps.put(one, cap));
+          both.ifPresent(cap -> caps.remove(other));
+        }
       }
     }
   }

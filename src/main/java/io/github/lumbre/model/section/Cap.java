@@ -16,6 +16,9 @@ final class Cap {
   /** Areas below this part of the square of the length of outlines may be none. */
   private static final double BALANCED = 1e-6;
 
+  /** Common areas below this part of the whole one are rounding errors. */
+  private static final double COMMON = 1e-6;
+
   private final CutPlane plane;
   private final PositionIndex index = new PositionIndex();
   private int[] segments = new int[64];
@@ -58,6 +61,60 @@ final class Cap {
       sum = sum.plus(from.cross(point(points, segments[i + 1]).minus(origin)));
     }
     return sum.dot(plane.normal()) / 2;
+  }
+
+  /** Returns whether the boxes around the outlines of two caps have a common area. */
+  boolean isNear(Cap other) {
+    double[] box = box();
+    double[] there = other.box();
+    return box[0] < there[2] && there[0] < box[2] && box[1] < there[3] && there[1] < box[3];
+  }
+
+  /** Returns the least and the largest coordinates in the plane. */
+  private double[] box() {
+    double[] points = index.positions();
+    double[] box = {
+      Double.POSITIVE_INFINITY,
+      Double.POSITIVE_INFINITY,
+      Double.NEGATIVE_INFINITY,
+      Double.NEGATIVE_INFINITY
+    };
+    for (int i = 0; i < points.length / 3; i++) {
+      Vec3 p = point(points, i);
+      box[0] = Math.min(box[0], plane.u(p));
+      box[1] = Math.min(box[1], plane.v(p));
+      box[2] = Math.max(box[2], plane.u(p));
+      box[3] = Math.max(box[3], plane.v(p));
+    }
+    return box;
+  }
+
+  /** Returns both caps as one; empty if they have no common area. */
+  Optional<Cap> union(Cap other) {
+    Cap both = new Cap(plane);
+    both.add(this);
+    both.add(other);
+    try {
+      double apart = filledArea() + other.filledArea();
+      return both.filledArea() < apart * (1 - COMMON) ? Optional.of(both) : Optional.empty();
+    } catch (Triangulation.TooMuchException e) {
+      return Optional.empty();
+    }
+  }
+
+  private double filledArea() {
+    return surface().map(Cap::area).orElse(0.);
+  }
+
+  private static double area(ModelGeometry surface) {
+    double sum = 0;
+    int[] corners = surface.indices();
+    for (int i = 0; i < corners.length; i += 3) {
+      Vec3 a = point(surface.positions(), corners[i]);
+      Vec3 b = point(surface.positions(), corners[i + 1]).minus(a);
+      sum += b.cross(point(surface.positions(), corners[i + 2]).minus(a)).length() / 2;
+    }
+    return sum;
   }
 
   /** Returns whether outlines surround as much clockwise as counterclockwise, or nothing. */

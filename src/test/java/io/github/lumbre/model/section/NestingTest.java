@@ -112,9 +112,23 @@ class NestingTest {
       throws ModelFormatException {
     ModelPart part =
         joined(block(one, 0, 2, 0, 2, 0, 2), block(other, 1, 3, 0, 2, 0, 2));
-    Model model = cut(List.of(part), "z=1");
-    assertThat(area(caps(model))).isCloseTo(6, within(1e-12));
-    assertThat(model.warnings()).isEmpty();
+    for (ModelPart each : List.of(part, undivided(part))) {
+      Model model = cut(List.of(each), "z=1");
+      assertThat(area(caps(model))).isCloseTo(6, within(1e-12));
+      assertThat(caps(model)).hasSize(1);
+      assertThat(model.warnings()).isEmpty();
+    }
+  }
+
+  /** Bars that cross have a common area, and no corner of one is in the other. */
+  @Test
+  void piecesThatCrossAreOne() throws ModelFormatException {
+    ModelPart part = joined(block(1, 0, 9, 4, 5, 0, 2), block(-1, 4, 5, 0, 9, 0, 2));
+    Model model = cut(List.of(undivided(part)), "z=1");
+    assertThat(caps(model)).hasSize(1);
+    assertThat(area(caps(model))).isCloseTo(17, within(1e-6));
+    ModelPart beside = joined(block(1, 0, 4, 0, 4, 0, 4), block(1, 4, 8, 0, 4, 1, 3));
+    assertThat(caps(cut(List.of(undivided(beside)), "z=2"))).hasSize(2);
   }
 
   /** A rod that is inside out is no cavity where a plane cuts it within a block. */
