@@ -18,7 +18,7 @@ final class SurfaceDistance {
   private static final double SMALLEST = 8;
 
   /** Distances above this part of the limit are found more exactly, by smaller pieces. */
-  private static final double FINE = .01;
+  private static final double FINE = .1;
 
   /** Pieces that are divided for the sake of exactness alone. */
   private static final long FOR_EXACTNESS = 300_000;
@@ -99,6 +99,12 @@ final class SurfaceDistance {
     boolean isDivided = ofCorners > limit || ofCorners > FINE * limit && divided < FOR_EXACTNESS;
     if (isDivided && divide(piece, triangle, other, pieces)) {
       divided++;
+      return 0;
+    }
+    boolean isLoose = isDivided && ofCorners > 2 * nearest.distance() + FINE * limit;
+    if (ofCorners <= limit && isLoose) {
+      divided++;
+      divide(piece, pieces);
       return 0;
     }
     if (ofCorners <= limit) {

@@ -51,6 +51,13 @@ final class SurfaceMatch {
   record Found(Motion motion, double distance, boolean isInPlace) {}
 
   /**
+   * A motion that may be the one.
+   *
+   * @param score the less, the better
+   */
+  private record Tried(Rigid rigid, boolean isInPlace, double score) {}
+
+  /**
    * @param before the triangles of the old part, relative to its centroid
    * @param after the triangles of the new part, relative to its centroid
    * @param steps the most work
@@ -101,17 +108,18 @@ final class SurfaceMatch {
   Optional<Found> find() {
     steps -= (long) samples.size() * Fit.ROUNDS;
     Vec3 still = old.centroid().minus(now.centroid());
-    Optional<Found> best = Optional.empty();
+    List<Tried> all = new ArrayList<>();
     for (Vec3 offset : offsets(still)) {
-      Optional<Found> found = found(Rigid.shift(offset), offset == still);
-      boolean isBetter =
-          found.isPresent()
-              && (best.isEmpty()
-                  || found.get().distance
-                      < best.get().distance * (best.get().isInPlace ? .5 : 1));
-      best = isBetter ? found : best;
+      Rigid rigid = Rigid.shift(offset);
+      boolean isInPlace = offset == still;
+      // A part that did not move is not moved by the rounding of a fit.
+      all.add(new Tried(rigid, isInPlace, farthest(rigid) * (isInPlace ? .5 : 1)));
     }
-    return best.isPresent() ? best : rotated();
+    all.sort(Comparator.comparingDouble(Tried::score));
+    return all.stream()
+        .flatMap(tried -> found(tried).stream())
+        .findFirst()
+        .or(this::rotated);
   }
 
   /** Returns the offsets that lay no motion, centroids, or sides of boxes on each other. */
@@ -129,31 +137,41 @@ final class SurfaceMatch {
     return offsets;
   }
 
-  /** Returns a motion of offsets from centroids, if it lays the surfaces on each other. */
-  private Optional<Found> found(Rigid rigid, boolean isInPlace) {
-    double limit = APART * size;
+  /** Returns the largest distance of samples after a motion; infinite if one is too far. */
+  private double farthest(Rigid rigid) {
     TriangleTree.Nearest nearest = new TriangleTree.Nearest();
+    double most = 0;
     for (Vec3 sample : samples) {
-      after.find(rigid.apply(sample), limit, nearest);
+      after.find(rigid.apply(sample), APART * size, nearest);
       if (nearest.triangle() < 0) {
-        return Optional.empty();
+        return Double.POSITIVE_INFINITY;
       }
+      most = Math.max(most, nearest.distance());
     }
-    OptionalDouble apart = apart(rigid, limit);
+    return most;
+  }
+
+  /** Returns a motion of offsets from centroids, if it lays the surfaces on each other. */
+  private Optional<Found> found(Tried tried) {
+    if (tried.score == Double.POSITIVE_INFINITY) {
+      return Optional.empty();
+    }
+    Rigid rigid = tried.rigid;
+    OptionalDouble apart = apart(rigid);
     if (apart.isEmpty()) {
       return Optional.empty();
     }
     Vec3 shift = now.centroid().minus(old.centroid()).plus(rigid.offset());
     return Optional.of(
         new Found(
-            rigid.motion(isInPlace ? Vec3.ZERO : shift),
+            rigid.motion(tried.isInPlace ? Vec3.ZERO : shift),
             apart.getAsDouble(),
-            isInPlace));
+            tried.isInPlace));
   }
 
-  /** Returns a bound of the distance of the surfaces; empty if it is above a limit. */
-  private OptionalDouble apart(Rigid rigid, double limit) {
-    SurfaceDistance distance = new SurfaceDistance(limit, steps);
+  /** Returns a bound of the distance of the surfaces; empty if it is too large. */
+  private OptionalDouble apart(Rigid rigid) {
+    SurfaceDistance distance = new SurfaceDistance(APART * size, steps);
     OptionalDouble there = distance.of(before, rigid::apply, after);
     OptionalDouble back =
         there.isPresent() ? distance.of(after, rigid::inverse, before) : OptionalDouble.empty();
@@ -164,18 +182,17 @@ final class SurfaceMatch {
   }
 
   private Optional<Found> rotated() {
-    record Tried(Rigid rigid, double score) {}
     double far = size / 4;
     List<Tried> all = new ArrayList<>();
     for (Rigid rigid : rotations(Inertia.of(before), Inertia.of(after))) {
-      all.add(new Tried(rigid, Fit.score(samples, rigid, after, far)));
+      all.add(new Tried(rigid, false, Fit.score(samples, rigid, after, far)));
     }
     steps -= (long) samples.size() * (all.size() + MOST_REFINED * Fit.ROUNDS);
     all.sort(Comparator.comparingDouble(Tried::score));
     return all.stream()
         .limit(MOST_REFINED)
         .map(tried -> Fit.of(samples, tried.rigid, after, size, false))
-        .flatMap(refined -> found(refined, false).stream())
+        .flatMap(refined -> found(new Tried(refined, false, farthest(refined))).stream())
         .min(Comparator.comparingDouble(found -> found.motion.degrees()));
   }
 
