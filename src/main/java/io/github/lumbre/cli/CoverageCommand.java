@@ -80,7 +80,10 @@ final class CoverageCommand extends Subcommand {
       description = "Samples per pixel of the reference (64 times the largest of --samples).")
   private Optional<Integer> reference = Optional.empty();
 
-  @Option(names = "--size", paramLabel = "WxH|N", description = "Size of the frame in pixels (24x24).")
+  @Option(
+      names = "--size",
+      paramLabel = "WxH|N",
+      description = "Size of the frame in pixels (24x24).")
   private FrameSize size = FrameSize.of("24x24");
 
   @Option(names = "--adaptive", description = "Give noisy pixels more samples.")

@@ -36,7 +36,8 @@ import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.Progress;
-import io.github.lumbre.scene.RenderSettings.Size;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.text.Quantities;
 import java.io.IOException;
@@ -83,7 +84,7 @@ import picocli.CommandLine.Parameters;
     })
 final class DiffCommand extends Subcommand {
   private static final String FORMAT = "lumbre-diff-1";
-  private static final Size SIZE = new Size(640, 480);
+  private static final RenderSettings USUAL = RenderSettings.builder().size(640, 480).build();
 
   @Parameters(index = "0", paramLabel = "OLD", description = "Model file.")
   private Path old;
@@ -99,9 +100,9 @@ final class DiffCommand extends Subcommand {
 
   @Option(
       names = "--size",
-      paramLabel = "WxH",
+      paramLabel = "WxH|N",
       description = "Size of each picture of the page in pixels (640x480).")
-  private Optional<Size> size = Optional.empty();
+  private Optional<FrameSize> size = Optional.empty();
 
   @Option(
       names = "--tolerance",
@@ -205,7 +206,7 @@ final class DiffCommand extends Subcommand {
     ModelViews before = views(old, ofOld);
     ModelViews after = views(now, ofNew);
     View view = ofNew.view().orElse(View.DEFAULT);
-    Size shown = size.orElse(SIZE);
+    RenderSettings shown = size.map(s -> s.over(USUAL)).orElse(USUAL);
     return ChangePage.of(
         side(old, before.seenBeside(after, view, shown.width(), shown.height())),
         side(now, after.seenBeside(before, view, shown.width(), shown.height())),
