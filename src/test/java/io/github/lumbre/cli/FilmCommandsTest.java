@@ -380,7 +380,9 @@ class FilmCommandsTest {
             Outcome.of("develop", path("ab"), "-o", path("q.pfm"), "--quiet"))) {
       assertDone(outcome);
       assertThat(outcome.out()).isEmpty();
-      assertThat(outcome.err()).doesNotContain("pixels,", "denoised").contains("samples are missing");
+      assertThat(outcome.err())
+          .doesNotContain("pixels,", "denoised")
+          .contains("samples are missing");
     }
     Outcome.of("resume", path("ab")).assertFailed(ExitCodes.SCENE, "gaps");
   }

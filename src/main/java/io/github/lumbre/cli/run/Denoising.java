@@ -99,8 +99,8 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
   }
 
   /**
-   * Returns by which other program than the built-in denoiser a picture was denoised, and with which
-   * errors before and after.
+   * Returns with which errors before and after a picture was denoised, and the denoiser if it is
+   * not the built-in one.
    */
   public static String line(Denoised denoised) {
     String before =

@@ -228,8 +228,8 @@ final class GltfNodes {
   }
 
   /**
-   * Returns the nodes that the scene lists. Some exporters list all nodes, also those that are shown
-   * below others; only a child without its parent is worth a warning.
+   * Returns the nodes that the scene lists. Some exporters list all nodes, also those that are
+   * shown below others; only a child without its parent is worth a warning.
    */
   private int[] roots() throws ModelFormatException {
     List<GltfJson> scenes = document.section("scenes");
@@ -239,8 +239,9 @@ final class GltfNodes {
     }
     GltfJson scene = scenes.get(number.orElse(0));
     int[] roots = scene.indices("nodes", nodes.size());
+    int[] outermost = Arrays.stream(roots).filter(node -> parents[node] == NONE).toArray();
     BitSet shown = new BitSet();
-    for (int node : withDescendants(Arrays.stream(roots).filter(n -> parents[n] == NONE).toArray())) {
+    for (int node : withDescendants(outermost)) {
       shown.set(node);
     }
     for (int i = 0; i < roots.length; i++) {
@@ -251,7 +252,7 @@ final class GltfNodes {
             .add(
                 "a node is listed without its parent",
                 scene.location("nodes[" + i + "]"),
-                "expected a root node, found %d, a child of node %d; it is shown where that places it"
+                "expected a root node, found %d, a child of node %d; it is shown in its place there"
                     .formatted(node, parents[node]));
       }
     }
