@@ -57,7 +57,7 @@ class OffReaderTest {
     assertThat(mesh.colors()).isEmpty();
   }
 
-  /** Numbers of a vertex or a face on several lines, several of these on one line, or all on one. */
+  /** Numbers of a vertex or a face on several lines, several on one line, or all on one. */
   @ParameterizedTest
   @ValueSource(
       strings = {
