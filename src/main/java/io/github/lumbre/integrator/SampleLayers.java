@@ -6,6 +6,7 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
+import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.path.PathVertex.End;
@@ -24,6 +25,12 @@ import java.util.stream.Stream;
  * Mutable and confined to one thread.
  */
 public final class SampleLayers implements PathListener {
+  /** A mirror, or clear glass, has at least this part of its albedo in clear lobes. */
+  private static final double LEAST_CLEAR = .5;
+
+  /** Directions of clear lobes have at least this density per solid angle: 6° around one. */
+  private static final double LEAST_CLEAR_PDF = 30;
+
   private final LightGroups groups;
 
   /** The values of each layer, by its ordinal; empty arrays for layers that are not collected. */
@@ -66,6 +73,12 @@ public final class SampleLayers implements PathListener {
 
   /** Whether the guides of denoisers are known. */
   private boolean isGuided;
+
+  /** Whether the guides are those of the last vertex unless the path shows what is seen in it. */
+  private boolean isGuidedByMirror;
+
+  /** Whether some light of the last vertex is too blurred to show what it comes from. */
+  private boolean mayBlur;
 
   /**
    * Creates a collector.
@@ -136,6 +149,7 @@ public final class SampleLayers implements PathListener {
     }
     firstPrimitive = -1;
     isGuided = guideAlbedo.length == 0 && guideNormal.length == 0;
+    isGuidedByMirror = false;
   }
 
   /** Multiplies the light of the layers by a factor, as that of a sample that is limited. */
@@ -158,6 +172,7 @@ public final class SampleLayers implements PathListener {
     glowGreen = 0;
     glowBlue = 0;
     primitive = -1;
+    isGuidedByMirror = false;
   }
 
   @Override
@@ -182,13 +197,29 @@ public final class SampleLayers implements PathListener {
       }
     }
     if (!isGuided && !bsdf.isSpecular()) {
-      isGuided = true;
-      setNormal(guideNormal, surface, surface.shadingNormal());
-      if (guideAlbedo.length != 0) {
-        setColor(guideAlbedo, bsdf.albedo());
-      }
+      setGuides(surface, bsdf);
     }
     if (isGuided) {
+      endEvents();
+    }
+  }
+
+  /** Sets the guides of a vertex, for good if it is no mirror and no clear glass. */
+  private void setGuides(SurfaceHit surface, Bsdf bsdf) {
+    Rgb color = bsdf.albedo();
+    double clear = bsdf.clearAlbedo().max();
+    isGuidedByMirror = clear > LEAST_CLEAR * color.max();
+    mayBlur = clear < color.max();
+    isGuided = !isGuidedByMirror;
+    setNormal(guideNormal, surface, surface.shadingNormal());
+    setColor(guideAlbedo, color);
+  }
+
+  @Override
+  public void scattered(BsdfSample sample, double survival, boolean survives) {
+    boolean isBlurred = !sample.isSpecular() && sample.pdf() < LEAST_CLEAR_PDF;
+    if (!isGuided && isGuidedByMirror && mayBlur && isBlurred) {
+      isGuided = true;
       endEvents();
     }
   }
@@ -343,8 +374,11 @@ public final class SampleLayers implements PathListener {
 
   @Override
   public void pathEnded(End end) {
-    if (!isGuided) {
-      isGuided = true;
+    if (isGuided || isGuidedByMirror && end == End.SPLIT) {
+      return;
+    }
+    isGuided = true;
+    if (!isGuidedByMirror) {
       setColor(guideAlbedo, Rgb.BLACK);
       if (end == End.ESCAPED) {
         set(guideNormal, 0, 0, 0);

@@ -3,6 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.Microfacets;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -149,5 +150,10 @@ record AnisotropicReflection(
   @Override
   public Rgb albedo() {
     return film.over(f0, f0, f90, 1);
+  }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return alphaAlong <= Microfacets.CLEAR ? albedo() : Rgb.BLACK;
   }
 }

@@ -69,4 +69,9 @@ record Blend(Bsdf first, Bsdf second, double share) implements Bsdf {
   public Rgb albedo() {
     return first.albedo().times(share).plus(second.albedo().times(1 - share));
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return first.clearAlbedo().times(share).plus(second.clearAlbedo().times(1 - share));
+  }
 }

@@ -119,4 +119,13 @@ public interface Bsdf {
    * color of its transmitted light.
    */
   Rgb albedo();
+
+  /**
+   * Returns the part of {@link #albedo} whose light comes from where a mirror or clear glass would
+   * send it, so that other surfaces can be recognized in it: that of delta lobes and of lobes
+   * hardly wider.
+   */
+  default Rgb clearAlbedo() {
+    return isSpecular() ? albedo() : Rgb.BLACK;
+  }
 }

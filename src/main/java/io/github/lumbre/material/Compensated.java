@@ -98,4 +98,9 @@ record Compensated(Bsdf single, MultipleScattering rest) implements Lobe {
   public Rgb albedo() {
     return single.albedo();
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return single.clearAlbedo();
+  }
 }

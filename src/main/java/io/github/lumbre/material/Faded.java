@@ -39,4 +39,9 @@ record Faded(Bsdf bsdf, double factor) implements BsdfAround {
   public Rgb albedo() {
     return bsdf.albedo().times(factor);
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return bsdf.clearAlbedo().times(factor);
+  }
 }

@@ -113,4 +113,9 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
   public Rgb albedo() {
     return layer.albedo().plus(base.albedo()).clampedToOne();
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return layer.clearAlbedo().plus(base.clearAlbedo()).clampedToOne();
+  }
 }

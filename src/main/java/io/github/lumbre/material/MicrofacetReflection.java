@@ -49,4 +49,9 @@ record MicrofacetReflection(Rgb specular, double ior, Microfacets facets) implem
   public Rgb albedo() {
     return specular.times(Fresnel.dielectric(1, ior));
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return facets.areClear() ? albedo() : Rgb.BLACK;
+  }
 }

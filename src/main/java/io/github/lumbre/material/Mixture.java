@@ -72,4 +72,9 @@ record Mixture(Lobe first, Lobe second) implements Bsdf {
   public Rgb albedo() {
     return first.albedo().plus(second.albedo()).clampedToOne();
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return first.clearAlbedo().plus(second.clearAlbedo()).clampedToOne();
+  }
 }

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.material.internal.SpecularReflection;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
@@ -16,6 +17,9 @@ import io.github.lumbre.math.internal.Elementary;
  * @param exponent n, at least 0
  */
 record PhongLobe(Rgb specular, double exponent) implements Lobe {
+  /** The exponent of a lobe that is as narrow as that of {@linkplain Microfacets clear facets}. */
+  private static final double CLEAR = 2 / (Microfacets.CLEAR * Microfacets.CLEAR);
+
   @Override
   public double pdf(Vec3 wo, Vec3 wi) {
     return wo.z() * wi.z() > 0 ? density(cosinePower(wo, wi)) : 0;
@@ -77,5 +81,10 @@ record PhongLobe(Rgb specular, double exponent) implements Lobe {
   @Override
   public Rgb albedo() {
     return specular;
+  }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return exponent >= CLEAR ? albedo() : Rgb.BLACK;
   }
 }

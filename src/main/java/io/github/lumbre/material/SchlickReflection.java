@@ -109,4 +109,9 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets, ThinFilm film) implemen
   public Rgb albedo() {
     return film.over(f0, f0, f90, 1);
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return facets.areClear() ? albedo() : Rgb.BLACK;
+  }
 }

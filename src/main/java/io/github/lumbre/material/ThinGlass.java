@@ -87,4 +87,9 @@ record ThinGlass(Rgb tint, Rgb f0, double f90, Ggx facets, ThinFilm film) implem
   public Rgb albedo() {
     return tint;
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return facets.areClear() ? albedo() : Rgb.BLACK;
+  }
 }

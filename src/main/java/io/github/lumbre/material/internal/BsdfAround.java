@@ -37,4 +37,9 @@ public interface BsdfAround extends Bsdf {
   default Rgb albedo() {
     return bsdf().albedo();
   }
+
+  @Override
+  default Rgb clearAlbedo() {
+    return bsdf().clearAlbedo();
+  }
 }

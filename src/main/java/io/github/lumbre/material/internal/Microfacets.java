@@ -12,6 +12,20 @@ import io.github.lumbre.math.Vec3;
  */
 public sealed interface Microfacets permits Beckmann, Ggx {
   /**
+   * The largest roughness α of a mirror or of clear glass: what is seen in it is blurred by about
+   * half a degree.
+   */
+  double CLEAR = .004;
+
+  /** Returns the roughness α &gt; 0. */
+  double alpha();
+
+  /** Returns whether other surfaces are recognized in what the facets reflect or refract. */
+  default boolean areClear() {
+    return alpha() <= CLEAR;
+  }
+
+  /**
    * Returns the density D of normals at m, per solid angle and per projected area of the surface.
    */
   double density(Vec3 m);

@@ -183,4 +183,9 @@ public record RoughDielectric(
   public Rgb albedo() {
     return transmittance;
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return facets.areClear() ? albedo() : Rgb.BLACK;
+  }
 }

@@ -79,4 +79,9 @@ public record ThreeColors(Bsdf red, Bsdf green, Bsdf blue, Rgb carried) implemen
   public Rgb albedo() {
     return new Rgb(red.albedo().r(), green.albedo().g(), blue.albedo().b());
   }
+
+  @Override
+  public Rgb clearAlbedo() {
+    return new Rgb(red.clearAlbedo().r(), green.clearAlbedo().g(), blue.clearAlbedo().b());
+  }
 }
