@@ -61,6 +61,7 @@ final class Passing {
           scale(Rgb.BLACK);
           return true;
         }
+        context.listener.litGroundPassed(surface);
       } else if (!isLeft
           && !passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
         return true;

@@ -35,6 +35,9 @@ interface PathListener {
    */
   default void rayTraced(NearestHit ray, int depth, double r, double g, double b) {}
 
+  /** The ray from the camera passes a lit point of a surface that shows only its shadows. */
+  default void litGroundPassed(SurfaceHit surface) {}
+
   /**
    * The ray hit a surface that is not shaded, because it emits or because the path has reached its
    * greatest depth.

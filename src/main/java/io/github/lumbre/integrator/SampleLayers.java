@@ -44,6 +44,9 @@ public final class SampleLayers implements PathListener {
 
   private final double[] direct, lights, guideAlbedo, guideNormal;
 
+  /** The normal of the ground that the camera ray passed; 0 if it passed none. */
+  private final double[] ground = new double[3];
+
   /** Whether single layers of the first surface are collected, besides its color. */
   private final boolean hasFirst;
 
@@ -150,6 +153,7 @@ public final class SampleLayers implements PathListener {
     firstPrimitive = -1;
     isGuided = guideAlbedo.length == 0 && guideNormal.length == 0;
     isGuidedByMirror = false;
+    set(ground, 0, 0, 0);
   }
 
   /** Multiplies the light of the layers by a factor, as that of a sample that is limited. */
@@ -173,6 +177,11 @@ public final class SampleLayers implements PathListener {
     glowBlue = 0;
     primitive = -1;
     isGuidedByMirror = false;
+  }
+
+  @Override
+  public void litGroundPassed(SurfaceHit surface) {
+    setNormal(ground, surface, surface.shadingNormal());
   }
 
   @Override
@@ -381,7 +390,9 @@ public final class SampleLayers implements PathListener {
     if (!isGuidedByMirror) {
       setColor(guideAlbedo, Rgb.BLACK);
       if (end == End.ESCAPED) {
-        set(guideNormal, 0, 0, 0);
+        // Only the ray of the camera passes a ground, and it may have been reflected since.
+        double seen = isFirst() ? 1 : 0;
+        set(guideNormal, seen * ground[0], seen * ground[1], seen * ground[2]);
       }
     }
   }

@@ -7,6 +7,7 @@ import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.CookTorrance;
 import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
@@ -14,6 +15,7 @@ import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.Phong;
+import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -28,6 +30,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** A surface in front of the camera, inside an orange ball: what guides of denoisers show. */
@@ -146,5 +149,31 @@ class DenoisingGuidesTest {
     float[][] inRayMode = guides(metal, new RenderSettings.Builder().mode(Mode.RAY));
     assertThat(inRayMode[0]).containsExactly(.9f, .9f, .9f);
     assertThat(inRayMode[1][2]).isCloseTo((float) -Math.cos(Math.toRadians(30)), within(1e-5f));
+  }
+
+  /** A ground that shows only its shadow is a flat guide, in the shadow and beside it. */
+  @ParameterizedTest
+  @EnumSource(Mode.class)
+  void groundsOfShadowsHaveTheirNormal(Mode mode) throws InterruptedException {
+    Scene scene =
+        Scene.builder()
+            .seenBy(Lens.pinhole(60).camera(new Vec3(0, 1, -4), Frame.WORLD, .25))
+            .add(new Rectangle(Transform.IDENTITY, 200, 200, true), ShadowCatcher.of(PALE))
+            .add(
+                new Sphere(Transform.translation(new Vec3(0, 3, -1)), 1.5),
+                new Matte(Texture.constant(ORANGE)))
+            .add(EnvironmentLight.uniform(Rgb.WHITE))
+            .build();
+    RenderSettings.Builder settings = new RenderSettings.Builder().size(1, 4).samples(64);
+    settings.mode(mode).set(Setting.TRANSPARENT, true).set(Setting.LAYERS, Layer.FOR_DENOISING);
+    FilmRenderer renderer = new FilmRenderer(settings.build(), scene);
+    Film film = renderer.newFilm();
+    renderer.addSamples(film, 64, Progress.NONE);
+    float[] normal = film.develop(Layer.DENOISING_NORMAL);
+    assertThat(film.develop().alpha(0, 3)).isBetween(.05f, .95f);
+    assertThat(normal[9]).isZero();
+    assertThat(normal[10]).isEqualTo(1);
+    assertThat(normal[11]).isZero();
+    assertThat(film.develop(Layer.DENOISING_ALBEDO)[10]).isZero();
   }
 }
