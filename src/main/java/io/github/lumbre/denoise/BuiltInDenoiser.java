@@ -1,5 +1,6 @@
 package io.github.lumbre.denoise;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -19,7 +20,7 @@ public final class BuiltInDenoiser {
   private static final int BYTES_PER_PIXEL = 240;
 
   /** Memory for each pixel of the picture, its guides and the result. */
-  private static final int BYTES_PER_PICTURE_PIXEL = 110;
+  private static final int BYTES_PER_PICTURE_PIXEL = 135;
 
   private static final int SMALLEST_TILE = 640 * 640;
   private static final int LARGEST_TILE = 2200 * 1200;
@@ -28,16 +29,21 @@ public final class BuiltInDenoiser {
   static final double FARTHEST = 4;
 
   /**
-   * How much larger the squared error is than the filtered noise, since kernels also mix different
-   * light. Measured on scenes that were held out in the training.
+   * How much larger the squared error is than the squared noise that is left, for each cube root of
+   * the relative noise before: kernels also mix different light, and the more noise there is, the
+   * wider they are. Fitted to twenty scenes with 4, 16 and 64 samples:
+   * docs/measurements/2026-11-denoising.md.
    */
-  static final double UNSEEN = 2.2;
+  static final double UNSEEN = 4.5;
 
   private final NoisyPicture noisy;
   private final Features features;
   private final Workers workers;
   private final FilteredUnits filtered;
   private final float[] result;
+
+  /** The noise that is left of the result; no values if the noise is not known. */
+  private final float[] left;
 
   /** Sums of relative squared errors, by row and {@link TileFilter#UNIT} columns. */
   private final double[] errors;
@@ -50,6 +56,7 @@ public final class BuiltInDenoiser {
     features = new Features(noisy);
     filtered = FilteredUnits.of(features, workers);
     result = new float[noisy.light().mean().length];
+    left = new float[noisy.light().noise().length];
     errorsInRow = FilteredUnits.count(features.right());
     errors = new double[Math.multiplyExact(features.bottom(), errorsInRow)];
   }
@@ -80,11 +87,34 @@ public final class BuiltInDenoiser {
   /** Denoises a picture in tiles of at most about a number of pixels, margins included. */
   static Denoised denoise(NoisyPicture noisy, int threads, int tile) throws InterruptedException {
     try (Workers workers = new Workers(threads)) {
-      return new BuiltInDenoiser(noisy, workers).denoise(tile);
+      Optional<CaughtShadow> shadow = CaughtShadow.of(noisy);
+      if (shadow.isEmpty()) {
+        return new BuiltInDenoiser(noisy, workers).denoised(tile, Optional.empty());
+      }
+      float[] gray = new BuiltInDenoiser(shadow.get().picture(), workers).light(tile);
+      return new BuiltInDenoiser(shadow.get().denoised(gray), workers).denoised(tile, shadow);
     }
   }
 
-  private Denoised denoise(int tile) throws InterruptedException {
+  /** Returns the denoised light. */
+  private float[] light(int tile) throws InterruptedException {
+    filter(tile);
+    return noisy.light().isNoiseKnown() ? corrected() : result;
+  }
+
+  /** Returns the picture whose light is black where only a shadow is seen. */
+  private Denoised denoised(int tile, Optional<CaughtShadow> shadow) throws InterruptedException {
+    float[] light = light(tile);
+    shadow.ifPresent(s -> s.blacken(light));
+    OptionalDouble error =
+        noisy.light().isNoiseKnown()
+            ? OptionalDouble.of(relativeError(light))
+            : OptionalDouble.empty();
+    return Denoised.of(noisy, light, Network.get().name(), error);
+  }
+
+  /** Filters the whole picture. */
+  private void filter(int tile) throws InterruptedException {
     int[] counts = counts(tile);
     int across =
         FilteredUnits.count(FilteredUnits.count(features.right()) * TileFilter.UNIT / counts[0])
@@ -97,44 +127,60 @@ public final class BuiltInDenoiser {
         filter(left, top, across, down);
       }
     }
-    if (!noisy.light().isNoiseKnown()) {
-      return Denoised.of(noisy, result, Network.get().name(), OptionalDouble.empty());
-    }
+  }
+
+  private double relativeError(float[] light) {
     double sum = 0;
     for (double error : errors) {
       sum += error;
     }
-    double relative = Math.sqrt(UNSEEN * sum / result.length);
-    return Denoised.of(noisy, corrected(), Network.get().name(), OptionalDouble.of(relative));
+    double before = Denoised.relative(light, i -> noisy.light().noise()[i]);
+    return Math.sqrt(UNSEEN * StrictMath.cbrt(before) * sum / result.length);
   }
 
-  /** Returns the result with its light given back, and not farther than the noise allows. */
-  private float[] corrected() throws InterruptedException {
-    float[] corrected = result.clone();
+  /** Corrects pixels of a row from a column to another. */
+  private interface Correction {
+    void correct(int y, int first, int end);
+  }
+
+  /** Corrects all filtered pixels. */
+  private void correct(Correction correction) throws InterruptedException {
     int width = FilteredUnits.count(features.right()) * TileFilter.UNIT;
     FilteredPart whole = new FilteredPart(filtered, 0, 0, width, 0);
-    LostLight lost = new LostLight(features, result);
     workers.compute(
         noisy.height(),
-        (first, end, convolution) -> {
-          double[] variances = new double[3 * noisy.width()];
-          for (int y = first; y < end; y++) {
+        (top, bottom, convolution) -> {
+          for (int y = top; y < bottom; y++) {
             int row = y;
-            features.writeVariances(y, variances);
             whole.forEach(
                 features.top() + y,
-                (x, right) -> correct(lost, row, x, right, variances, corrected));
+                (x, right) -> {
+                  int first = Math.max(features.left(), x) - features.left();
+                  int end = Math.min(features.right(), right) - features.left();
+                  correction.correct(row, first, end);
+                });
           }
         });
+  }
+
+  /**
+   * Returns the result without what noise is left in single channels, with its light given back,
+   * and not farther from the noisy light than the noise allows.
+   */
+  private float[] corrected() throws InterruptedException {
+    float[] even = result.clone();
+    UnevenNoise uneven = new UnevenNoise(features, result, left);
+    correct((y, first, end) -> uneven.write(y, first, end, even));
+    float[] corrected = even.clone();
+    LostLight lost = new LostLight(features, even);
+    correct((y, first, end) -> correct(lost, y, first, end, corrected));
     return corrected;
   }
 
-  /** Corrects pixels from a column to another. */
-  private void correct(
-      LostLight lost, int y, int left, int right, double[] variances, float[] corrected) {
-    int first = Math.max(features.left(), left) - features.left();
-    int end = Math.min(features.right(), right) - features.left();
+  private void correct(LostLight lost, int y, int first, int end, float[] corrected) {
     float[] row = new float[3 * noisy.width()];
+    double[] variances = new double[row.length];
+    features.writeVariances(y, variances);
     lost.write(y, first, end, row);
     int start = y * row.length;
     for (int i = 3 * first; i < 3 * end; i++) {
@@ -206,6 +252,7 @@ public final class BuiltInDenoiser {
               isFiltered
                   ? features.mixed(i, level.mix[at], planes[6 + c][at], planes[9 + c][at])
                   : features.noise(i);
+          left[i] = (float) noise;
           errors[row * errorsInRow + column / TileFilter.UNIT] +=
               noise * noise / ((double) value * value + Denoised.FLOOR);
         }

@@ -38,7 +38,8 @@ public record Denoised(
     return new Denoised(noisy.withLight(light), engine, change, before, error);
   }
 
-  private static double relative(float[] light, IntToDoubleFunction differences) {
+  /** Returns the root of the mean of squared differences, each divided by squared light + 0.01. */
+  static double relative(float[] light, IntToDoubleFunction differences) {
     double sum = 0;
     for (int i = 0; i < light.length; i++) {
       double difference = differences.applyAsDouble(i);

@@ -6,7 +6,8 @@ import java.util.Arrays;
 /**
  * What the network sees of a picture, row by row. Rows and columns are counted from a pixel whose
  * column and row in the full frame are multiples of {@link TileFilter#UNIT}, so that a crop is
- * filtered as the whole is; beyond the picture, its border is repeated.
+ * filtered as the whole is. Beyond the picture are its mirror images: repeated pixels of the border
+ * would be streaks that no noise explains.
  */
 final class Features {
   /** Added to the albedo by which light is divided. */
@@ -16,6 +17,10 @@ final class Features {
   private static final float BRIGHTEST = 1e15f;
 
   private static final float LARGEST_RELATIVE_NOISE = 4;
+
+  /** Added to light by which noise is divided, so that noise of dark pixels is not all. */
+  private static final float DARK = .05f;
+
   private static final int BLOCK = 8;
   private static final double DARK_BLOCK = 1e-6;
   private static final double MIDDLE_GRAY = .18;
@@ -139,8 +144,16 @@ final class Features {
 
   /** Returns the index of a pixel's first value. */
   private int index(int x, int y) {
-    int column = Math.max(0, Math.min(width - 1, x - left));
-    return 3 * (Math.max(0, Math.min(height - 1, y - top)) * width + column);
+    return 3 * (mirrored(y - top, height) * width + mirrored(x - left, width));
+  }
+
+  /** Returns the index in a row of a number of pixels that is continued by its mirror images. */
+  private static int mirrored(int i, int pixels) {
+    if (0 <= i && i < pixels) {
+      return i;
+    }
+    int within = Math.floorMod(i, 2 * pixels);
+    return within < pixels ? within : 2 * pixels - 1 - within;
   }
 
   private float divisor(int index) {
@@ -166,23 +179,36 @@ final class Features {
       int i = index(first + x, y);
       float deviation = 0;
       float brightness = 0;
+      float noisiest = 0;
+      float largest = Math.max(divisor(i), Math.max(divisor(i + 1), divisor(i + 2)));
       for (int c = 0; c < 3; c++) {
         float value = light[i + c] * scale;
-        float divided = value / divisor(i + c);
+        float divisor = divisor(i + c);
+        float error = noise.length == 0 ? 0 : limited(Math.abs(noise[i + c])) * scale;
         maps.plane(c)[at + x] = tone(value);
-        maps.plane(3 + c)[at + x] = tone(divided);
+        maps.plane(3 + c)[at + x] = tone(value / divisor);
         brightness += value;
-        deviation += noise.length == 0 ? 0 : limited(Math.abs(noise[i + c])) * scale;
+        deviation += error;
+        noisiest = Math.max(noisiest, error / (value + DARK * divisor / largest));
         maps.plane(8 + c)[at + x] = albedo.length == 0 ? 0 : clamp(albedo[i + c], 0);
         maps.plane(11 + c)[at + x] = normal.length == 0 ? 0 : clamp(normal[i + c], -1);
       }
       deviation /= 3;
       maps.plane(6)[at + x] = tone(deviation);
-      float relative = deviation / (brightness / 3 + .05f) * .5f;
-      maps.plane(7)[at + x] = Math.min(LARGEST_RELATIVE_NOISE, relative);
+      float relative = relative(deviation / (brightness / 3 + DARK), noisiest);
+      maps.plane(7)[at + x] = Math.min(LARGEST_RELATIVE_NOISE, .5f * relative);
       maps.plane(14)[at + x] = length(albedoNoise, i);
       maps.plane(15)[at + x] = length(normalNoise, i);
     }
+  }
+
+  /**
+   * Returns the relative noise that the network is told. It was trained with that of the mean of
+   * the channels; a channel with more than 2.5 times as much is one of a saturated color, and from
+   * 4 times on it counts alone.
+   */
+  private static float relative(float ofMean, float ofNoisiest) {
+    return Math.max(ofMean, Math.min(ofNoisiest, 2 * ofNoisiest - 4 * ofMean));
   }
 
   private static float tone(float light) {
@@ -231,6 +257,11 @@ final class Features {
    */
   float mixed(int index, float share, float plain, float divided) {
     return (share * divided * divisor(index) + (1 - share) * plain) / scale;
+  }
+
+  /** Returns the network's light in the picture's units. */
+  double unscaled(double scaled) {
+    return scaled / scale;
   }
 
   /** Returns the light of a value of the picture. */

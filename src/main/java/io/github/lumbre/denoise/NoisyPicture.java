@@ -21,6 +21,7 @@ import java.util.Optional;
  * @param albedo {@link Layer#DENOISING_ALBEDO}; empty if it is not known
  * @param normal {@link Layer#DENOISING_NORMAL}; empty if it is not known
  * @param alpha one value in [0,1] for each pixel, or none for an opaque picture
+ * @param alphaNoise the noise of alpha as in {@link Halves}; none if it is not known
  * @param replaced number of pixels whose light was not finite and was replaced by the light of
  *     their neighbors
  */
@@ -33,6 +34,7 @@ public record NoisyPicture(
     Optional<Halves> albedo,
     Optional<Halves> normal,
     float[] alpha,
+    float[] alphaNoise,
     int replaced) {
   private static final int CHANNELS = 3;
 
@@ -57,6 +59,7 @@ public record NoisyPicture(
     require("light", light.mean, CHANNELS * width * height);
     require("noise", light.noise, light.noise.length == 0 ? 0 : CHANNELS * width * height);
     require("alpha", alpha, alpha.length == 0 ? 0 : width * height);
+    require("alphaNoise", alphaNoise, alphaNoise.length == 0 ? 0 : alpha.length);
     for (Halves guide : List.of(albedo.orElse(light), normal.orElse(light))) {
       require("guide", guide.mean, CHANNELS * width * height);
       require("noise", guide.noise, guide.noise.length == 0 ? 0 : CHANNELS * width * height);
@@ -72,7 +75,7 @@ public record NoisyPicture(
       Optional<Halves> normal,
       float[] alpha,
       int replaced) {
-    this(width, height, 0, 0, light, albedo, normal, alpha, replaced);
+    this(width, height, 0, 0, light, albedo, normal, alpha, new float[0], replaced);
   }
 
   private static void require(String name, float[] values, int expected) {
@@ -107,7 +110,19 @@ public record NoisyPicture(
         guide(film, Layer.DENOISING_ALBEDO),
         guide(film, Layer.DENOISING_NORMAL),
         alpha,
+        known(alphaNoise(film, alpha)),
         0);
+  }
+
+  /** Returns the noise of counts: each sample covers its pixel or not. NaN with one sample. */
+  private static float[] alphaNoise(Film film, float[] alpha) {
+    float[] variance = new float[alpha.length];
+    for (int i = 0; i < alpha.length; i++) {
+      int x = film.window().x() + i % film.window().width();
+      int y = film.window().y() + i / film.window().width();
+      variance[i] = alpha[i] * (1 - alpha[i]) / (film.samples(x, y) - 1);
+    }
+    return noise(variance, 1);
   }
 
   private static Optional<Halves> guide(Film film, Layer layer) {
@@ -147,7 +162,7 @@ public record NoisyPicture(
     float[] noise =
         file.layer("variance")
             .filter(layer -> layer.channels().containsAll(List.of("R", "G", "B")))
-            .map(layer -> known(noise(values(layer, List.of("R", "G", "B")))))
+            .map(layer -> known(noise(values(layer, List.of("R", "G", "B")), CHANNELS)))
             .orElse(new float[0]);
     float[] alpha = new float[0];
     if (picture.channels().contains("A")) {
@@ -166,11 +181,12 @@ public record NoisyPicture(
         replaced);
   }
 
-  private static float[] noise(float[] variance) {
+  /** Returns noise of a variance, with a random sign for each pixel. */
+  private static float[] noise(float[] variance, int channels) {
     float[] noise = new float[variance.length];
-    for (int i = 0; i < noise.length; i += CHANNELS) {
+    for (int i = 0; i < noise.length; i += channels) {
       int sign = (Hash.of(0, i) & 1) == 0 ? 1 : -1;
-      for (int c = 0; c < CHANNELS; c++) {
+      for (int c = 0; c < channels; c++) {
         noise[i + c] = (float) (sign * Math.sqrt(variance[i + c]));
       }
     }
@@ -206,6 +222,12 @@ public record NoisyPicture(
       }
     }
     return values;
+  }
+
+  /** Returns this picture with another alpha, whose noise is not known. */
+  NoisyPicture withAlpha(float[] other) {
+    return new NoisyPicture(
+        width, height, left, top, light, albedo, normal, other, new float[0], replaced);
   }
 
   /**

@@ -20,7 +20,7 @@ final class TileFilter {
    * @param left the tile's first column, counted as {@link Features} does, a multiple of {@link
    *     #UNIT}
    * @param top the first row, a multiple of {@link #UNIT}
-   * @param width a multiple of {@link #UNIT}; beyond the picture, its border is repeated
+   * @param width a multiple of {@link #UNIT}; beyond the picture are its mirror images
    * @param height a multiple of {@link #UNIT}
    */
   TileFilter(
