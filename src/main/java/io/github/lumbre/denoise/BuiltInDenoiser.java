@@ -1,5 +1,6 @@
 package io.github.lumbre.denoise;
 
+import io.github.lumbre.math.internal.Elementary;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -135,7 +136,8 @@ public final class BuiltInDenoiser {
       sum += error;
     }
     double before = Denoised.relative(light, i -> noisy.light().noise()[i]);
-    return Math.sqrt(UNSEEN * StrictMath.cbrt(before) * sum / result.length);
+    double factor = before > 0 ? UNSEEN * Elementary.exp(Elementary.log(before) / 3) : 0;
+    return Math.sqrt(factor * sum / result.length);
   }
 
   /** Corrects pixels of a row from a column to another. */
