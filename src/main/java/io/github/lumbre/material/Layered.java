@@ -6,9 +6,9 @@ import io.github.lumbre.math.Vec3;
 
 /**
  * A layer above another BSDF: f = layer + base · min(1 - E(o), 1 - E(i)), where E is the layer's
- * directional albedo. The minimum keeps the sum reciprocal and at most 1. Above rough glass, which
- * scatters to directions of other albedos, it would lose light that nothing absorbs; there the
- * factor is 1 - E(o), and the sum is not reciprocal.
+ * directional albedo. The minimum keeps the sum reciprocal and at most 1. Above glass, smooth or
+ * rough, which refracts to directions of other albedos, it would lose light that nothing absorbs;
+ * there the factor is 1 - E(o), and the sum is not reciprocal.
  *
  * @param reflected fraction of the light from a direction that the layer reflects
  */
@@ -29,7 +29,7 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
         : Math.max(0, 1 - Math.max(reflectedOut, reflected.at(wiX, wiY, wiZ)));
   }
 
-  /** Returns whether facets transmit light, not only a diffuse lobe. */
+  /** Returns whether smooth glass or facets transmit light, not only a diffuse lobe. */
   private static boolean isGlass(Bsdf base) {
     if (base instanceof Layered layered) {
       return isGlass(layered.base);
@@ -41,7 +41,7 @@ record Layered(Bsdf layer, Bsdf base, Albedo reflected) implements Bsdf {
       return isGlass(blend.first()) || isGlass(blend.second());
     }
     // A mixture transmits only by diffuse transmission.
-    return base.isTransmissive() && !(base instanceof Mixture);
+    return base.transmits() && !(base instanceof Mixture);
   }
 
   /** Returns the probability of sampling the layer. */

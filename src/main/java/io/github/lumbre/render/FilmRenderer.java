@@ -36,7 +36,7 @@ public final class FilmRenderer implements PassRenderer {
    * The revision of sample values. It increases whenever a change of the program changes any bit of
    * any sample for the same scene, settings and seed. Films of other revisions cannot be resumed.
    */
-  public static final int REVISION = 11;
+  public static final int REVISION = 12;
 
   /**
    * The samples per pixel of an adaptive render's pilot, which gives all pixels the same number.
@@ -96,7 +96,7 @@ public final class FilmRenderer implements PassRenderer {
     this.scene = scene.framed(settings.aspect());
     this.integrators = integrators;
     layers = FilmLayers.of(settings, this.scene);
-    hasAlpha = settings.transparent() || this.scene.camera().leavesBlanks();
+    hasAlpha = settings.countsCoverage() || this.scene.camera().leavesBlanks();
   }
 
   /**
@@ -147,7 +147,9 @@ public final class FilmRenderer implements PassRenderer {
    * @param firstSample at least 0, and a multiple of the number of the scene's poses
    */
   public Film newFilm(int firstSample) {
-    return new Film(settings.window(), hasAlpha, firstSample, layers, scene.poses().size());
+    int poses = scene.poses().size();
+    return new Film(
+        settings.window(), hasAlpha, firstSample, layers, poses, settings.background());
   }
 
   /** Returns the schedule of passes for a new film or a resumed one. */

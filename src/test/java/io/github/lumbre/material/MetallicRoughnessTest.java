@@ -209,6 +209,24 @@ class MetallicRoughnessTest {
     }
   }
 
+  /** What sheen and clear coat do not reflect crosses smooth glass, plain or dispersive. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 1})
+  void layersOverSmoothGlassLoseNoLight(double dispersion) {
+    for (int layers = 1; layers < 4; layers++) {
+      Look look = new Look(0, 0, 1, layers & 1, layers >> 1, false);
+      MetallicRoughness material =
+          look.builder(Rgb.WHITE).set(MaterialParameter.DISPERSION, dispersion).build();
+      for (double cos : COSINES) {
+        for (double side : BOTH_SIDES) {
+          assertThat(returned(material, direction(side * cos), 4000))
+              .as("%s, cosine %s", look, side * cos)
+              .isGreaterThan(.985);
+        }
+      }
+    }
+  }
+
   /**
    * Radiance divided by the squared index is invariant, as for rough glass. A layer above rough
    * glass keeps all light instead.

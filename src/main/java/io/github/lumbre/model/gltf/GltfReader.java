@@ -40,6 +40,7 @@ public final class GltfReader {
   private final GltfAccessors accessors;
   private final GltfInfluences influences;
   private final GltfMeshes meshes;
+  private final GltfFronts fronts;
   private final GltfMaterials materials;
   private final GltfVariants variants;
   private final GltfAnimations animations;
@@ -67,6 +68,7 @@ public final class GltfReader {
     GltfAttributes attributes = new GltfAttributes(document, accessors);
     influences = new GltfInfluences(document, accessors, attributes);
     GltfDraco draco = new GltfDraco(document, accessors, buffers);
+    fronts = new GltfFronts(document);
     meshes = new GltfMeshes(document, accessors, attributes, draco);
     GltfTextures textures = new GltfTextures(document, buffers, options.lenient());
     materials = new GltfMaterials(document, textures);
@@ -281,7 +283,11 @@ public final class GltfReader {
     if (found.isEmpty()) {
       return;
     }
-    ModelGeometry geometry = found.get();
+    ModelMaterial material = materials.get(variants.material(primitive), found.get().isPoints());
+    ModelGeometry geometry =
+        material.doubleSided()
+            ? found.get()
+            : fronts.kept(primitive, meshes.geometry(primitive).orElseThrow(), found.get());
     document.budget().addItems(location, geometry);
     if (isSkinned) {
       GltfSkin skin = skin(node.skin().getAsInt());
@@ -297,7 +303,6 @@ public final class GltfReader {
       }
     }
     geometry = meshes.shown(primitive, geometry);
-    ModelMaterial material = materials.get(variants.material(primitive), geometry.isPoints());
     parts.add(new ModelPart(placement.part, location, geometry, material, toWorld));
   }
 

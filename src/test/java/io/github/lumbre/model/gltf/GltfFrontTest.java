@@ -14,6 +14,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.model.internal.ModelSurface;
 import java.io.IOException;
@@ -52,7 +53,12 @@ class GltfFrontTest {
         "'POSITION': "
             + file.floats("VEC3", positions)
             + (normal == 0 ? "" : ", 'NORMAL': " + file.floats("VEC3", normals));
-    int mesh = file.mesh(attributes, ", 'indices': " + file.ints("SCALAR", corners));
+    double[] moves = new double[positions.length];
+    for (int i = 0; i < moves.length; i += 3) {
+      moves[i] = -2 * positions[i];
+    }
+    String targets = ", 'targets': [{'POSITION': " + file.floats("VEC3", moves) + "}]";
+    int mesh = file.mesh(attributes, ", 'indices': " + file.ints("SCALAR", corners) + targets);
     file.set("scenes", "[{'nodes': [0]}]");
     file.set("nodes", "[" + node.replace("MESH", "'mesh': " + mesh) + "]");
     return file;
@@ -75,6 +81,28 @@ class GltfFrontTest {
   private static Ray inwards(Random random) {
     Vec3 to = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
     return new Ray(to.normalized().times(9), to.normalized().negated());
+  }
+
+  /** A pose that mirrors a one-sided ball leaves its outside to be seen and to be lit. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 1, -1})
+  void posesThatTurnMeshesInsideOutKeepTheFrontOfTheRest(double normal) throws Exception {
+    Random random = new Random(7);
+    for (double weight : new double[] {0, .4, .6, 1}) {
+      GltfFile file = ball(normal, "{MESH, 'weights': [%s]}".formatted(weight));
+      Model model = file.read();
+      if (weight > .5) {
+        assertThat(model.warnings()).singleElement().asString().contains("inside out");
+      } else {
+        assertThat(model.warnings()).isEmpty();
+      }
+      ModelSurface surface = surface(file, false);
+      for (int i = 0; i < 20; i++) {
+        SurfaceHit hit = hit(surface.shape(), inwards(random));
+        assertThat(hit.isFrontal()).as("%s %s", weight, i).isTrue();
+        assertThat(surface.material().transmittance(hit)).isEqualTo(Rgb.BLACK);
+      }
+    }
   }
 
   /** Whatever the normals are, the outside is seen, emits, and is shaded as with right normals. */
