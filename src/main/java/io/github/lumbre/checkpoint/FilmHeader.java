@@ -1,5 +1,6 @@
 package io.github.lumbre.checkpoint;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.RenderStatistics;
@@ -14,6 +15,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -114,11 +116,24 @@ public record FilmHeader(
    * Returns an empty film of a window, with the layers and the poses of this header.
    *
    * @throws ArithmeticException if its layers are too large for its window
-   * @throws IllegalArgumentException if the identity has an invalid number of poses, or the first
-   *     sample is not the first of a round of poses
+   * @throws IllegalArgumentException if the identity has an invalid number of poses or backplate,
+   *     or the first sample is not the first of a round of poses
    */
   Film newFilm(Crop ofWindow, int firstSample) {
-    return new Film(ofWindow, hasAlpha, firstSample, layers.ofFilm(), poses());
+    return new Film(ofWindow, hasAlpha, firstSample, layers.ofFilm(), poses(), background());
+  }
+
+  /**
+   * Returns the color of the screen that finished pictures show behind what the samples hit.
+   *
+   * @throws IllegalArgumentException if the identity has an invalid color
+   */
+  public Optional<Rgb> background() {
+    return Boolean.parseBoolean(identity.get(TRANSPARENT))
+        ? Optional.empty()
+        : Setting.BACKPLATE
+            .type()
+            .parse(identity.getOrDefault(Setting.BACKPLATE.name(), ""));
   }
 
   private int poses() {

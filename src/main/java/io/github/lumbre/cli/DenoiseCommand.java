@@ -113,7 +113,13 @@ final class DenoiseCommand extends Subcommand {
               : notes.exposure();
       return new Input(
           NoisyPicture.of(film.film()),
-          new ImageWriter.Options(exposure, notes.toneCurve(), notes.bits(), 90, notes.metadata()));
+          new ImageWriter.Options(
+              exposure,
+              notes.toneCurve(),
+              notes.bits(),
+              90,
+              notes.metadata(),
+              film.header().background()));
     }
     LayeredImage image = LayerInput.read(file, errors);
     try {

@@ -182,12 +182,17 @@ final class ViewCommand extends Subcommand {
 
   private static View.Picture developed(FilmFile film) {
     FilmPicture picture = FilmPicture.of(film.film(), film.header().layers());
-    return new View.Picture(picture.image(), picture.layers(), picture.metadata(), false);
+    return new View.Picture(
+        picture.image(),
+        picture.layers(),
+        picture.metadata(),
+        false,
+        film.header().background());
   }
 
   private static View.Picture picture(Path path, Messages errors) throws TaskException {
     if (LayerInput.isFilm(path)) {
-      return developed(FilmInput.read(path, errors));
+      return developed(FilmInput.read(path, errors)).asLight();
     }
     if (!Files.exists(path)) {
       throw Kind.SCENE.failure(path + ": does not exist");

@@ -282,9 +282,10 @@ final class ViewsCommand extends Subcommand {
           });
     }
     int gap = Math.max(1, settings.width() / GAPS_PER_WIDTH);
-    List<Image> images = pictures.stream().map(DisplayLight::image).toList();
+    List<DisplayLight> whole = pictures.stream().map(DisplayLight::withBackground).toList();
+    List<Image> images = whole.stream().map(DisplayLight::image).toList();
     Image sheet = ContactSheet.of(images, SHEET_COLUMNS, gap);
-    frames.picture().write(sheet, pictures.get(0).options());
+    frames.picture().write(sheet, whole.get(0).options());
   }
 
   /** Adds the parts of the model, and what each view shows. */

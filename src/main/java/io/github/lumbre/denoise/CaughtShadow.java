@@ -34,7 +34,8 @@ final class CaughtShadow {
   static Optional<CaughtShadow> of(NoisyPicture picture) {
     if (picture.alpha().length == 0
         || picture.albedo().isEmpty()
-        || picture.normal().isEmpty()) {
+        || picture.normal().isEmpty()
+        || picture.background().isPresent()) {
       return Optional.empty();
     }
     CaughtShadow shadow =

@@ -3,6 +3,8 @@ package io.github.lumbre.denoise;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.scene.Layer;
@@ -24,6 +26,8 @@ import java.util.Optional;
  * @param alphaNoise the noise of alpha as in {@link Halves}; none if it is not known
  * @param replaced number of pixels whose light was not finite and was replaced by the light of
  *     their neighbors
+ * @param background what the light contains of the background where alpha is not 1; empty if it is
+ *     black there
  */
 public record NoisyPicture(
     int width,
@@ -35,7 +39,8 @@ public record NoisyPicture(
     Optional<Halves> normal,
     float[] alpha,
     float[] alphaNoise,
-    int replaced) {
+    int replaced,
+    Optional<Rgb> background) {
   private static final int CHANNELS = 3;
 
   /**
@@ -66,6 +71,32 @@ public record NoisyPicture(
     }
   }
 
+  /** Makes a picture without a background, as the canonical constructor does. */
+  public NoisyPicture(
+      int width,
+      int height,
+      int left,
+      int top,
+      Halves light,
+      Optional<Halves> albedo,
+      Optional<Halves> normal,
+      float[] alpha,
+      float[] alphaNoise,
+      int replaced) {
+    this(
+        width,
+        height,
+        left,
+        top,
+        light,
+        albedo,
+        normal,
+        alpha,
+        alphaNoise,
+        replaced,
+        Optional.empty());
+  }
+
   /** Makes a picture that is not a crop, as the canonical constructor does. */
   public NoisyPicture(
       int width,
@@ -93,11 +124,11 @@ public record NoisyPicture(
     Image image = film.develop();
     int width = image.width();
     int height = image.height();
-    float[] light = image.rgb().clone();
+    float[] light = Backdrop.asLight(image, film.background()).rgb().clone();
     float[] alpha = new float[film.hasAlpha() ? width * height : 0];
     for (int i = 0; i < alpha.length; i++) {
       alpha[i] = image.alpha(i % width, i / width);
-      for (int c = 0; c < CHANNELS; c++) {
+      for (int c = 0; c < CHANNELS && film.background().isEmpty(); c++) {
         light[CHANNELS * i + c] *= alpha[i];
       }
     }
@@ -111,7 +142,8 @@ public record NoisyPicture(
         guide(film, Layer.DENOISING_NORMAL),
         alpha,
         known(alphaNoise(film, alpha)),
-        0);
+        0,
+        film.background());
   }
 
   /** Returns the noise of counts: each sample covers its pixel or not. NaN with one sample. */
@@ -227,15 +259,29 @@ public record NoisyPicture(
   /** Returns this picture with another alpha, whose noise is not known. */
   NoisyPicture withAlpha(float[] other) {
     return new NoisyPicture(
-        width, height, left, top, light, albedo, normal, other, new float[0], replaced);
+        width,
+        height,
+        left,
+        top,
+        light,
+        albedo,
+        normal,
+        other,
+        new float[0],
+        replaced,
+        background);
   }
 
   /**
-   * Returns a picture with other light and the same alpha, by which the light is divided.
+   * Returns a picture with other light and the same alpha, by which the light is divided. At edges
+   * before a background, alpha changes, too.
    *
    * @param light three values for each pixel
    */
   Image withLight(float[] light) {
+    if (background.isPresent()) {
+      return EdgeCoverage.separated(width, height, light, alpha, background.get());
+    }
     float[] rgb = new float[light.length];
     for (int i = 0; i < rgb.length; i++) {
       float coverage = alpha.length == 0 ? 1 : alpha[i / CHANNELS];

@@ -14,7 +14,12 @@ import io.github.lumbre.image.internal.DisplayRows;
  * @param options for writing the picture: they apply the transfer curve alone
  */
 public record DisplayLight(Image image, ImageWriter.Options options) {
-  /** Returns a picture as options show it. */
+  /** Returns the same picture with the background put behind it that its options state. */
+  public DisplayLight withBackground() {
+    return options.background().isPresent() ? of(image, options) : this;
+  }
+
+  /** Returns a picture as options show it, with the background that they put behind it. */
   public static DisplayLight of(Image picture, ImageWriter.Options options) {
     ToneCurve transfer = options.curve().endsInSrgb() ? ToneCurve.SRGB : ToneCurve.GAMMA22;
     return new DisplayLight(

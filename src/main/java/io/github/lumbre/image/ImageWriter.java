@@ -2,6 +2,7 @@ package io.github.lumbre.image;
 
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.exr.ExrWriter;
+import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;
 import java.io.IOException;
@@ -11,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Writes pictures to files, in the {@link ImageFormat} given by the file name extension.
@@ -39,13 +41,18 @@ public final class ImageWriter {
    * @param metadata texts by keyword, in the order in which they are written; used by PNG, JPEG and
    *     OpenEXR. A keyword has 1 to 79 printable ASCII characters, no leading, trailing or
    *     consecutive spaces, and is not a name that OpenEXR reserves
+   * @param background linear color, each component in [0,1], behind a picture with alpha, which is
+   *     written without alpha then. PNG and JPEG show its sRGB values, whatever exposure and tone
+   *     curve are: both are applied to the picture alone. PFM and OpenEXR have its light. Empty to
+   *     keep alpha
    */
   public record Options(
       Exposure exposure,
       ToneCurve curve,
       int pngBits,
       int jpegQuality,
-      Map<String, String> metadata) {
+      Map<String, String> metadata,
+      Optional<Rgb> background) {
     /** The default quality of a JPEG. */
     public static final int DEFAULT_JPEG_QUALITY = 90;
 
@@ -57,8 +64,18 @@ public final class ImageWriter {
       this(exposure, curve, pngBits, DEFAULT_JPEG_QUALITY, metadata);
     }
 
+    /** Creates options that keep alpha. */
+    public Options(
+        Exposure exposure,
+        ToneCurve curve,
+        int pngBits,
+        int jpegQuality,
+        Map<String, String> metadata) {
+      this(exposure, curve, pngBits, jpegQuality, metadata, Optional.empty());
+    }
+
     /**
-     * @throws IllegalArgumentException if a number or keyword is invalid
+     * @throws IllegalArgumentException if a number, keyword or color is invalid
      */
     public Options {
       Objects.requireNonNull(exposure, "exposure");
@@ -71,11 +88,20 @@ public final class ImageWriter {
       }
       metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
       metadata.forEach(Options::check);
+      if (!background.map(CssColor::isOnScreen).orElse(true)) {
+        throw new IllegalArgumentException(
+            "background: expected components from 0 to 1, found " + background.get());
+      }
     }
 
     /** Returns these options with other metadata. */
     public Options withMetadata(Map<String, String> other) {
-      return new Options(exposure, curve, pngBits, jpegQuality, other);
+      return new Options(exposure, curve, pngBits, jpegQuality, other, background);
+    }
+
+    /** Returns these options with another background. */
+    public Options withBackground(Optional<Rgb> other) {
+      return new Options(exposure, curve, pngBits, jpegQuality, metadata, other);
     }
 
     private static void check(String keyword, String text) {

@@ -24,6 +24,9 @@ final class FoundLights {
   /** What the camera sees instead of environment lights. */
   private final Optional<Rgb> backplate;
 
+  /** Whether samples that see the backplate through clear glass cover their pixel. */
+  private final boolean isGlassSeen;
+
   private final boolean hasBackplate;
   private final boolean hasAmbient;
 
@@ -35,7 +38,8 @@ final class FoundLights {
         scene.environments().stream()
             .map(EnvironmentLight::besideBsdf)
             .toArray(EnvironmentLight[]::new);
-    backplate = options.transparent() ? Optional.of(Rgb.BLACK) : scene.backplate();
+    backplate = options.backplateOf(scene);
+    isGlassSeen = options.backplate().isPresent();
     hasBackplate = backplate.isPresent();
     hasAmbient = !scene.ambient().isBlack();
   }
@@ -104,6 +108,7 @@ final class FoundLights {
 
   private void addBackplate(RenderContext context) {
     Rgb light = backplate.orElse(Rgb.BLACK);
+    context.hitSomething |= isGlassSeen && context.passedGlass;
     context.listener.lightFound(
         Source.ENVIRONMENT, -1, light.r(), light.g(), light.b(), 0, Double.POSITIVE_INFINITY, 1);
     context.add(light.r(), light.g(), light.b());

@@ -28,7 +28,7 @@ public interface Integrator {
               scene,
               settings.reflectionTraceDepth(),
               settings.refractionTraceDepth(),
-              settings.transparent());
+              PathOptions.of(settings));
     };
   }
 

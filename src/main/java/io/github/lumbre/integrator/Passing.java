@@ -46,6 +46,7 @@ final class Passing {
       if (endsMedium) {
         scale(absorbed(material, surface, hit.t() - mediumStart));
         mediumStart = hit.t();
+        context.passedGlass |= vertex == 0 && !surface.isFrontal();
       }
       if (material.isOpaque()) {
         return true;
@@ -66,6 +67,7 @@ final class Passing {
           && !passes(material, surface, sampler.get1d(Sampler.passing(vertex, layer)))) {
         return true;
       }
+      context.passedGlass |= vertex == 0 && !isLeft && material.passesThroughGlass(surface);
       hit.pass();
       rays++;
       if (!scene.intersect(hit)) {

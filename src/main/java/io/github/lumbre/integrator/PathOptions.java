@@ -1,7 +1,10 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The options of a {@link PathTracer}. Only the depth and the transparent background change the
@@ -17,10 +20,13 @@ import java.util.Objects;
  * @param split number of branches into which a path is split at its first non-specular vertex, at
  *     least 1; each branch gets an equal share of the throughput (PBRT 4e, sec. 2.2.5)
  * @param transparent whether the background is transparent: camera rays that hit nothing find no
- *     light. Lights out of focus are not sampled through the lens then, because alpha counts the
+ *     light but that of {@code backplate}. Lights out of focus are not sampled through the lens then, because alpha counts the
  *     camera rays that hit something
  * @param bySpecular whether surfaces also sample lamps by way of mirrors that are spheres, and
  *     through clear glass
+ * @param backplate light that camera rays find instead of environment lights, although the
+ *     background counts as transparent; rays that have passed straight through clear glass count as
+ *     rays that hit something then. Empty if a transparent background is black
  */
 public record PathOptions(
     int maxDepth,
@@ -29,13 +35,15 @@ public record PathOptions(
     int firstRoulette,
     int split,
     boolean transparent,
-    boolean bySpecular) {
+    boolean bySpecular,
+    Optional<Rgb> backplate) {
   /** The default number of the first vertex at which Russian roulette may end a path. */
   public static final int FIRST_ROULETTE = 1;
 
   public PathOptions {
     Objects.requireNonNull(heuristic, "heuristic");
     Objects.requireNonNull(lightSampler, "lightSampler");
+    Objects.requireNonNull(backplate, "backplate");
     if (maxDepth < 0 || firstRoulette < 0) {
       throw new IllegalArgumentException(
           "maxDepth, firstRoulette: expected at least 0, found " + maxDepth + ", " + firstRoulette);
@@ -43,6 +51,26 @@ public record PathOptions(
     if (split < 1) {
       throw new IllegalArgumentException("split: expected at least 1, found " + split);
     }
+  }
+
+  /** Creates options without a backplate. */
+  public PathOptions(
+      int maxDepth,
+      MisHeuristic heuristic,
+      LightSamplerKind lightSampler,
+      int firstRoulette,
+      int split,
+      boolean transparent,
+      boolean bySpecular) {
+    this(
+        maxDepth,
+        heuristic,
+        lightSampler,
+        firstRoulette,
+        split,
+        transparent,
+        bySpecular,
+        Optional.empty());
   }
 
   /** Returns the default options, for paths of at most {@code maxDepth} scattering vertices. */
@@ -54,31 +82,59 @@ public record PathOptions(
   public static PathOptions of(RenderSettings settings) {
     return toDepth(settings.maxTraceDepth())
         .splitInto(settings.split())
-        .transparent(settings.transparent());
+        .before(settings);
   }
 
   /** Returns the same options with another heuristic. */
   public PathOptions by(MisHeuristic newHeuristic) {
     return new PathOptions(
-        maxDepth, newHeuristic, lightSampler, firstRoulette, split, transparent, bySpecular);
+        maxDepth,
+        newHeuristic,
+        lightSampler,
+        firstRoulette,
+        split,
+        transparent,
+        bySpecular,
+        backplate);
   }
 
   /** Returns the same options with another light sampler. */
   public PathOptions by(LightSamplerKind newSampler) {
     return new PathOptions(
-        maxDepth, heuristic, newSampler, firstRoulette, split, transparent, bySpecular);
+        maxDepth,
+        heuristic,
+        newSampler,
+        firstRoulette,
+        split,
+        transparent,
+        bySpecular,
+        backplate);
   }
 
   /** Returns the same options with another first vertex for Russian roulette. */
   public PathOptions rouletteFrom(int vertex) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, vertex, split, transparent, bySpecular);
+        maxDepth,
+        heuristic,
+        lightSampler,
+        vertex,
+        split,
+        transparent,
+        bySpecular,
+        backplate);
   }
 
   /** Returns the same options with another number of branches. */
   public PathOptions splitInto(int ways) {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, firstRoulette, ways, transparent, bySpecular);
+        maxDepth,
+        heuristic,
+        lightSampler,
+        firstRoulette,
+        ways,
+        transparent,
+        bySpecular,
+        backplate);
   }
 
   /** Returns the same options for a background that is transparent, or is not. */
@@ -87,9 +143,36 @@ public record PathOptions(
         maxDepth, heuristic, lightSampler, firstRoulette, split, isTransparent, bySpecular);
   }
 
+  /** Returns what camera rays find in a scene instead of environment lights, if anything. */
+  Optional<Rgb> backplateOf(Scene scene) {
+    return backplate
+        .or(() -> transparent ? Optional.of(Rgb.BLACK) : Optional.empty())
+        .or(scene::backplate);
+  }
+
+  /** Returns the same options for the background of settings. */
+  public PathOptions before(RenderSettings settings) {
+    return new PathOptions(
+        maxDepth,
+        heuristic,
+        lightSampler,
+        firstRoulette,
+        split,
+        settings.countsCoverage(),
+        bySpecular,
+        settings.background());
+  }
+
   /** Returns the same options without lamps that are sampled by way of specular surfaces. */
   public PathOptions withoutSpecularLinks() {
     return new PathOptions(
-        maxDepth, heuristic, lightSampler, firstRoulette, split, transparent, false);
+        maxDepth,
+        heuristic,
+        lightSampler,
+        firstRoulette,
+        split,
+        transparent,
+        false,
+        backplate);
   }
 }

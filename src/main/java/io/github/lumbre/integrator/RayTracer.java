@@ -44,6 +44,9 @@ public final class RayTracer implements Integrator {
   /** What the camera sees instead of environment lights. */
   private final Optional<Rgb> backplate;
 
+  /** Whether samples that see the backplate through clear glass cover their pixel. */
+  private final boolean isGlassSeen;
+
   /** Whether rays may pass straight through some surface or an absorbing medium. */
   private final boolean hasPassing;
 
@@ -57,21 +60,21 @@ public final class RayTracer implements Integrator {
    * @param maxRefractions the largest number of glass surfaces along a path, at least 0
    */
   public RayTracer(Scene scene, int maxReflections, int maxRefractions) {
-    this(scene, maxReflections, maxRefractions, false);
+    this(scene, maxReflections, maxRefractions, PathOptions.toDepth(0));
   }
 
   /**
    * Creates a ray tracer.
    *
-   * @param transparent whether the background is transparent: camera rays that hit nothing find no
-   *     light
+   * @param background whose background camera rays find
    */
-  RayTracer(Scene scene, int maxReflections, int maxRefractions, boolean transparent) {
+  RayTracer(Scene scene, int maxReflections, int maxRefractions, PathOptions background) {
     this.scene = Objects.requireNonNull(scene, "scene");
     this.lights = scene.lights();
     this.maxReflections = maxReflections;
     this.maxRefractions = maxRefractions;
-    backplate = transparent ? Optional.of(Rgb.BLACK) : scene.backplate();
+    backplate = background.backplateOf(scene);
+    isGlassSeen = background.backplate().isPresent();
     hasPassing = Passing.isNeeded(scene);
     mayDisperse = Vertex.mayDisperse(scene);
   }
@@ -197,7 +200,8 @@ public final class RayTracer implements Integrator {
     return emitted;
   }
 
-  private static Rgb backplate(Rgb light, RenderContext context) {
+  private Rgb backplate(Rgb light, RenderContext context) {
+    context.hitSomething |= isGlassSeen && context.passedGlass;
     reportFound(Source.ENVIRONMENT, -1, light, context);
     context.listener.lightAdded(light.r(), light.g(), light.b());
     context.listener.pathEnded(End.ESCAPED);

@@ -49,6 +49,9 @@ public final class RenderContext {
   long rays;
   boolean hitSomething;
 
+  /** Whether the current sample's camera ray has passed straight through clear glass. */
+  boolean passedGlass;
+
   /**
    * Whether a ray of the current sample has met more surfaces than it may pass. The sample's
    * radiance is NaN then, so that renders count it as rejected.
@@ -225,6 +228,7 @@ public final class RenderContext {
   /** Prepares for the next camera ray. */
   public void startSample() {
     hitSomething = false;
+    passedGlass = false;
     isRejected = false;
     listener = first;
   }

@@ -43,6 +43,14 @@ public interface Material {
   }
 
   /**
+   * Returns whether some of the light that passes straight through the surface at a hit passes
+   * through clear glass, not only where the surface is partly absent.
+   */
+  default boolean passesThroughGlass(SurfaceHit hit) {
+    return false;
+  }
+
+  /**
    * Returns whether the surface may refract colors to different directions, so that samples of
    * {@link Bsdf#narrowed} should be used.
    */

@@ -21,7 +21,7 @@ import java.util.function.DoubleUnaryOperator;
  *
  * <p>The lobes are those of the specification, with the light that rough metal and glass scatter
  * repeatedly. Unlike there, a layer's albedo weights what lies below it, so that the material never
- * reflects more light than arrives, and is reciprocal except where a layer covers rough glass.
+ * reflects more light than arrives, and is reciprocal except where a layer covers glass.
  * Smooth thin transmission and partial opacity let rays pass straight through; see {@link
  * #transmittance}.
  *
@@ -112,6 +112,12 @@ public final class MetallicRoughness implements Material {
     return opacity == 0
         ? straight
         : straight.plus(base.smoothlyTransmitted(hit, coverings).times(opacity));
+  }
+
+  @Override
+  public boolean passesThroughGlass(SurfaceHit hit) {
+    boolean isVisible = (isDoubleSided || hit.isFrontal()) && opacity(hit) > 0;
+    return isVisible && !base.smoothlyTransmitted(hit, coverings).isBlack();
   }
 
   private double opacity(SurfaceHit hit) {

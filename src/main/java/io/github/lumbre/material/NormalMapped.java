@@ -53,6 +53,11 @@ public record NormalMapped(Material material, NormalMap map, int uvSet) implemen
   }
 
   @Override
+  public boolean passesThroughGlass(SurfaceHit hit) {
+    return material.passesThroughGlass(hit);
+  }
+
+  @Override
   public Rgb transmittance(SurfaceHit hit) {
     return material.transmittance(hit);
   }

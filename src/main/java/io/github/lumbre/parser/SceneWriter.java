@@ -165,14 +165,19 @@ public final class SceneWriter {
   private static JsonObject options(SceneDescription description, RenderSettings settings) {
     JsonObject options = new JsonObject();
     for (Setting<?> setting : Setting.all()) {
-      if (setting.isInScenes()) {
+      if (setting.isInScenes() && (setting != Setting.BACKPLATE || settings.isSet(setting))) {
         add(options, setting, settings);
       }
     }
     if (settings.mode() == RenderSettings.Mode.RAY) {
       antialiasing(options, settings.samples());
     }
-    description.backplate().ifPresent(color -> options.add("backplate", Written.color(color)));
+    if (description.backplate().isPresent()) {
+      if (settings.isSet(Setting.BACKPLATE)) {
+        throw new Unwritable("a backplate of light or of a color", "both");
+      }
+      options.add(Setting.BACKPLATE.name(), Written.color(description.backplate().get()));
+    }
     Optional<Rgb> background = background(description.nodes());
     if (settings.transparent()) {
       background.ifPresent(

@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
@@ -13,6 +14,8 @@ import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scene.internal.SettingTypes.PowerType;
+import io.github.lumbre.scene.internal.SettingTypes.ScreenColorType;
+import io.github.lumbre.text.Spelling;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -24,10 +27,11 @@ final class SettingsReader {
   private static final RenderSettings DEFAULT = RenderSettings.DEFAULT;
   private static final int DEFAULT_ANTIALIASING = 2;
   private static final String TRANSPARENT = "transparent";
+  private static final String WHITE_LIGHT = "{\"r\": 1, \"g\": 1, \"b\": 1}";
 
   /** Valid keys that are not settings. */
   private static final Set<String> OTHER_KEYS =
-      Set.of("antialiasing", "background", "backplate", "name");
+      Set.of("antialiasing", "background", "name");
 
   static final Set<String> KEYS =
       Stream.concat(
@@ -92,6 +96,9 @@ final class SettingsReader {
     if (type instanceof ChoiceType<?> choice) {
       return options.choice(key, (Map<String, T>) choice.choices(), missing);
     }
+    if (type instanceof ScreenColorType) {
+      return (T) screenColor(options, key);
+    }
     return (T) exposure(options, key, (Exposure) missing);
   }
 
@@ -132,13 +139,31 @@ final class SettingsReader {
     return Exposure.of(options.number(key, 0, Range.ANY));
   }
 
+  /** Returns a color of the screen; empty if there is none, or the light of {@link #backplate}. */
+  private static Optional<Rgb> screenColor(JsonNode options, String key) {
+    Optional<JsonNode> node = options.find(key).filter(n -> !n.isObject());
+    String text = node.flatMap(JsonNode::text).orElse("");
+    Optional<Rgb> color = CssColor.of(text);
+    if (node.isPresent() && color.isEmpty()) {
+      node.get()
+          .error(
+              "expected light such as %s, or %s, found %s%s"
+                  .formatted(
+                      WHITE_LIGHT,
+                      Setting.BACKPLATE.type().expected(),
+                      node.get().found(),
+                      Spelling.suggestion(text, CssColor.known())));
+    }
+    return color;
+  }
+
   private static boolean isTransparent(JsonNode options) {
     return options.find("background").filter(n -> n.isText(TRANSPARENT)).isPresent();
   }
 
-  /** Returns what the camera sees instead of environment lights; empty if it sees these. */
+  /** Returns the light that the camera sees instead of environment lights; empty for none. */
   static Optional<Rgb> backplate(JsonNode options) {
-    return options.has("backplate") ? Optional.of(options.rgb("backplate")) : Optional.empty();
+    return options.find(Setting.BACKPLATE.name()).filter(JsonNode::isObject).map(JsonNode::rgb);
   }
 
   /** Returns the radiance of the background; empty if the scene names none. */
@@ -148,11 +173,10 @@ final class SettingsReader {
       return Optional.empty();
     }
     if (!node.get().isObject()) {
-      String example = "{\"r\": 1, \"g\": 1, \"b\": 1}";
       node.get()
           .error(
               "expected an object such as %s or \"%s\", found %s"
-                  .formatted(example, TRANSPARENT, node.get().found()));
+                  .formatted(WHITE_LIGHT, TRANSPARENT, node.get().found()));
       return Optional.empty();
     }
     return Optional.of(node.get().rgb());

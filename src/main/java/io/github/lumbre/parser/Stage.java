@@ -27,7 +27,8 @@ import java.util.Set;
  * @param fov vertical angle of view in degrees, in (0, 180); not used with a camera of the model
  * @param ground whether the model stands on an infinite gray floor; if the background is
  *     transparent, only shadows are visible on it
- * @param background color that the camera sees instead of the sky; empty for the sky
+ * @param background linear color of the screen, each component in [0,1], that finished pictures
+ *     show instead of the sky; see {@link Setting#BACKPLATE}. Empty for the sky
  * @param transparent whether the background is transparent
  * @param lineWidth width in pixels of lines on silhouettes, creases and borders, 0 to 100; 0 for no
  *     lines
@@ -241,7 +242,10 @@ public record Stage(
     Objects.requireNonNull(camera, "camera");
     Objects.requireNonNull(view, "view");
     Objects.requireNonNull(sky, "sky");
-    Objects.requireNonNull(background, "background");
+    if (!Setting.BACKPLATE.type().accepts(background)) {
+      throw new IllegalArgumentException(
+          "background: expected components from 0 to 1, found " + background.orElseThrow());
+    }
     Objects.requireNonNull(options, "options");
     labels = Set.copyOf(labels);
     if (!LABELS.containsAll(labels)) {
@@ -317,6 +321,15 @@ public record Stage(
   /** Returns this stage with a transparent background. */
   public Stage onTransparentBackground() {
     return drawn(Optional.empty(), true, lineWidth, labels);
+  }
+
+  /**
+   * Returns this stage before a color of the screen, which finished pictures show behind the model.
+   *
+   * @param color linear, each component in [0,1]
+   */
+  public Stage onBackground(Rgb color) {
+    return drawn(Optional.of(color), false, lineWidth, labels);
   }
 
   /** Returns this stage with other options for reading the model. */

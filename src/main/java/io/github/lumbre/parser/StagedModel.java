@@ -214,7 +214,7 @@ final class StagedModel {
         parts.scene(
             StageCamera.placed(cameras, settings.aspect()),
             settings.poses(),
-            stage.background(),
+            Optional.empty(),
             parser.kernel(),
             Optional.empty());
     SceneParser.requireNumbers(scene, settings, problems);
@@ -390,6 +390,7 @@ final class StagedModel {
         .set(Setting.LINE_WIDTH, stage.lineWidth())
         .set(Setting.CREASE_ANGLE, stage.creaseDegrees())
         .transparent(stage.transparent())
+        .set(Setting.BACKPLATE, stage.background())
         .build();
   }
 

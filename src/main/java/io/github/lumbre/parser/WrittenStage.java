@@ -4,6 +4,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
@@ -64,7 +65,10 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
     if (stage.transparent()) {
       render.addProperty("background", "transparent");
     }
-    stage.background().ifPresent(color -> render.add("backplate", Written.color(color)));
+    stage
+        .background()
+        .map(CssColor::text)
+        .ifPresent(color -> render.addProperty(Setting.BACKPLATE.name(), color));
     return render;
   }
 

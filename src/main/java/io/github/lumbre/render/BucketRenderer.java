@@ -24,6 +24,13 @@ final class BucketRenderer implements Runnable {
   private static final int MAX_REPORTED_REJECTS = 10;
 
   private final RenderSettings settings;
+
+  /** Whether samples that hit nothing do not cover their pixel. */
+  private final boolean countsCoverage;
+
+  /** The light of samples without a ray. */
+  private final Rgb blank;
+
   private final TracedPose[] poses;
   private final Film film;
   private final SampleTarget target;
@@ -52,6 +59,7 @@ final class BucketRenderer implements Runnable {
   private long invalidCoordinates;
   private long clamped;
   private double clampedLight;
+  private long faint;
 
   /**
    * @param scene whose names and numbers the layers have
@@ -66,6 +74,8 @@ final class BucketRenderer implements Runnable {
       SampleTarget target,
       RenderQueue queue) {
     this.settings = settings;
+    countsCoverage = settings.countsCoverage();
+    blank = settings.background().orElse(Rgb.BLACK);
     this.poses = poses.toArray(TracedPose[]::new);
     this.film = film;
     this.target = target;
@@ -152,11 +162,11 @@ final class BucketRenderer implements Runnable {
       return;
     }
     if (!hasRay) {
-      film.add(pixel, Rgb.BLACK, false);
+      film.add(pixel, blank, false);
       return;
     }
     Rgb radiance = accepted(integrator.radiance(ray, sampler, context), x, y, sample);
-    film.add(pixel, radiance, context.hitSomething() || !settings.transparent());
+    film.add(pixel, radiance, context.hitSomething() || !countsCoverage);
   }
 
   private void renderLayers(
@@ -169,7 +179,7 @@ final class BucketRenderer implements Runnable {
       SampleLayers collected) {
     if (!hasRay) {
       collected.clear();
-      film.add(pixel, Rgb.BLACK, false, collected);
+      film.add(pixel, blank, false, collected);
       return;
     }
     collected.start(ray);
@@ -178,7 +188,7 @@ final class BucketRenderer implements Runnable {
     if (kept != radiance) {
       collected.scaleLight(kept.isBlack() ? 0 : kept.max() / radiance.max());
     }
-    film.add(pixel, kept, context.hitSomething() || !settings.transparent(), collected);
+    film.add(pixel, kept, context.hitSomething() || !countsCoverage, collected);
   }
 
   /** Returns the value to add to the film, and counts rejected, saturated and clamped samples. */
@@ -190,7 +200,11 @@ final class BucketRenderer implements Runnable {
       }
       return Rgb.BLACK;
     }
-    return radiance.max() > largestUnchanged ? limited(radiance) : radiance;
+    double largest = radiance.max();
+    if (largest < Film.FAINT && largest > 0) {
+      faint++;
+    }
+    return largest > largestUnchanged ? limited(radiance) : radiance;
   }
 
   private Rgb limited(Rgb radiance) {
@@ -231,6 +245,7 @@ final class BucketRenderer implements Runnable {
         saturated,
         invalidCoordinates,
         clamped,
-        clampedLight);
+        clampedLight,
+        faint);
   }
 }

@@ -32,6 +32,9 @@ public final class Film {
   /** The maximum of one sample value; the sums can hold 2^30 such values. */
   static final double LARGEST = 0x1p32;
 
+  /** Light below this is held with less than four digits, and below 2^-65 it is black. */
+  static final double FAINT = 1e-16;
+
   /** The maximum size of an encoded pixel without layers, in bytes. */
   public static final int MAX_PIXEL_BYTES =
       2 * 5 + 3 * (FilmNumbers.MAX_BYTES + Long.BYTES) + Long.BYTES;
@@ -41,6 +44,9 @@ public final class Film {
 
   /** The number of poses whose samples take turns. */
   private final int poses;
+
+  /** The light that samples find which do not cover a pixel. */
+  private final Optional<Rgb> background;
 
   /** Three sums per pixel. */
   private final ExactSums sums;
@@ -64,6 +70,11 @@ public final class Film {
     this(window, hasAlpha, firstSample, layers, 1);
   }
 
+  /** Creates an empty film without a background. */
+  public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers, int poses) {
+    this(window, hasAlpha, firstSample, layers, poses, Optional.empty());
+  }
+
   /**
    * Creates an empty film.
    *
@@ -72,10 +83,19 @@ public final class Film {
    * @param firstSample the number of each pixel's first sample, at least 0
    * @param layers the layers that the film records besides the picture
    * @param poses the number of poses whose samples take turns, 1 for a scene that stands still
+   * @param background the light that samples find which do not cover a pixel, of {@link
+   *     RenderSettings#background}; empty if they find none
    * @throws IllegalArgumentException if {@code firstSample} is negative or not a multiple of the
    *     poses, or if {@code poses} is not a power of two
    */
-  public Film(Crop window, boolean hasAlpha, int firstSample, FilmLayers layers, int poses) {
+  public Film(
+      Crop window,
+      boolean hasAlpha,
+      int firstSample,
+      FilmLayers layers,
+      int poses,
+      Optional<Rgb> background) {
+    this.background = Objects.requireNonNull(background, "background");
     this.window = Objects.requireNonNull(window, "window");
     if (Integer.bitCount(poses) != 1 || poses < 1) {
       throw new IllegalArgumentException("poses: expected a power of two, found " + poses);
@@ -103,6 +123,14 @@ public final class Film {
   /** Returns whether the film counts the samples that cover a pixel. */
   public boolean hasAlpha() {
     return covered.length != 0;
+  }
+
+  /**
+   * Returns the light that samples find which do not cover a pixel; empty if they find none. {@link
+   * #develop} leaves it out.
+   */
+  public Optional<Rgb> background() {
+    return background;
   }
 
   /** Returns the layers that the film records besides the picture. */
@@ -252,7 +280,7 @@ public final class Film {
 
   /** Returns an independent copy of this film. */
   public Film copy() {
-    Film copy = new Film(window, hasAlpha(), firstSample, layers(), poses);
+    Film copy = new Film(window, hasAlpha(), firstSample, layers(), poses, background);
     copy.set(this);
     return copy;
   }
@@ -392,7 +420,8 @@ public final class Film {
 
   /**
    * Returns the mean of the samples of each pixel. Pixels without samples are black, and
-   * transparent if the film has alpha.
+   * transparent if the film has alpha. Where samples do not cover a pixel, the color is the mean of
+   * those that do; {@link RenderSettings#development} puts the background behind it.
    */
   public Image develop() {
     return new LayerDevelopment(this).picture();

@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.math.BigInteger;
@@ -23,13 +24,17 @@ final class LayerDevelopment {
   }
 
   Image picture() {
+    Rgb behind = film.background().orElse(Rgb.BLACK);
+    double[] background = {behind.r(), behind.g(), behind.b()};
     float[] rgb = new float[3 * pixels];
     float[] alpha = new float[film.hasAlpha() ? pixels : 0];
     for (int pixel = 0; pixel < pixels; pixel++) {
       // Straight alpha: the color is the mean over the covering samples only.
       int count = film.covered(pixel);
+      double others = film.samples(pixel) - count;
       for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-        rgb[i] = count == 0 ? 0 : (float) (film.sums().get(i) / count);
+        double light = film.sums().get(i) - (others == 0 ? 0 : others * background[i % 3]);
+        rgb[i] = count == 0 ? 0 : (float) (light / count);
       }
       if (alpha.length != 0 && count != 0) {
         alpha[pixel] = (float) count / film.samples(pixel);

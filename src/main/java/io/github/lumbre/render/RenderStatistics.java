@@ -20,6 +20,7 @@ import java.util.stream.Stream;
  * @param clamped the number of samples scaled down to the settings' clamp
  * @param clampedLight the light lost by clamping, as the sum of the means of the channels; its last
  *     digits depend on the order of work
+ * @param faint the number of samples with less light than a film holds precisely, below 1e-16
  */
 public record RenderStatistics(
     long samples,
@@ -30,13 +31,38 @@ public record RenderStatistics(
     long saturated,
     long invalidCoordinates,
     long clamped,
-    double clampedLight)
+    double clampedLight,
+    long faint)
     implements Serializable {
   /** The statistics before any work. */
   public static final RenderStatistics ZERO =
       new RenderStatistics(0, 0, 0, 0, List.of(), 0, 0, 0, 0);
 
   private static final int MAX_FIRST_REJECTED = 10;
+
+  /** Creates statistics without faint samples. */
+  public RenderStatistics(
+      long samples,
+      long rays,
+      long shadowRays,
+      long rejected,
+      List<RejectedSample> firstRejected,
+      long saturated,
+      long invalidCoordinates,
+      long clamped,
+      double clampedLight) {
+    this(
+        samples,
+        rays,
+        shadowRays,
+        rejected,
+        firstRejected,
+        saturated,
+        invalidCoordinates,
+        clamped,
+        clampedLight,
+        0);
+  }
 
   public RenderStatistics {
     firstRejected = List.copyOf(firstRejected);
@@ -67,7 +93,8 @@ public record RenderStatistics(
         saturated + o.saturated,
         invalidCoordinates + o.invalidCoordinates,
         clamped + o.clamped,
-        clampedLight + o.clampedLight);
+        clampedLight + o.clampedLight,
+        faint + o.faint);
   }
 
   /**

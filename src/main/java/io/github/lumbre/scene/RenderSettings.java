@@ -3,6 +3,7 @@ package io.github.lumbre.scene;
 import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import java.util.List;
 import java.util.Map;
@@ -144,6 +145,19 @@ public final class RenderSettings {
     return get(Setting.TRANSPARENT);
   }
 
+  /** Returns {@link Setting#BACKPLATE}; empty if {@link #transparent} returns true. */
+  public Optional<Rgb> background() {
+    return transparent() ? Optional.empty() : get(Setting.BACKPLATE);
+  }
+
+  /**
+   * Returns whether a film counts the samples that hit something: the background is transparent, or
+   * of a color that finished pictures show.
+   */
+  public boolean countsCoverage() {
+    return transparent() || background().isPresent();
+  }
+
   /** Returns {@link Setting#ADAPTIVE}. */
   public boolean adaptive() {
     return get(Setting.ADAPTIVE);
@@ -207,11 +221,12 @@ public final class RenderSettings {
   }
 
   /**
-   * Returns the options for writing a rendered picture: this exposure and tone curve, 8 bits, no
-   * metadata. {@code lumbre render} writes the same pixels.
+   * Returns the options for writing a rendered picture: this exposure, tone curve and background, 8
+   * bits, no metadata. {@code lumbre render} writes the same pixels.
    */
   public ImageWriter.Options development() {
-    return new ImageWriter.Options(exposure(), toneCurve(), 8, Map.of());
+    return new ImageWriter.Options(exposure(), toneCurve(), 8, Map.of())
+        .withBackground(background());
   }
 
   /** Returns a builder with the defaults. */

@@ -2,6 +2,7 @@ package io.github.lumbre.scene;
 
 import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.internal.SettingTypes.ChoiceType;
 import io.github.lumbre.scene.internal.SettingTypes.ExposureType;
@@ -12,6 +13,7 @@ import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scene.internal.SettingTypes.PowerType;
+import io.github.lumbre.scene.internal.SettingTypes.ScreenColorType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -52,6 +54,21 @@ public final class Setting<T> {
               new FlagType(),
               false,
               "Whether the share of samples that hit something becomes the picture's alpha.")
+          .changingSamples();
+
+  /**
+   * The color of the screen, as a linear color, that finished pictures show where no sample hits
+   * anything; empty if they show the light of the scene there. Samples find the light of the color
+   * there, and behind clear glass. Without effect if {@link #TRANSPARENT} is set.
+   */
+  public static final Setting<Optional<Rgb>> BACKPLATE =
+      new Setting<>(
+              "backplate",
+              Group.FRAME,
+              new ScreenColorType(),
+              Optional.<Rgb>empty(),
+              "Color of the screen where no sample hits anything.")
+          .inScenes()
           .changingSamples();
 
   /** The light transport algorithm. */

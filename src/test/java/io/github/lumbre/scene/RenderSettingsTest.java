@@ -6,12 +6,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings.Builder;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.RenderSettings.Size;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
@@ -22,6 +24,7 @@ class RenderSettingsTest {
           b -> b.set(Setting.WIDTH, 640),
           b -> b.set(Setting.HEIGHT, 480),
           b -> b.transparent(true),
+          b -> b.set(Setting.BACKPLATE, Optional.of(new Rgb(1, .5, 0))),
           b -> b.mode(Mode.RAY),
           b -> b.maxTraceDepth(7),
           b -> b.rayDepths(8, 2),
@@ -45,6 +48,7 @@ class RenderSettingsTest {
     return new Builder()
         .size(640, 480)
         .transparent(true)
+        .set(Setting.BACKPLATE, Optional.of(new Rgb(1, .5, .25)))
         .mode(Mode.RAY)
         .maxTraceDepth(7)
         .rayDepths(8, 9)
@@ -104,6 +108,21 @@ class RenderSettingsTest {
     assertThat(RenderSettings.DEFAULT.transparent()).isFalse();
     assertThat(RenderSettings.DEFAULT.adaptive()).isFalse();
     assertThat(RenderSettings.DEFAULT.crop()).isEmpty();
+  }
+
+  @Test
+  void transparencyHidesTheColorOfTheBackground() {
+    RenderSettings white =
+        new Builder().set(Setting.BACKPLATE, Optional.of(Rgb.WHITE)).build();
+    assertThat(white.background()).contains(Rgb.WHITE);
+    assertThat(white.development().background()).contains(Rgb.WHITE);
+    assertThat(white.countsCoverage()).isTrue();
+    assertThat(all().background()).isEmpty();
+    assertThat(all().countsCoverage()).isTrue();
+    assertThat(RenderSettings.DEFAULT.countsCoverage()).isFalse();
+    assertThatThrownBy(() -> new Builder().set(Setting.BACKPLATE, Optional.of(new Rgb(0, 2, 0))))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("backplate: expected a color such as #ff8800");
   }
 
   private static <T> Builder setText(Builder builder, Setting<T> setting, String text) {

@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.Stage;
@@ -74,6 +77,26 @@ class ThumbnailsTest {
     return IntStream.range(0, SIDE * SIDE)
         .mapToObj(i -> pixels.raw(i % SIDE, i / SIDE, 0))
         .collect(Collectors.toSet());
+  }
+
+  /** The color behind a model is exact in a PNG, and within 2 of 255 in a JPEG. */
+  @Test
+  void theBackgroundHasItsColor() throws Exception {
+    Stage stage = Stage.DEFAULT.onBackground(new Rgb(1, Srgb.fromByte(99), Srgb.fromByte(71)));
+    try (Thumbnails thumbnails = new Thumbnails(stage, LIMITS)) {
+      Pixels png = ImageReader.decode(thumbnails.png("a.stl", SHORT, SIDE));
+      assertThat(png.hasAlpha()).isFalse();
+      Pixels jpeg = ImageReader.decode(thumbnails.jpeg("a.stl", SHORT, SIDE));
+      int[] expected = {255, 99, 71};
+      for (int c = 0; c < 3; c++) {
+        assertThat(png.raw(0, 0, c)).isEqualTo(expected[c]);
+        assertThat(jpeg.raw(0, 0, c)).isCloseTo(expected[c], within(2));
+      }
+      assertThat(colors(png)).hasSizeGreaterThan(5);
+    }
+    assertThatThrownBy(() -> Stage.DEFAULT.onBackground(new Rgb(0, 1.5, 0)))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("background: expected components from 0 to 1");
   }
 
   @Test

@@ -125,7 +125,13 @@ public final class DevelopFlags extends Flags {
     Exposure stops = picture.isForScreen() ? FilmExposure.of(wanted, name, film, messages) : wanted;
     ToneCurve curve = settings.valueOr(Setting.TONE_MAP, notes.toneCurve());
     int depth = stored.bits().isPresent() ? stored.bits().get() : notes.bits();
-    return new ImageWriter.Options(stops, curve, depth, stored.jpegQuality(), notes.metadata());
+    return new ImageWriter.Options(
+        stops,
+        curve,
+        depth,
+        stored.jpegQuality(),
+        notes.metadata(),
+        film.header().background());
   }
 
   private void write(

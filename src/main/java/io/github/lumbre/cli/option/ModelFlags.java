@@ -32,7 +32,11 @@ import picocli.CommandLine.ParameterException;
 /** The flags for a model file that is rendered by itself. */
 @Command(optionListHeading = Headings.MODEL)
 public final class ModelFlags extends Flags {
+  private static final String SKY = "sky";
   private static final String TRANSPARENT = "transparent";
+
+  /** A color without the sign before it, which a shell may take for a comment. */
+  private static final String HEXADECIMAL = "[0-9a-fA-F]{6}";
 
   /** A time with a zone in the forms of ISO 8601: Z, +02:00, +0200 and +02. */
   private static final DateTimeFormatter TIME =
@@ -101,7 +105,9 @@ public final class ModelFlags extends Flags {
   @Option(
       names = "--background",
       paramLabel = "COLOR",
-      description = "Show sky, transparent, or a color such as #ffffff behind it (sky).")
+      description =
+          "Show sky, transparent, or a color behind it: #rrggbb or a CSS name such as white (sky)."
+              + " In PNG and JPEG it is this very color, whatever --exposure and --tonemap are.")
   private Optional<String> background;
 
   @Option(
@@ -211,7 +217,7 @@ public final class ModelFlags extends Flags {
         placed(sky(sky.orElse(shown.sky()))),
         ground,
         background.isPresent() ? background.flatMap(this::color) : shown.background(),
-        background.equals(Optional.of(TRANSPARENT)),
+        background.filter(TRANSPARENT::equalsIgnoreCase).isPresent(),
         lineSetting("--line-width", lineWidth, Setting.LINE_WIDTH, shown, shown.lineWidth()),
         lineSetting(
             "--crease", crease, Setting.CREASE_ANGLE, shown, Setting.CREASE_ANGLE.missing()),
@@ -371,22 +377,15 @@ public final class ModelFlags extends Flags {
   }
 
   private Optional<Rgb> color(String text) {
-    if (text.equals("sky") || text.equals(TRANSPARENT)) {
+    if (text.equalsIgnoreCase(SKY) || text.equalsIgnoreCase(TRANSPARENT)) {
       return Optional.empty();
     }
-    if (text.equals("white") || text.equals("black")) {
-      return Optional.of(text.equals("white") ? Rgb.WHITE : Rgb.BLACK);
+    try {
+      return Setting.BACKPLATE.type().parse(text.matches(HEXADECIMAL) ? "#" + text : text);
+    } catch (IllegalArgumentException e) {
+      throw failure(
+          "--background: " + e.getMessage().replace("expected ", "expected sky, transparent, "));
     }
-    require(
-        text.matches("#?[0-9a-fA-F]{6}"),
-        "--background: expected sky, transparent, white, black or a color such as #ffffff, found "
-            + text);
-    int rgb = Integer.parseInt(text.substring(text.length() - 6), 16);
-    return Optional.of(new Rgb(linear(rgb >> 16), linear(rgb >> 8 & 0xff), linear(rgb & 0xff)));
-  }
-
-  private static double linear(int value) {
-    return io.github.lumbre.image.internal.Srgb.decode(value / 255.);
   }
 
   private double number(String flag, String text) {

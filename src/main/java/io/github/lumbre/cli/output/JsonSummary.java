@@ -22,6 +22,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.IntUnaryOperator;
 import java.util.function.Supplier;
 import picocli.CommandLine.ParameterException;
@@ -114,14 +115,21 @@ public final class JsonSummary {
     values.put("samples_per_pixel", settings.samples());
     values.put("adaptive", settings.adaptive());
     for (Setting<?> setting : FilmHeader.named()) {
-      values.put(setting.name(), value(settings.get(setting)));
+      values.put(setting.name(), value(setting, settings));
     }
     values.put("seed", settings.seed());
     values.put("warnings", file.warnings().stream().map(ProblemText::of).toList());
   }
 
-  /** Returns a value for JSON: a number or a string; null instead of an infinite limit. */
-  private static Object value(Object value) {
+  /**
+   * Returns a value for JSON: a number or a string; null instead of an infinite limit, and of what
+   * is not there.
+   */
+  private static Object value(Setting<?> setting, RenderSettings settings) {
+    Object value = settings.get(setting);
+    if (value instanceof Optional<?> color) {
+      return color.isPresent() ? settings.text(setting) : null;
+    }
     if (value instanceof Double number) {
       return Double.isFinite(number) ? number : null;
     }
@@ -217,6 +225,7 @@ public final class JsonSummary {
             .map(sample -> List.of(sample.x(), sample.y(), sample.sample()))
             .toList());
     values.put("saturated", statistics.saturated());
+    values.put("faint", statistics.faint());
     // Classes that other commands do not need.
     values.put("peak_heap_bytes", (Supplier<Long>) Summary::peakHeapBytes);
   }

@@ -16,6 +16,7 @@ import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
@@ -131,6 +132,9 @@ public final class PlanReport {
   private String coverage() {
     if (settings.transparent()) {
       return "counted, the background is transparent";
+    }
+    if (settings.background().isPresent()) {
+      return "counted, the background is " + settings.text(Setting.BACKPLATE);
     }
     return scene.camera().leavesBlanks()
         ? "counted, the camera leaves some pixels blank"

@@ -2,6 +2,7 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
@@ -39,6 +40,12 @@ public record Summary(
 
   /** The luminance after exposure above which a surface is burnt out: twice as bright as white. */
   private static final double BURNT = 2;
+
+  /** The brightest light that films hold. */
+  private static final double BRIGHTEST = 0x1p32;
+
+  /** Below this, light is coarse in films, as {@link RenderStatistics#faint} counts it. */
+  private static final double FAINT = 1e-16;
 
   /** A render of more seconds, of all threads together, gains by the vector kernel. */
   private static final double LONG_SECONDS = 10;
@@ -149,6 +156,37 @@ public record Summary(
                             s.x(), s.y(), s.sample(), ReplayCommand.of(scene, settings, s))));
   }
 
+  /** Prints a warning if light is too bright or too faint for films, which cut it. */
+  public void printCutLight(Messages messages) {
+    RenderStatistics statistics = result.statistics();
+    if (statistics.saturated() > 0 && settings.clamp() > BRIGHTEST) {
+      messages.line(
+          "warning: light above 2^32 was cut to 2^32 in "
+              + Numbers.count(statistics.saturated(), "sample")
+              + ", so that light is missing there and the noise is not known; make the lights"
+              + " darker, for example by a factor in --sky-intensity");
+    }
+    if (statistics.faint() > 0 && brightest() < FAINT) {
+      messages.line(
+          "warning: all light in the picture is below 1e-16, of which films hold only multiples of"
+              + " 2^-64 (5e-20), so that it is coarse or black; make the lights brighter");
+    }
+  }
+
+  private double brightest() {
+    double brightest = 0;
+    Image light = light();
+    for (float value : light.rgb()) {
+      brightest = Math.max(brightest, value);
+    }
+    return brightest;
+  }
+
+  /** Returns the picture in linear light, with the background of its settings. */
+  private Image light() {
+    return Backdrop.asLight(result.image(), settings.background());
+  }
+
   /**
    * Prints a hint if the picture will look dark or burnt on a screen, or shows none of the objects.
    */
@@ -207,7 +245,7 @@ public record Summary(
   }
 
   private boolean isDark() {
-    Image image = result.image();
+    Image image = light();
     double threshold = DARK / settings.exposure().factor(image);
     long left = ((long) image.width() * image.height() + 99) / 100;
     for (int y = 0; y < image.height(); y++) {

@@ -33,7 +33,8 @@ public final class CleanPicture {
       throws InterruptedException {
     Image light = light(file, progress);
     return PictureDrawing.of(ParsedScene.of(file), notes)
-        .onDisplay(file.scene(), Optional.of(title), light, file.settings().development());
+        .onDisplay(file.scene(), Optional.of(title), light, file.settings().development())
+        .withBackground();
   }
 
   /**

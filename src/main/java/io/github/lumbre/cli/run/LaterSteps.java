@@ -6,6 +6,7 @@ import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.render.Film;
@@ -50,7 +51,8 @@ record LaterSteps(
               job.file().settings().toneCurve(),
               job.how().bits(),
               job.how().jpegQuality(),
-              Map.of());
+              Map.of(),
+              job.file().settings().background());
       Set<LaterStep> missing = EnumSet.noneOf(LaterStep.class);
       DenoisedPicture denoised = denoised();
       if (denoised.isMissing()) {
@@ -100,7 +102,11 @@ record LaterSteps(
       return job.picture().isForScreen()
           ? drawing.onDisplay(job.file().scene(), Optional.empty(), image, options)
           : new DisplayLight(
-              drawing.onLight(job.file().scene(), Optional.empty(), image), options);
+              drawing.onLight(
+                  job.file().scene(),
+                  Optional.empty(),
+                  Backdrop.asLight(image, options.background())),
+              options);
     }
 
     /** Estimates the lost energy; a stopped render skips the slow estimates. */

@@ -7,6 +7,7 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -60,7 +61,7 @@ public final class LayerInput {
   /** Returns the layers that an OpenEXR file of the film would have. */
   private static LayeredImage developed(FilmFile file) {
     FilmPicture picture = FilmPicture.of(file.film(), file.header().layers());
-    Image image = picture.image();
+    Image image = Backdrop.asLight(picture.image(), file.header().background());
     List<ImageLayer> layers = new ArrayList<>();
     layers.add(ImageLayer.of(image));
     layers.addAll(picture.layers());

@@ -17,7 +17,6 @@ import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
-import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.TaskException.Kind;
@@ -333,7 +332,9 @@ public record RenderJob(
     double share = film.shareWithoutSamples();
     if (share > 0) {
       return Optional.of(
-          "warning: " + Numbers.percent(share) + " of the pixels have no sample and are black");
+          "warning: %s of the pixels have no sample and are %s"
+              .formatted(
+                  Numbers.percent(share), film.hasAlpha() ? "as the background" : "black"));
     }
     return budget.isOutOfTime() && film.mostSamples() == film.poses()
         ? Optional.of(
@@ -366,6 +367,7 @@ public record RenderJob(
     summary.printRejected(scene, messages);
     if (!how.quiet()) {
       summary.print(picture.target(), noise, messages);
+      summary.printCutLight(messages);
       later.loss().print(messages);
       noise.printDoubts(messages);
     }

@@ -4,6 +4,7 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.internal.CameraPose;
@@ -25,8 +26,9 @@ import java.util.stream.Collectors;
  *
  * @param viewed the path of the file that is viewed
  * @param automatic the automatic exposure of a picture that is not rendered here
+ * @param background the background of a picture that is not rendered here
  */
-record PictureFiles(Path viewed, Exposure automatic) {
+record PictureFiles(Path viewed, Exposure automatic, Optional<Rgb> background) {
   private static final long MOST_STOPS = 64;
 
   Answer of(Frame frame, Optional<SceneFile> scene, ViewSession session, Query query)
@@ -37,7 +39,8 @@ record PictureFiles(Path viewed, Exposure automatic) {
         scene.map(file -> metadata(shown, file, session)).orElseGet(LinkedHashMap::new);
     metadata.putAll(shown.metadata());
     ImageWriter.Options options =
-        new ImageWriter.Options(exposure(frame, scene, query), curve(query), 8, metadata);
+        new ImageWriter.Options(exposure(frame, scene, query), curve(query), 8, metadata)
+            .withBackground(scene.map(s -> s.settings().background()).orElse(background));
     String file = String.valueOf(viewed.getFileName());
     String stem = file.contains(".") ? file.substring(0, file.lastIndexOf('.')) : file;
     if (isExr) {

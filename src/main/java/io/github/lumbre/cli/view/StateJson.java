@@ -4,11 +4,13 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** The state of a session as JSON for the page. */
@@ -37,6 +39,7 @@ final class StateJson {
         .ifPresentOrElse(
             stops -> json.addProperty("exposure", stops),
             () -> json.addProperty("exposure", "auto"));
+    look.background().ifPresent(c -> json.add("background", numbers(c.r(), c.g(), c.b())));
     state.frame().ifPresent(frame -> json.add("frame", frame(frame)));
     state.settings().ifPresent(settings -> json.add("render", render(state, settings)));
     return json.toString();
@@ -48,8 +51,17 @@ final class StateJson {
    * @param exposure of the scene, or none
    * @param curve tone curve of the scene
    * @param isDisplayReferred whether both are already applied to the picture
+   * @param background linear color of the screen behind a picture with alpha
    */
-  record Look(Exposure exposure, ToneCurve curve, boolean isDisplayReferred) {}
+  record Look(
+      Exposure exposure,
+      ToneCurve curve,
+      boolean isDisplayReferred,
+      Optional<Rgb> background) {
+    Look(Exposure exposure, ToneCurve curve, boolean isDisplayReferred) {
+      this(exposure, curve, isDisplayReferred, Optional.empty());
+    }
+  }
 
   /**
    * The picture to compare with.

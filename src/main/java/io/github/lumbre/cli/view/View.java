@@ -4,7 +4,9 @@ import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -47,12 +49,33 @@ public final class View implements AutoCloseable {
    * @param metadata attributes that describe the layers
    * @param isDisplayReferred whether it was decoded from the colors of a screen, as in a PNG or
    *     JPEG file, so that exposure and tone curve are already applied
+   * @param background linear color of the screen behind a picture with alpha
    */
   public record Picture(
       Image image,
       List<ImageLayer> layers,
       Map<String, String> metadata,
-      boolean isDisplayReferred) {
+      boolean isDisplayReferred,
+      Optional<Rgb> background) {
+    /** Creates a picture that has no alpha or keeps it. */
+    public Picture(
+        Image image,
+        List<ImageLayer> layers,
+        Map<String, String> metadata,
+        boolean isDisplayReferred) {
+      this(image, layers, metadata, isDisplayReferred, Optional.empty());
+    }
+
+    /** Returns this picture over its background in linear light. */
+    public Picture asLight() {
+      return new Picture(
+          Backdrop.asLight(image, background),
+          layers,
+          metadata,
+          isDisplayReferred,
+          Optional.empty());
+    }
+
     private Frame frame() {
       return new Frame(1, image, layers, 0, false, true, metadata, Optional.empty());
     }
@@ -96,7 +119,8 @@ public final class View implements AutoCloseable {
       throws TaskException {
     ViewSession session = new ViewSession(options.name());
     session.show(picture.frame());
-    StateJson.Look look = new StateJson.Look(exposure, curve, picture.isDisplayReferred());
+    StateJson.Look look =
+        new StateJson.Look(exposure, curve, picture.isDisplayReferred(), picture.background());
     return start(Optional.empty(), look, session, options, automatic);
   }
 
@@ -115,7 +139,7 @@ public final class View implements AutoCloseable {
             options.other().map(Picture::frame),
             new StateJson.Other(
                 options.otherName(), options.other().map(Picture::isDisplayReferred).orElse(false)),
-            new PictureFiles(options.path(), automatic));
+            new PictureFiles(options.path(), automatic, look.background()));
     return new View(session, ViewServer.start(options.port(), routes), source);
   }
 

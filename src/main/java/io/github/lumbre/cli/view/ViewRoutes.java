@@ -117,7 +117,7 @@ final class ViewRoutes {
     return session
         .scene()
         .map(SceneFile::settings)
-        .map(s -> new StateJson.Look(s.exposure(), s.toneCurve(), false))
+        .map(s -> new StateJson.Look(s.exposure(), s.toneCurve(), false, s.background()))
         .orElse(look);
   }
 

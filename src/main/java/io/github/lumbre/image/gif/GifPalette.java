@@ -1,6 +1,7 @@
 package io.github.lumbre.image.gif;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The colors of all frames, and the choice among them by an ordered dither: neighbors of a pixel
@@ -44,14 +45,20 @@ final class GifPalette {
     Arrays.fill(keys, -1);
   }
 
-  /** Returns a palette for all colors; exact if they are few enough. */
+  /** Returns a palette for all colors; exact if they are few enough, and for large areas. */
   static GifPalette of(ColorHistogram histogram) {
     boolean isTransparent = histogram.hasTransparent();
     int most = isTransparent ? MOST - 1 : MOST;
     int[] exact = histogram.someColors();
-    int[] colors = exact.length <= most ? exact : ColorBoxes.colors(histogram, most);
+    int[] colors = exact.length <= most ? exact : mixed(histogram, most);
     int[] sorted = NearestColor.sorted(colors);
     return new GifPalette(sorted.length == 0 ? new int[1] : sorted, isTransparent);
+  }
+
+  private static int[] mixed(ColorHistogram histogram, int most) {
+    int[] uniform = histogram.uniformColors();
+    int[] others = ColorBoxes.colors(histogram, most - uniform.length);
+    return IntStream.concat(IntStream.of(uniform), IntStream.of(others)).toArray();
   }
 
   /** Returns the Bayer matrix of 4 x 4 places (Bayer 1973), row by row. */

@@ -4,22 +4,56 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
+import java.util.Optional;
 
 /**
  * The rows of a picture quantized for display, with exposure and tone curve applied.
  *
  * @param factor the exposure's factor
  * @param bits bits per channel, 8 or 16
- * @param hasAlpha whether to keep alpha; if not, the picture is composited over black
+ * @param hasAlpha whether to keep alpha; if not, the picture is composited over the background, or
+ *     else over black
+ * @param background light that the screen emits where the picture is transparent
  */
-public record DisplayRows(Image image, ToneCurve curve, double factor, int bits, boolean hasAlpha)
+public record DisplayRows(
+    Image image,
+    ToneCurve curve,
+    double factor,
+    int bits,
+    boolean hasAlpha,
+    Optional<Rgb> background)
     implements SampleRows {
 
+  /**
+   * Returns the rows of a picture.
+   *
+   * @param keepsAlpha whether to keep alpha if the picture has some, and no background
+   */
   public static DisplayRows of(
-      Image image, ImageWriter.Options options, int bits, boolean hasAlpha) {
+      Image image, ImageWriter.Options options, int bits, boolean keepsAlpha) {
     // Keep the factor finite, so that black does not become NaN.
     double factor = Math.min(options.exposure().factor(image), Double.MAX_VALUE);
-    return new DisplayRows(image, options.curve(), factor, bits, hasAlpha);
+    Optional<Rgb> background =
+        options
+            .background()
+            .filter(color -> image.hasAlpha())
+            .map(color -> shown(color, options.curve()));
+    boolean hasAlpha = keepsAlpha && image.hasAlpha() && background.isEmpty();
+    return new DisplayRows(image, options.curve(), factor, bits, hasAlpha, background);
+  }
+
+  /** Returns the light of which the last step of a curve makes the sRGB values of a color. */
+  private static Rgb shown(Rgb color, ToneCurve curve) {
+    if (curve.endsInSrgb()) {
+      return color;
+    }
+    Rgb values = ToneCurve.SRGB.apply(color);
+    return new Rgb(ungamma(values.r()), ungamma(values.g()), ungamma(values.b()));
+  }
+
+  /** Returns the inverse of the last step of {@link ToneCurve#GAMMA22}. */
+  private static double ungamma(double encoded) {
+    return StrictMath.pow(encoded, 2.2);
   }
 
   @Override
@@ -39,20 +73,18 @@ public record DisplayRows(Image image, ToneCurve curve, double factor, int bits,
 
   @Override
   public void read(int y, int[] row) {
-    boolean isOverBlack = image.hasAlpha() && !hasAlpha;
     boolean isOfBytes = bits == Byte.SIZE && curve.endsInSrgb();
+    ToneCurve transfer = curve.endsInSrgb() ? ToneCurve.SRGB : ToneCurve.GAMMA22;
     int bands = bands();
     for (int x = 0; x < image.width(); x++) {
-      Rgb exposed = exposed(image.pixel(x, y));
-      Rgb light = isOverBlack ? exposed.times(Srgb.clamp(image.alpha(x, y))) : exposed;
+      Rgb mapped = mapped(x, y);
       int i = bands * x;
       if (isOfBytes) {
-        Rgb mapped = curve.mapped(light);
         row[i] = Srgb.toByte(mapped.r());
         row[i + 1] = Srgb.toByte(mapped.g());
         row[i + 2] = Srgb.toByte(mapped.b());
       } else {
-        Rgb shown = curve.apply(light);
+        Rgb shown = transfer.apply(mapped);
         row[i] = quantized(shown.r());
         row[i + 1] = quantized(shown.g());
         row[i + 2] = quantized(shown.b());
@@ -63,14 +95,30 @@ public record DisplayRows(Image image, ToneCurve curve, double factor, int bits,
     }
   }
 
+  /** Returns the light of a pixel to which the last step of the curve is applied. */
+  private Rgb mapped(int x, int y) {
+    if (hasAlpha || !image.hasAlpha()) {
+      return curve.mapped(exposed(image.pixel(x, y)));
+    }
+    Rgb exposed = exposed(image.pixel(x, y));
+    double alpha = Srgb.clamp(image.alpha(x, y));
+    return background.isPresent()
+        ? Backdrop.over(clamped(curve.mapped(exposed)), background.get(), alpha)
+        : curve.mapped(exposed.times(alpha));
+  }
+
+  private static Rgb clamped(Rgb light) {
+    return new Rgb(Srgb.clamp(light.r()), Srgb.clamp(light.g()), Srgb.clamp(light.b()));
+  }
+
   /** Returns the linear light that a screen emits for each pixel, in [0,1], with straight alpha. */
   public Image light() {
     float[] rgb = new float[image.rgb().length];
-    float[] alpha = new float[image.hasAlpha() ? rgb.length / 3 : 0];
+    float[] alpha = new float[hasAlpha ? rgb.length / 3 : 0];
     for (int i = 0; i < rgb.length / 3; i++) {
       int x = i % image.width();
       int y = i / image.width();
-      Rgb shown = curve.mapped(exposed(image.pixel(x, y)));
+      Rgb shown = mapped(x, y);
       rgb[3 * i] = (float) Srgb.clamp(shown.r());
       rgb[3 * i + 1] = (float) Srgb.clamp(shown.g());
       rgb[3 * i + 2] = (float) Srgb.clamp(shown.b());

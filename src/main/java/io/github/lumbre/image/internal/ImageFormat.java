@@ -136,11 +136,12 @@ public enum ImageFormat {
     Objects.requireNonNull(image, "image");
     Objects.requireNonNull(options, "options");
     OutputStream out = PictureEncoder.buffered(channel);
+    Image light = isForScreen() ? image : Backdrop.asLight(image, options.background());
     switch (this) {
       case PNG -> PngWriter.write(image, options, out);
       case JPG -> JpegWriter.write(image, options, out);
-      case PFM -> PfmWriter.write(image, out);
-      case EXR -> ExrWriter.write(image, layers, options.metadata(), channel);
+      case PFM -> PfmWriter.write(light, out);
+      case EXR -> ExrWriter.write(light, layers, options.metadata(), channel);
     }
     out.flush();
   }

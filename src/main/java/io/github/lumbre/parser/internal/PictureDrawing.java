@@ -6,6 +6,7 @@ import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.drawing.Strokes;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.label.LabeledModel;
 import io.github.lumbre.label.Labels;
 import io.github.lumbre.label.PartMap;
@@ -100,7 +101,9 @@ public final class PictureDrawing {
     Canvas canvas = new Canvas(picture);
     strokes.ifPresent(found -> canvas.draw(found, lines.pen()));
     labeled.ifPresent(
-        model -> labels(scene, model, title.orElse(model.labels().title())).draw(canvas, picture));
+        model ->
+            labels(scene, model, title.orElse(model.labels().title()))
+                .draw(canvas, Backdrop.asLight(picture, settings.background())));
     return canvas.image();
   }
 

@@ -1,6 +1,8 @@
 package io.github.lumbre.scene.internal;
 
 import io.github.lumbre.image.Exposure;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.text.PrintableText;
@@ -11,6 +13,7 @@ import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -188,6 +191,38 @@ public final class SettingTypes {
       return value.stops().isPresent()
           ? String.valueOf(value.stops().getAsDouble())
           : SettingType.AUTO;
+    }
+  }
+
+  /** A color of the screen as a linear color, in a form of CSS; empty for none. */
+  public record ScreenColorType() implements SettingType<Optional<Rgb>> {
+    @Override
+    public Optional<Rgb> parse(String text) {
+      if (text.isEmpty()) {
+        return Optional.empty();
+      }
+      Optional<Rgb> color = CssColor.of(text);
+      if (color.isEmpty()) {
+        String message = unexpected(expected(), text).getMessage();
+        throw new IllegalArgumentException(
+            message + Spelling.suggestion(text, CssColor.known()));
+      }
+      return color;
+    }
+
+    @Override
+    public boolean accepts(Optional<Rgb> value) {
+      return value.map(CssColor::isOnScreen).orElse(true);
+    }
+
+    @Override
+    public String expected() {
+      return "a color such as #ff8800, or a name of a CSS color such as white";
+    }
+
+    @Override
+    public String format(Optional<Rgb> value) {
+      return value.map(CssColor::text).orElse("");
     }
   }
 

@@ -95,6 +95,9 @@
   // the controls change both.
   const isFinished = p => p.isDisplayReferred && !state.isDisplayReferred;
 
+  // The color behind a picture that is rendered here.
+  const behind = p => p === picture && !p.layer ? state.background : p.background;
+
   const put = (target, p) => {
     target.width = p.width;
     target.height = p.height;
@@ -102,7 +105,7 @@
     const image = context.createImageData(p.width, p.height);
     if (MATTE.test(p.layer || '')) Tone.matte(p, image.data);
     else if (!LIGHT.test(p.layer || '')) Tone.scale(p, ...limits(p), image.data);
-    else Tone.develop(p, isFinished(p) ? 1 : factor, isFinished(p) ? 'srgb' : $('tone').value, image.data);
+    else Tone.develop(p, isFinished(p) ? 1 : factor, isFinished(p) ? 'srgb' : $('tone').value, image.data, behind(p));
     context.putImageData(image, 0, 0);
   };
 
@@ -120,7 +123,7 @@
   // A picture as it is shown, in linear light.
   const asShown = p => {
     const bytes = new Uint8ClampedArray(4 * p.width * p.height), values = new Float32Array(3 * p.width * p.height);
-    Tone.develop(p, factor, $('tone').value, bytes);
+    Tone.develop(p, factor, $('tone').value, bytes, behind(p));
     const table = Float32Array.from({length: 256}, (_, i) => Tone.decode(i / 255));
     for (let i = 0; i < values.length / 3; i++) for (let c = 0; c < 3; c++) values[3 * i + c] = table[bytes[4 * i + c]];
     return {width: p.width, height: p.height, channels: 3, values};
@@ -148,7 +151,8 @@
     const [width, height] = fullSize();
     const hasSize = b && b.width === width && b.height === height;
     // What a picture with a tone curve can be compared with is what this one shows.
-    const own = same && isFinished(b) ? asShown(picture) : picture;
+    const own = same && isFinished(b) ? asShown(picture) : Tone.asLight(picture, behind(picture));
+    const against = b && Tone.asLight(b, behind(b));
     $('second').hidden = mode !== 'side';
     $('caption').hidden = !mode;
     let text = state.name, otherText = '';
@@ -161,7 +165,7 @@
         : `no difference: ${b.name} has ${sizeOf(b)} pixels, this picture ${width}×${height}`;
     }
     if (mode === 'other') text = otherText;
-    if (mode === 'diff' && same) put(canvas, difference(own, b));
+    if (mode === 'diff' && same) put(canvas, difference(own, against));
     else if (mode === 'other' && !hasSize) putInside(canvas, b);
     else put(canvas, mode === 'other' ? b : picture);
     if (mode === 'side') {
@@ -172,7 +176,7 @@
     $('caption').textContent = text;
     if (b) {
       $('comparison').textContent = same
-        ? `Compared with ${b.name}${isFinished(b) ? ', as shown' : ''}: mean absolute difference ${meanDifference(own, b).toPrecision(3)}.`
+        ? `Compared with ${b.name}${isFinished(b) ? ', as shown' : ''}: mean absolute difference ${meanDifference(own, against).toPrecision(3)}.`
         : !isLight ? 'Layers that are not light are not compared.'
         : hasSize ? `Compared with ${b.name} when the first full picture is there.`
         : `${b.name} has ${sizeOf(b)} pixels, this picture ${width}×${height}: there is no difference of pictures of different sizes.`;
@@ -471,7 +475,7 @@
   $('show').onclick = () => { const p = Paths.pixel(); if (p) Paths.load(p[0], p[1], Math.max(0, Math.round(+$('number').value)), redraw); };
   $('keep').onclick = () => {
     if (!picture || picture.isDraft) return;
-    kept = {...picture, name: picture.denoisedAt ? `the picture denoised at ${number(picture.denoisedAt)} samples`
+    kept = {...picture, background: behind(picture), name: picture.denoisedAt ? `the picture denoised at ${number(picture.denoisedAt)} samples`
       : 'the picture kept at ' + (state.render ? number(state.render.samples) + ' samples' : state.name)};
     if (!$('mode').value) $('mode').value = 'side';
     comparing();

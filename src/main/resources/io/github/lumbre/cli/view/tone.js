@@ -30,7 +30,14 @@ const Tone = (() => {
       return found;
     };
   };
-  const srgb = encoder(decode), gamma = encoder(v => v ** 2.2);
+  const encode = v => v <= .0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - .055;
+
+  // The share of the background in the next pixel, and its light before the last step of a curve.
+  let share = 0, behind = [0, 0, 0];
+  const clamp = v => Math.max(0, Math.min(1, v)), over = (v, c) => share ? (1 - share) * clamp(v) + share * behind[c] : v;
+  const ending = encoded => (r, g, b, out, i) => {
+    out[i] = encoded(over(r, 0)); out[i + 1] = encoded(over(g, 1)); out[i + 2] = encoded(over(b, 2));
+  };
 
   const positive = v => v > 0 ? Math.min(v, 1e100) : 0;
   const luminance = (r, g, b) => .2126 * r + .7152 * g + .0722 * b;
@@ -48,8 +55,8 @@ const Tone = (() => {
 
   // Each curve writes three bytes.
   const curves = {
-    srgb(r, g, b, out, i) { out[i] = srgb(r); out[i + 1] = srgb(g); out[i + 2] = srgb(b); },
-    gamma22(r, g, b, out, i) { out[i] = gamma(r); out[i + 1] = gamma(g); out[i + 2] = gamma(b); },
+    srgb: ending(encoder(decode)),
+    gamma22: ending(encoder(v => v ** 2.2)),
     reinhard(r, g, b, out, i) {
       r = positive(r); g = positive(g); b = positive(b);
       const s = 1 / (1 + luminance(r, g, b));
@@ -104,13 +111,28 @@ const Tone = (() => {
     return {width, height, channels, values, version, isExact: size === 4};
   };
 
-  // Fills the pixels of a canvas with light.
-  const develop = (p, factor, curve, out) => {
+  // Fills the pixels of a canvas with light. A background is a linear color of the screen behind what has alpha.
+  const develop = (p, factor, curve, out, background) => {
     const write = curves[curve], n = p.channels, v = p.values;
+    if (background) behind = curve === 'gamma22' ? background.map(c => encode(c) ** 2.2) : background;
     for (let i = 0, o = 0; i < v.length; i += n, o += 4) {
+      const alpha = n === 4 ? clamp(v[i + 3]) : 1;
+      share = background ? 1 - alpha : 0;
       write(v[i] * factor, v[i + 1] * factor, v[i + 2] * factor, out, o);
-      out[o + 3] = n === 4 ? Math.round(255 * Math.max(0, Math.min(1, v[i + 3]))) : 255;
+      out[o + 3] = background ? 255 : Math.round(255 * alpha);
     }
+    share = 0;
+  };
+
+  // A picture in linear light over its background.
+  const asLight = (p, background) => {
+    if (p.channels !== 4 || !background) return p;
+    const values = new Float32Array(3 * p.width * p.height);
+    for (let i = 0; i < values.length / 3; i++) {
+      const alpha = p.values[4 * i + 3];
+      for (let c = 0; c < 3; c++) values[3 * i + c] = alpha * p.values[4 * i + c] + (1 - alpha) * background[c];
+    }
+    return {...p, channels: 3, values};
   };
 
   // Fills the pixels of a canvas with numbers between two limits for each channel.
@@ -155,5 +177,5 @@ const Tone = (() => {
   const items = (p, pixel) => [0, 2].map(k => 4 * pixel + k).filter(i => p.values[i + 1] > 0)
     .map(i => [ids(p)[i].toString(16).padStart(8, '0'), p.values[i + 1]]);
 
-  return {read, matte, items, develop, scale, decode, luminance, curves};
+  return {read, matte, items, develop, asLight, scale, decode, luminance, curves};
 })();

@@ -65,6 +65,29 @@ class SummaryTest {
     assertThat(lines(messages -> partial.printHint(scene(3), messages))).isEmpty();
   }
 
+  /** Films hold light from 2^-64 to 2^32; what they lose is said, unless it does not matter. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 0, 0, ",
+    "3, 0, 1, light above 2^32 was cut to 2^32 in 3 samples",
+    "0, 4, 0, all light in the picture is below 1e-16",
+    "0, 4, 1e-17, all light in the picture is below 1e-16",
+    "0, 4, 1e-3, "
+  })
+  void lightThatFilmsCannotHoldIsNamed(long saturated, long faint, float light, String line) {
+    RenderStatistics statistics =
+        new RenderStatistics(40, 100, 50, 0, List.of(), saturated, 0, 0, 0, faint);
+    float[] rgb = new float[24];
+    rgb[5] = light;
+    RenderResult result = new RenderResult(new Image(4, 2, rgb, new float[0]), true, statistics);
+    String printed = lines(new Summary(SETTINGS, result, 2, 40)::printCutLight);
+    if (line == null) {
+      assertThat(printed).isEmpty();
+    } else {
+      assertThat(printed).startsWith("warning: " + line).hasLineCount(1);
+    }
+  }
+
   /** A short render, of 2 s, gains nothing by vectors. */
   @Test
   void longRendersSayWhyTheyUsedTheScalarKernel() {

@@ -14,7 +14,9 @@ import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.LayeredImage;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -655,6 +657,22 @@ class ViewServerTest {
     assertThat(values("other")).containsExactly(1, 2, 3, .1f, .2f, .3f);
     assertThat(get("pixel?x=0&y=0").status()).isEqualTo(400);
     assertThat(act("{\"action\": \"move\", \"right\": 3}").status()).isEqualTo(200);
+  }
+
+  /** The page gets the color behind a picture with alpha, and saved files have it. */
+  @Test
+  void pictureIsShownAndSavedBeforeItsBackground() throws Exception {
+    Image image = new Image(2, 1, new float[] {0, 0, 0, .2f, .2f, .2f}, new float[] {0, 1});
+    Rgb coral = new Rgb(1, Srgb.fromByte(127), Srgb.fromByte(80));
+    View.Picture picture =
+        new View.Picture(image, List.of(), Map.of(), false, Optional.of(coral));
+    View.Options options = new View.Options(scene, 0, Optional.empty(), "");
+    view = View.of(picture, Exposure.of(1), Exposure.AUTO, ToneCurve.AGX, options);
+    view.open(ViewLimits.NONE);
+    assertThat(state(0).getAsJsonArray("background").get(1).getAsDouble()).isEqualTo(coral.g());
+    Path png = Files.write(directory.resolve("saved.png"), get("save?format=png&tone=aces").body());
+    assertThat(pixels(png)[0]).isEqualTo(0xffff7f50);
+    assertThat(picture.asLight().image().pixel(0, 0).r()).isEqualTo(1);
   }
 
   /** Half requests of a stalled, a dripping and a malicious client; the server stops to wait. */
