@@ -86,8 +86,7 @@ class SectionTest {
         "--x=1",
         "x=5%%",
         "x=1,2",
-        "1,2,3/1%,0,0",
-        "X=1"
+        "1,2,3/1%,0,0"
       })
   void otherTextsAreRefused(String text) {
     assertThatThrownBy(() -> Section.of(text))
