@@ -1,5 +1,6 @@
 package io.github.lumbre.denoise;
 
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -16,7 +17,6 @@ final class CaughtShadow {
   private static final float ALBEDO = .5f;
 
   /** Distance in pixels of the ground whose light stands in for that of other pixels. */
-  private static final int NEAR = 8;
 
   private final NoisyPicture picture;
   private final float[] albedo;
@@ -78,13 +78,13 @@ final class CaughtShadow {
   NoisyPicture picture() {
     float[] light = new float[3 * ground.length];
     float[] noise = new float[picture.alphaNoise().length == 0 ? 0 : light.length];
-    float[] color = albedo.clone();
+    float[] color = new float[light.length];
+    Arrays.fill(color, ALBEDO);
     float[] alpha = new float[ground.length];
     float[] lit = lit();
     for (int i = 0; i < light.length; i++) {
       light[i] = lit[i / 3];
       if (ground[i / 3]) {
-        color[i] = ALBEDO;
         alpha[i / 3] = 1;
         if (noise.length != 0) {
           noise[i] = picture.alphaNoise()[i / 3];
@@ -107,34 +107,43 @@ final class CaughtShadow {
 
   /**
    * Returns the part of light that reaches the ground; elsewhere the mean of the ground nearby, so
-   * that filtering spreads nothing else from there.
+   * that filtering spreads nothing else from there. It is the mean in the smallest square of
+   * pixels, in a pyramid of squares of 1, 2, 4, ... pixels, that has any ground.
    */
   private float[] lit() {
     int width = picture.width();
-    double[] light = new double[ground.length];
-    double[] pixels = new double[ground.length];
     float[] lit = new float[ground.length];
     for (int i = 0; i < lit.length; i++) {
-      lit[i] = ground[i] ? 1 - picture.alpha()[i] : 1;
-      int row = i / width * width;
-      for (int near = Math.max(row, i - NEAR); near <= i + NEAR && near < row + width; near++) {
-        light[i] += ground[near] ? 1 - picture.alpha()[near] : 0;
-        pixels[i] += ground[near] ? 1 : 0;
+      lit[i] = ground[i] ? 1 - picture.alpha()[i] : Float.NaN;
+    }
+    return filled(lit, width, picture.height());
+  }
+
+  private static float[] filled(float[] values, int width, int height) {
+    if (values.length == 1) {
+      return values;
+    }
+    int halfWidth = (width + 1) / 2;
+    int halfHeight = (height + 1) / 2;
+    float[] sums = new float[halfWidth * halfHeight];
+    int[] counts = new int[sums.length];
+    for (int i = 0; i < values.length; i++) {
+      if (!Float.isNaN(values[i])) {
+        int half = i / width / 2 * halfWidth + i % width / 2;
+        sums[half] += values[i];
+        counts[half]++;
       }
     }
-    for (int i = 0; i < lit.length; i++) {
-      double sum = 0;
-      double count = 0;
-      for (int row = -NEAR; row <= NEAR && !ground[i]; row++) {
-        int near = i + row * width;
-        if (0 <= near && near < lit.length) {
-          sum += light[near];
-          count += pixels[near];
-        }
-      }
-      lit[i] = count > 0 ? (float) (sum / count) : lit[i];
+    for (int i = 0; i < sums.length; i++) {
+      sums[i] = counts[i] == 0 ? Float.NaN : sums[i] / counts[i];
     }
-    return lit;
+    float[] coarse = filled(sums, halfWidth, halfHeight);
+    for (int i = 0; i < values.length; i++) {
+      if (Float.isNaN(values[i])) {
+        values[i] = coarse[i / width / 2 * halfWidth + i % width / 2];
+      }
+    }
+    return values;
   }
 
   /**

@@ -113,6 +113,24 @@ class CaughtShadowTest {
     }
   }
 
+  /** A dark and colored model leaves no light seam on the ground beside it. */
+  @Test
+  void groundBesideAColoredModelKeepsItsShadow() throws InterruptedException {
+    double lightest = 0;
+    for (int seed = 5; seed < 9; seed++) {
+      NoisyPicture noisy = picture(seed);
+      for (int i = 0; i < albedo.length; i++) {
+        albedo[i] *= i % 3 == 2 ? .8f : .04f;
+        light[i] *= i % 3 == 2 ? .8f : .04f;
+      }
+      Image clean = BuiltInDenoiser.denoise(noisy, 2).image();
+      for (int y = 28; y < 40; y++) {
+        lightest = Math.max(lightest, shadow(41, y) - clean.alpha(41, y));
+      }
+    }
+    assertThat(lightest).isLessThan(.075);
+  }
+
   /** Far from the shadow, the ground stays transparent. */
   @Test
   void litGroundStays() throws InterruptedException {
