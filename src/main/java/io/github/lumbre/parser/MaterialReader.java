@@ -278,11 +278,8 @@ final class MaterialReader {
   }
 
   private static Range range(MaterialParameter parameter) {
-    if (parameter == MaterialParameter.ATTENUATION_DISTANCE) {
-      return Range.POSITIVE;
-    }
-    return parameter.least() == 0 && parameter.most() == Double.MAX_VALUE
-        ? Range.NOT_NEGATIVE
+    return parameter == MaterialParameter.ATTENUATION_DISTANCE
+        ? Range.POSITIVE
         : Range.closed(parameter.least(), parameter.most());
   }
 

@@ -24,8 +24,11 @@ record Range(
   static final Range SIZE =
       new Range(0, true, 1e150, false, "a finite number > 0", "a number <= 1e150");
 
-  /** Returns the closed range [low, high]. */
+  /** Returns the closed range [low, high]; bounds of the largest doubles are not mentioned. */
   static Range closed(double low, double high) {
+    if (high == Double.MAX_VALUE && (low == 0 || low == -high)) {
+      return low == 0 ? NOT_NEGATIVE : ANY;
+    }
     return closed(
         low,
         high,
