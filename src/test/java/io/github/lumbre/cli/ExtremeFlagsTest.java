@@ -24,7 +24,7 @@ class ExtremeFlagsTest {
   /** Flags of commands below that take no number. */
   private static final Pattern OTHERS =
       Pattern.compile(
-          "--(output|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background|look"
+          "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background|look"
               + "|labels|variant|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
               + "|animation|ffmpeg|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
               + "|csv|scenes)");
