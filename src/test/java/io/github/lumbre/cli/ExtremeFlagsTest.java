@@ -24,8 +24,8 @@ class ExtremeFlagsTest {
   /** Flags of commands below that take no number. */
   private static final Pattern OTHERS =
       Pattern.compile(
-          "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background|look"
-              + "|labels|variant|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
+          "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background"
+              + "|look|labels|variant|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
               + "|animation|ffmpeg|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
               + "|csv|scenes)");
 
