@@ -21,7 +21,7 @@ import picocli.CommandLine.Option;
 /** {@code lumbre coverage}: counts how often errors exceed their bounds, for one scene. */
 @Command(
     name = "coverage",
-    header = "Count how often the error of a scene's pictures exceeds their noise bound.",
+    header = "Count how often errors of a scene exceed their noise bounds.",
     description =
         "Render the scene with many seeds, compare each picture with a reference, and print a line"
             + " for each number of samples and each target error. A bound of 95 % fails for about"

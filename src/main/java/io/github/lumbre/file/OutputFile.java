@@ -7,6 +7,7 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
@@ -103,8 +104,8 @@ public final class OutputFile implements Closeable {
 
   /**
    * Reserves the names of many files, each of which is opened when it is written, until the
-   * returned object is closed. It holds one open file for each folder, and excludes other callers
-   * of this method. Missing directories are made, and deleted again if nothing is written.
+   * returned object is closed. It holds one open file for each folder, excludes other callers of
+   * this method, and finds files that are open by {@link #open(Path)}. Missing directories are made, and deleted again if nothing is written.
    *
    * @param targets at least one
    * @throws IOException as {@link #open(Path)}, for the first file that cannot be written
@@ -121,7 +122,7 @@ public final class OutputFile implements Closeable {
         MadeFolders made = MadeFolders.of(folder.getValue().get(0));
         reserved.push(made::deleteEmpty);
         for (Path target : folder.getValue()) {
-          LockedFile.requireOwnFile(target, hidden(destination(target), ".tmp"));
+          requireUnused(target);
         }
         reserved.push(NamesLock.open(folder.getKey(), folder.getValue()));
       }
@@ -130,6 +131,15 @@ public final class OutputFile implements Closeable {
       throw e;
     }
     return () -> closeAll(reserved);
+  }
+
+  /** Requires that no run that writes this file alone holds it. */
+  private static void requireUnused(Path target) throws IOException {
+    Path temporary = hidden(destination(target), ".tmp");
+    LockedFile.requireOwnFile(target, temporary);
+    if (Files.exists(temporary, LinkOption.NOFOLLOW_LINKS)) {
+      LockedFile.open(target, temporary).close();
+    }
   }
 
   private static void closeAll(Deque<Closeable> reserved) throws IOException {

@@ -93,8 +93,8 @@ class DiffCommandTest {
         endsolid
         """);
     String flags = " --up z --unit 0.001";
-    assertThat(run("diff T/a.stl T/a.3mf" + flags).out()).contains("1 the same");
-    assertThat(run("diff T/a.3mf T/a.stl" + flags).out()).contains("1 the same");
+    assertThat(run("diff T/a.stl T/a.3mf" + flags).out()).contains("1 without a change found");
+    assertThat(run("diff T/a.3mf T/a.stl" + flags).out()).contains("1 without a change found");
     assertThat(run("diff T/a.3mf T/a.stl").exitCode()).isEqualTo(1);
     assertThat(run("diff T/a.3mf T/a.3mf --up y --unit 2").exitCode()).isZero();
   }

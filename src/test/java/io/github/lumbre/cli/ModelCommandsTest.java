@@ -524,7 +524,7 @@ class ModelCommandsTest {
         .contains("bounds     (0, 0, 1) to (2, 1.5, 1), size 2 x 1.5 x 0\n")
         .doesNotContain("cameras", "animations", "variants");
     assertThat(run("check T/a.obj --up z --unit 10").out()).contains("size 20 x 0 x 15");
-    assertThat(run("check T/a.obj --up Z --section Y=99 --unit 10").out())
+    assertThat(run("check T/a.obj --up Z --section Y=-99 --unit 10").out())
         .contains("size 20 x 0 x 15");
   }
 
