@@ -14,8 +14,9 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /** A client of a server in a thread of this process: its messages are sent one after the other. */
-final class McpClient implements AutoCloseable {
-  static final String META =
+public final class McpClient implements AutoCloseable {
+  /** What each message states of its client, with single quotes instead of double ones. */
+  public static final String META =
       "'_meta':{'io.modelcontextprotocol/protocolVersion':'2026-07-28',"
           + "'io.modelcontextprotocol/clientCapabilities':{}},";
 
@@ -24,11 +25,12 @@ final class McpClient implements AutoCloseable {
   private final Thread server;
 
   /** Serves one client. */
-  interface Server {
+  public interface Server {
     void serve(InputStream in, OutputStream out) throws IOException;
   }
 
-  McpClient(Server serve) throws IOException {
+  /** Starts the server. */
+  public McpClient(Server serve) throws IOException {
     PipedInputStream in = new PipedInputStream(messages, 1 << 16);
     OutputStream out =
         new OutputStream() {
@@ -54,7 +56,8 @@ final class McpClient implements AutoCloseable {
     server.start();
   }
 
-  void send(String message) throws IOException {
+  /** Sends a line. */
+  public void send(String message) throws IOException {
     send(message.getBytes(StandardCharsets.UTF_8));
   }
 
@@ -64,7 +67,7 @@ final class McpClient implements AutoCloseable {
   }
 
   /** Returns a call; single quotes stand for double ones. */
-  static String line(int id, String tool, String arguments) {
+  public static String line(int id, String tool, String arguments) {
     return ("{'jsonrpc':'2.0','id':%d,'method':'tools/call','params':{%s'name':'%s',"
             + "'arguments':{%s}}}\n")
         .formatted(id, META, tool, arguments)
@@ -94,7 +97,8 @@ final class McpClient implements AutoCloseable {
     return result.getAsJsonArray("content").get(0).getAsJsonObject().get("text").getAsString();
   }
 
-  JsonObject next() throws InterruptedException {
+  /** Waits for the next answer. */
+  public JsonObject next() throws InterruptedException {
     String answer = answers.poll(30, TimeUnit.SECONDS);
     assertThat(answer).as("an answer within 30 s").isNotNull();
     return JsonParser.parseString(answer).getAsJsonObject();
