@@ -89,7 +89,7 @@ public final class RenderedSceneExtension implements ParameterResolver {
     if (isModel) {
       return parser.parse(path, stage(wanted));
     }
-    if (!wanted.view().isEmpty() || wanted.ground() || !wanted.up().equals("y")) {
+    if (!wanted.view().isEmpty() || wanted.ground() || !wanted.up().isEmpty()) {
       throw new IllegalArgumentException("view, ground, up: expected a model, found a scene");
     }
     return parser.parse(path);
