@@ -80,7 +80,7 @@ record Inertia(double[] moments, Vec3[] vectors) {
     }
   }
 
-  /** Returns right-handed axes, the last of which is the one whose moment is least like another. */
+  /** Returns right-handed axes. The moment of the last differs most from the others. */
   Frame axes() {
     int special = isFirst() ? 0 : 2;
     Vec3 z = vectors[special];

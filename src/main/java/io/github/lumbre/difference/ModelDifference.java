@@ -299,7 +299,7 @@ public final class ModelDifference {
       return false;
     }
     if (steps <= 0) {
-      notCompared.add("parts with other triangles, of which there are too many");
+      notCompared.add("parts with other triangles, because there are too many of them");
       return false;
     }
     SurfaceMatch match = new SurfaceMatch(a, b, tree(a), tree(b), steps);

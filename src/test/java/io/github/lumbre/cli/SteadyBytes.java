@@ -33,7 +33,8 @@ record SteadyBytes(Path folder) {
   private static final Pattern MEASURED =
       Pattern.compile("(\"[a-z_]*(?:seconds|heap_bytes|per_second)\": ?)[-+.0-9eE]+");
 
-  private static final Pattern TIMES = Pattern.compile("[0-9.]+( m?s\\b| samples/s| rays/s)");
+  private static final Pattern TIMES =
+      Pattern.compile("[0-9.]+(?: [MG])?( m?s\\b| samples/s| rays/s)");
 
   private static final Pattern STATISTICS =
       Pattern.compile("(?m)^((?:rays/s|threads|peak heap|heap|scene|needed) +)\\d.*$");

@@ -47,7 +47,7 @@ class FireflyBoundTest {
 
   /**
    * Of bounds that hold with 95 %, more than 20 of 200 fail with a probability of .001. If pixels
-   * are compared with their own halves alone, all 200 fail in the first row.
+   * are compared with their own halves alone, all 200 of 16 samples fail in the first row.
    */
   @Test
   void boundsHoldWhereFewBrightSamplesCarryTheNoise() {

@@ -28,7 +28,7 @@ record BarStatus(
   private static final int MOST_CELLS = 40;
   private static final int LEAST_CELLS = 8;
 
-  /** The share of a render that has all expected samples, and still goes on. */
+  /** The largest share shown while a render is still running. */
   private static final double ALMOST = .99;
 
   /** Errors in percent that two digits show without an exponent; larger ones have no fraction. */

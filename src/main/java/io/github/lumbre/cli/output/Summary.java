@@ -168,8 +168,8 @@ public record Summary(
     }
     if (statistics.faint() > 0 && brightest() < FAINT) {
       messages.line(
-          "warning: all light in the picture is below 1e-16, of which films hold only multiples of"
-              + " 2^-64 (5e-20), so that it is coarse or black; make the lights brighter");
+          "warning: all light in the picture is below 1e-16; films store light in steps of 2^-64"
+              + " (5e-20), so that it is coarse or black; make the lights brighter");
     }
   }
 

@@ -123,7 +123,7 @@ public final class CssColor {
   }
 
   /**
-   * Returns the text of a linear color, of which {@link #of} makes the same bits: {@code #rrggbb}
+   * Returns the text that {@link #of} converts to the same bits of a linear color: {@code #rrggbb}
    * if it has that form.
    *
    * @param color as a screen can show it

@@ -42,7 +42,7 @@ public record DisplayRows(
     return new DisplayRows(image, options.curve(), factor, bits, hasAlpha, background);
   }
 
-  /** Returns the light of which the last step of a curve makes the sRGB values of a color. */
+  /** Returns the light that the last step of a curve encodes as the sRGB values of a color. */
   private static Rgb shown(Rgb color, ToneCurve curve) {
     if (curve.endsInSrgb()) {
       return color;
