@@ -4,10 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.model.threemf.ThreeMfSample;
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -94,16 +92,6 @@ class FileKindsTest {
             ExitCodes.ASSET, "expected a 3MF file, found ZIP; give its name the ending .zip");
   }
 
-  private Outcome onStandardInput(byte[] content, String... command) {
-    InputStream before = System.in;
-    System.setIn(new ByteArrayInputStream(content));
-    try {
-      return Outcome.of(command);
-    } finally {
-      System.setIn(before);
-    }
-  }
-
   @Test
   void modelsAreReadFromStandardInput() throws IOException {
     assertThat(render(copy("rgba_MASK.glb", "a.glb")).exitCode()).isEqualTo(ExitCodes.OK);
@@ -111,7 +99,7 @@ class FileKindsTest {
     byte[] model = Files.readAllBytes(CASES.resolve("rgba_MASK.glb"));
     String target = folder.resolve("x.pfm").toString();
     Outcome outcome =
-        onStandardInput(
+        Outcome.onStandardInput(
             model,
             "render",
             "-",
@@ -127,10 +115,10 @@ class FileKindsTest {
             "--quiet");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
     assertThat(picture()).isEqualTo(expected);
-    Outcome check = onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");
+    Outcome check = Outcome.onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");
     assertThat(check.exitCode()).as(check.err()).isEqualTo(ExitCodes.OK);
     assertThat(check.out()).contains("triangles  2\n");
-    onStandardInput("; FBX 7.3.0".getBytes(StandardCharsets.US_ASCII), "check", "-")
+    Outcome.onStandardInput("; FBX 7.3.0".getBytes(StandardCharsets.US_ASCII), "check", "-")
         .assertFailed(ExitCodes.SCENE, "stdin: expected a scene (.json) or a model", "found FBX");
   }
 

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -9,8 +10,15 @@ import java.util.stream.Stream;
 
 /** The exit code and the output of a run of the command line. */
 public record Outcome(int exitCode, String out, String err) {
-  /** Runs the command line in this JVM. */
+  /** Runs the command line in this JVM, with nothing on standard input. */
   public static Outcome of(String... args) {
+    return onStandardInput(new byte[0], args);
+  }
+
+  /** Runs the command line in this JVM. */
+  static Outcome onStandardInput(byte[] input, String... args) {
+    // Standard input of a JVM of tests is the channel of the build and never ends.
+    System.setIn(new ByteArrayInputStream(input));
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     int exitCode = Lumbre.run(args, new PrintWriter(out, true), new PrintWriter(err, true));

@@ -225,12 +225,15 @@ public final class ModelFlags extends Flags {
         options().looking(shown.materials()));
   }
 
-  /** Returns {@link #stage} of a model from standard input, which names no files. */
-  public Stage stageOfStandardInput() {
+  /**
+   * Requires that no folder of files is given, as for a model from standard input.
+   *
+   * @throws ParameterException if one is
+   */
+  void requireNoAssets() {
     require(
         assets.isEmpty(),
         "--assets: cannot be used with a model from standard input, which names no files");
-    return stage();
   }
 
   private Set<String> shownLabels() {

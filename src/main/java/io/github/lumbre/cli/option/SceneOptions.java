@@ -209,23 +209,20 @@ public final class SceneOptions {
       Path named = isStandardInput() ? PictureOutput.STDIN : scene;
       sequence =
           Optional.of(
-              ModelSequence.of(parser, named, content, stage(), motion.orElseThrow()));
+              ModelSequence.of(parser, named, content, model.stage(), motion.orElseThrow()));
     }
     return sequence.get();
-  }
-
-  private Stage stage() {
-    return isStandardInput() ? model.stageOfStandardInput() : model.stage();
   }
 
   private SceneFile parsed(byte[] content, SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     return isModel()
-        ? parser.parse(PictureOutput.STDIN.toString(), content, stage())
+        ? parser.parse(PictureOutput.STDIN.toString(), content, model.stage())
         : parser.parse(content, PictureOutput.STDIN);
   }
 
   private byte[] standardInput() throws TaskException {
+    model.requireNoAssets();
     try {
       if (text.isEmpty()) {
         text = Optional.of(System.in.readAllBytes());
