@@ -1,7 +1,7 @@
 package io.github.lumbre.model.gltf;
 
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.BodySide;
 import io.github.lumbre.model.internal.ModelGeometry;
 import java.util.IdentityHashMap;
 import java.util.Map;
@@ -11,15 +11,6 @@ import java.util.Map;
  * turned around, so that the outside stays what is seen. Mutable: each mesh is turned once.
  */
 final class GltfFronts {
-  /**
-   * A mesh is closed as far as matters here if the sum of the vectors of its areas is at most this
-   * part of its area; for closed meshes, it is 0.
-   */
-  private static final double MOST_OPEN = .2;
-
-  /** The least volume of a body, divided by the area to the power of 1.5; .094 for spheres. */
-  private static final double LEAST_VOLUME = 1e-3;
-
   private final GltfDocument document;
   private final Map<ModelGeometry, ModelGeometry> kept = new IdentityHashMap<>();
 
@@ -44,7 +35,7 @@ final class GltfFronts {
   }
 
   private static boolean isTurned(ModelGeometry rest, ModelGeometry posed) {
-    return rest != posed && !posed.isPoints() && side(rest) * side(posed) < 0;
+    return rest != posed && !posed.isPoints() && BodySide.of(rest) * BodySide.of(posed) < 0;
   }
 
   private ModelGeometry turned(GltfJson primitive, ModelGeometry mesh)
@@ -61,39 +52,5 @@ final class GltfFronts {
         .warnings()
         .add(location, "the pose turns the mesh inside out; its front stays where it is at rest");
     return mesh.moved(mesh.positions(), mesh.normals(), mesh.tangents(), indices);
-  }
-
-  /** Returns 1 if the fronts of a closed body are outside, -1 if they are inside, 0 if unknown. */
-  private static int side(ModelGeometry mesh) {
-    Vec3 middle = middle(mesh.positions());
-    Vec3 open = Vec3.ZERO;
-    double area = 0;
-    double volume = 0;
-    int[] indices = mesh.indices();
-    for (int i = 0; i < indices.length; i += 3) {
-      Vec3 a = vertex(mesh, indices[i]).minus(middle);
-      Vec3 b = vertex(mesh, indices[i + 1]).minus(middle);
-      Vec3 c = vertex(mesh, indices[i + 2]).minus(middle);
-      Vec3 cross = b.minus(a).cross(c.minus(a));
-      open = open.plus(cross);
-      area += cross.length() / 2;
-      volume += a.dot(cross) / 6;
-    }
-    boolean isClosed = open.length() / 2 <= MOST_OPEN * area;
-    boolean isBody = Math.abs(volume) > LEAST_VOLUME * area * Math.sqrt(area);
-    return isClosed && isBody ? (int) Math.signum(volume) : 0;
-  }
-
-  private static Vec3 middle(double[] positions) {
-    Vec3 sum = Vec3.ZERO;
-    for (int i = 0; i < positions.length; i += 3) {
-      sum = sum.plus(new Vec3(positions[i], positions[i + 1], positions[i + 2]));
-    }
-    return positions.length == 0 ? sum : sum.times(3. / positions.length);
-  }
-
-  private static Vec3 vertex(ModelGeometry mesh, int index) {
-    double[] p = mesh.positions();
-    return new Vec3(p[3 * index], p[3 * index + 1], p[3 * index + 2]);
   }
 }

@@ -101,7 +101,12 @@ final class ModelMaterials {
     return (int) pictures.values().stream().filter(Optional::isPresent).count();
   }
 
-  /** Returns warnings of the pictures that cannot be decoded; materials are made without them. */
+  /** Adds a warning about a surface. */
+  void warn(String location, String message) {
+    warnings.add(location, message);
+  }
+
+  /** Returns the warnings; materials are made without the pictures that cannot be decoded. */
   List<String> warnings() {
     return warnings.all();
   }

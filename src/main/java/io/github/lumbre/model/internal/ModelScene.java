@@ -37,6 +37,10 @@ public final class ModelScene {
   /** Maps a right-handed space to a left-handed one: (x, y, -z). */
   public static final Transform TO_LEFT_HANDED = Transform.scale(new Vec3(1, 1, -1));
 
+  private static final String INSIDE_OUT =
+      "the mesh is one-sided and inside out: it is seen from inside only, where no light from"
+          + " outside comes";
+
   private static final double MIN_RADIUS = 1e-150;
   private static final double MAX_RADIUS = 1e150;
 
@@ -77,6 +81,9 @@ public final class ModelScene {
   private final Map<CloudKey, Shape> clouds;
   private final Map<TriangleMesh, SharedMesh> shared;
 
+  /** On which side the fronts of one-sided meshes are that are not closed; see {@link BodySide}. */
+  private final Map<ModelGeometry, Integer> sides;
+
   /** The surfaces of parts that do not move between poses, once they are made. */
   private final Map<ModelPart, ModelSurface> made;
 
@@ -115,6 +122,7 @@ public final class ModelScene {
     meshes = new ConcurrentHashMap<>();
     clouds = new ConcurrentHashMap<>();
     shared = Collections.synchronizedMap(new IdentityHashMap<>());
+    sides = Collections.synchronizedMap(new IdentityHashMap<>());
     made = new IdentityHashMap<>();
     uses = uses(model);
     this.sharesAll = sharesAll;
@@ -134,6 +142,7 @@ public final class ModelScene {
     meshes = other.meshes;
     clouds = other.clouds;
     shared = other.shared;
+    sides = other.sides;
     this.made = made;
     uses = other.uses;
     this.sharesAll = sharesAll;
@@ -211,7 +220,11 @@ public final class ModelScene {
     Transform partToWorld = toWorld.times(part.toWorld());
     ModelReach.requireInvertible(part, partToWorld);
     Shape shape = shape(mesh, partToWorld, sharesAll || uses.get(part.geometry()) > 1);
-    boolean isClosed = !part.material().doubleSided() && shape.isClosed();
+    boolean isOneSided = !part.material().doubleSided();
+    boolean isClosed = isOneSided && shape.isClosed();
+    if (isOneSided && !isClosed && side(part.geometry()) < 0) {
+      materials.warn(part.location(), INSIDE_OUT);
+    }
     return Optional.of(
         new ModelSurface(
             part,
@@ -225,6 +238,10 @@ public final class ModelScene {
                             ? List.of(new Emitter(shape, emission))
                             : EmissiveTriangles.of(mesh, shape, partToWorld, emission))
                 .orElse(List.of())));
+  }
+
+  private int side(ModelGeometry geometry) {
+    return sides.computeIfAbsent(geometry, BodySide::of);
   }
 
   /** Returns points as one surface of spheres. */
@@ -259,7 +276,7 @@ public final class ModelScene {
         kernel);
   }
 
-  /** Returns warnings of the pictures that {@link #surfaces} has left out. */
+  /** Returns warnings of what {@link #surfaces} has left out, and of surfaces that are dark. */
   public List<String> warnings() {
     return materials.warnings();
   }
