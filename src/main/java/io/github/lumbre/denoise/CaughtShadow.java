@@ -16,8 +16,6 @@ final class CaughtShadow {
   /** Any albedo of the gray ground, which a model hardly has together with its normal. */
   private static final float ALBEDO = .5f;
 
-  /** Distance in pixels of the ground whose light stands in for that of other pixels. */
-
   private final NoisyPicture picture;
   private final float[] albedo;
   private final float[] normal;

@@ -16,10 +16,10 @@ final class CellFraction {
   private static final float[] FRACTIONS = {0, .25f, .5f, .75f, .875f};
 
   /**
-   * The largest second moment, in that of the BSDF alone, with which a cell is guided. Guided
-   * directions cost time, and small gains are often due to chance.
+   * A cell is guided if that makes the second moment smaller than this part of the moment without a
+   * guide. Guided directions cost time, and small gains are often due to chance.
    */
-  private static final double LEAST_SAVING = .75;
+  private static final double MOST_MOMENT = .75;
 
   /** The largest weight of a record: the BSDF alone may almost never draw its direction. */
   private static final double MOST_WEIGHT = 1000;
@@ -37,7 +37,7 @@ final class CellFraction {
       }
     }
     int best = 0;
-    double least = LEAST_SAVING * moments[0];
+    double least = MOST_MOMENT * moments[0];
     for (int k = 1; k < moments.length; k++) {
       if (moments[k] < least) {
         best = k;

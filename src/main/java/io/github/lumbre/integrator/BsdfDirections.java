@@ -16,7 +16,7 @@ record BsdfDirections(int firstRoulette) implements DirectionStrategy {
 
   @Override
   public void sample(Vertex vertex, double uLobe, double u, double v, RenderContext context) {
-    vertex.sample(uLobe, u, v, context.scattered);
+    vertex.sample(uLobe, u, v, context.scratch.scattered);
   }
 
   @Override

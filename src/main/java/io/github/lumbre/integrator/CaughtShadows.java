@@ -44,7 +44,7 @@ final class CaughtShadows {
     Point2 shift = sampler.get2d(dimension);
     double choiceShift = sampler.get1d(dimension + 2);
     double pick = sampler.get1d(dimension + 3);
-    LightSample light = context.light;
+    LightSample light = context.scratch.light;
     double total = 0;
     int picked = -1;
     for (int i = 0; i < CANDIDATES; i++) {

@@ -12,8 +12,8 @@ import io.github.lumbre.sampling.Sampler;
 
 /**
  * The lights that surfaces see directly: next-event estimation (Kajiya 1986; PBRT 4e, sec. 13.4).
- * It leaves the sample in the context if something blocks it, and an empty one otherwise, so that
- * other techniques can look for another way to the same point. Immutable.
+ * It notes whether the light that it sampled did not arrive, so that other techniques can look for
+ * another way from the same point. Immutable.
  */
 final class DirectLights implements LightTechnique {
   private final LightSampling shared;
@@ -23,27 +23,26 @@ final class DirectLights implements LightTechnique {
   private final Facing[] facings;
 
   private final boolean isRandom;
-  private final boolean hasTransparency;
 
   DirectLights(LightSampling shared) {
     this.shared = shared;
     emitters = shared.emitters;
     facings = shared.scene.emitters().stream().map(Facing::of).toArray(Facing[]::new);
     isRandom = shared.isRandom();
-    hasTransparency = shared.scene.hasTransparency();
   }
 
   @Override
   public void add(int depth, Sampler sampler, RenderContext context) {
     Vertex vertex = context.vertex;
     LightChoice choice = context.choice;
-    LightSample light = context.light;
+    RenderContext.Scratch scratch = context.scratch;
+    LightSample light = scratch.light;
+    scratch.isLightMissed = false;
     int dimension = Sampler.vertex(depth);
     vertex.receiveFrom(choice);
     shared.select(isRandom ? sampler.get1d(dimension + Sampler.LIGHT_CHOICE) : 0, choice);
     // A listener also hears of light that does not arrive.
     if (facings[choice.emitter()].isAway(choice) && !context.isRecorded()) {
-      light.clear();
       return;
     }
     Point2 uLight = sampler.get2d(dimension + Sampler.LIGHT_POINT);
@@ -52,7 +51,7 @@ final class DirectLights implements LightTechnique {
     if (light.isEmpty()) {
       return;
     }
-    vertex.evaluate(light, context.value);
+    vertex.evaluate(light, scratch.value);
     boolean isBlack = LightSampling.isBlack(context);
     // A transparent surface dims the sample.
     boolean isBlocked = !isBlack && context.isOccluded(shared.scene, vertex.surface());
@@ -60,14 +59,12 @@ final class DirectLights implements LightTechnique {
     if (arrives || context.isRecorded()) {
       weigh(choice, light, isBlocked, context);
     }
-    if (arrives) {
-      light.clear();
-    }
+    scratch.isLightMissed = !arrives;
   }
 
   private void weigh(
       LightChoice choice, LightSample light, boolean isBlocked, RenderContext context) {
-    BsdfValue value = context.value;
+    BsdfValue value = context.scratch.value;
     double lightPdf = choice.probability();
     double misWeight = 1;
     if (!light.isDelta()) {

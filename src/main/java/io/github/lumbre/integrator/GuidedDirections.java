@@ -36,7 +36,7 @@ record GuidedDirections(Guide guide, BsdfDirections alone) implements DirectionS
       follow(vertex, u / fraction, v, fraction, context);
       return;
     }
-    BsdfSample drawn = context.scattered;
+    BsdfSample drawn = context.scratch.scattered;
     vertex.sample(uLobe, fraction == 0 ? u : (u - fraction) / (1 - fraction), v, drawn);
     if (fraction == 0 || drawn.isAbsorbed()) {
       return;
@@ -50,8 +50,8 @@ record GuidedDirections(Guide guide, BsdfDirections alone) implements DirectionS
 
   /** Samples a direction from the guide. */
   private void follow(Vertex vertex, double u, double v, double fraction, RenderContext context) {
-    GuideSample guided = context.guided;
-    BsdfValue value = context.value;
+    GuideSample guided = context.scratch.guided;
+    BsdfValue value = context.scratch.value;
     guide.sample(vertex.cell(), u, v, guided);
     Vec3 wi = new Vec3(guided.x(), guided.y(), guided.z());
     vertex.evaluate(wi, value);
@@ -60,9 +60,9 @@ record GuidedDirections(Guide guide, BsdfDirections alone) implements DirectionS
     if (value.r() > 0 || value.g() > 0 || value.b() > 0) {
       double pdf = fraction * guided.pdf() + (1 - fraction) * value.pdf();
       Rgb weight = new Rgb(value.r() / pdf, value.g() / pdf, value.b() / pdf);
-      context.scattered.setMixed(wi, weight, pdf, value.pdf());
+      context.scratch.scattered.setMixed(wi, weight, pdf, value.pdf());
     } else {
-      context.scattered.absorb();
+      context.scratch.scattered.absorb();
     }
   }
 

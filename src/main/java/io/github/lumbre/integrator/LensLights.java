@@ -232,7 +232,7 @@ final class LensLights implements LightTechnique {
     if (!crossing.isUsed) {
       return;
     }
-    LightSample light = context.light;
+    LightSample light = context.scratch.light;
     cross(context.hit, crossing);
     double u = sampler.get1d(Sampler.THROUGH_LENS);
     double lensPdf = sample(u, sampler.get2d(Sampler.THROUGH_LENS + 1), crossing, light);
@@ -243,7 +243,7 @@ final class LensLights implements LightTechnique {
     double lightPdf = crossing.probability * light.pdf();
     double misWeight = heuristic.lightWeight(lightPdf, lensPdf);
     // The density of lens points takes the place of the BSDF.
-    BsdfValue value = context.value;
+    BsdfValue value = context.scratch.value;
     value.set(Rgb.grey(lensPdf), lensPdf);
     context.listener.lightSampled(
         Source.LENS, crossing.emitter, light, value, lightPdf, misWeight, isBlocked);

@@ -79,8 +79,8 @@ final class LightSampling {
 
   /** Returns whether the vertex scatters nothing of the context's light sample. */
   static boolean isBlack(RenderContext context) {
-    LightSample light = context.light;
-    BsdfValue value = context.value;
+    LightSample light = context.scratch.light;
+    BsdfValue value = context.scratch.value;
     return value.r() * light.r() == 0 && value.g() * light.g() == 0 && value.b() * light.b() == 0;
   }
 
@@ -99,8 +99,8 @@ final class LightSampling {
       double misWeight,
       boolean isBlocked,
       RenderContext context) {
-    LightSample light = context.light;
-    BsdfValue value = context.value;
+    LightSample light = context.scratch.light;
+    BsdfValue value = context.scratch.value;
     context.listener.lightSampled(source, emitter, light, value, lightPdf, misWeight, isBlocked);
     double r = value.r() * light.r();
     double g = value.g() * light.g();

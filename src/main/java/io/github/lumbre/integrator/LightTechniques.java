@@ -42,7 +42,7 @@ final class LightTechniques {
   /** Notes the direction in which the path leaves a vertex, before its throughput changes. */
   void leave(Vertex vertex, RenderContext context) {
     if (needsLinks) {
-      context.link.leave(vertex, context.path.throughput(), context.hit, context.scattered);
+      context.link.leave(vertex, context.path.throughput(), context.hit, context.scratch.scattered);
     }
   }
 }

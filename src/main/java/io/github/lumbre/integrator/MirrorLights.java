@@ -116,13 +116,13 @@ final class MirrorLights implements LightTechnique {
   @Override
   public void add(int depth, Sampler sampler, RenderContext context) {
     Vertex vertex = context.vertex;
-    Reflection reflection = context.reflection;
-    LightSample light = context.light;
+    Reflection reflection = context.scratch.reflection;
+    LightSample light = context.scratch.light;
     if (depth + 2 > shared.options.maxDepth()
         || !sample(sampler, Sampler.mirror(depth), vertex, reflection, light)) {
       return;
     }
-    BsdfValue value = context.value;
+    BsdfValue value = context.scratch.value;
     vertex.evaluate(light, value);
     boolean isBlocked =
         !LightSampling.isBlack(context)
@@ -215,7 +215,7 @@ final class MirrorLights implements LightTechnique {
   @Override
   public double pdf(int emitter, SurfaceHit hit, RenderContext context) {
     SpecularLink link = context.link;
-    Reflection reflection = context.reflection;
+    Reflection reflection = context.scratch.reflection;
     int met = mirrorOfPrimitive[link.primitive()];
     SphereMirror mirror = mirrors[met];
     double most = Math.max(1, weigh(link.vertex(), link.facing(), reflection.weights));

@@ -127,7 +127,7 @@ public final class PathTracer implements Integrator {
     Path path = context.path;
 
     // Trace the ray. If it leaves the scene, add the environment.
-    context.rays++;
+    context.counters.rays++;
     boolean isHit = scene.intersect(hit);
     if (isHit && hasPassing) {
       isHit = passTransparency(depth, sampler, context);
@@ -187,9 +187,9 @@ public final class PathTracer implements Integrator {
 
   /** Moves the hit beyond transparent surfaces; returns whether a surface stops the ray. */
   private boolean passTransparency(int depth, Sampler sampler, RenderContext context) {
-    Passing passing = context.passing;
+    Passing passing = context.scratch.passing;
     boolean stops = passing.stops(scene, depth, sampler, context);
-    context.rays += passing.rays();
+    context.counters.rays += passing.rays();
     context.path.scale(passing.red(), passing.green(), passing.blue());
     return stops;
   }
@@ -210,7 +210,7 @@ public final class PathTracer implements Integrator {
       Vertex vertex, int depth, double u, double v, Sampler sampler, RenderContext context) {
     Path path = context.path;
     int dimension = Sampler.vertex(depth);
-    BsdfSample sample = context.scattered;
+    BsdfSample sample = context.scratch.scattered;
     double uLobe = vertex.bsdf().choosesLobe() ? sampler.get1d(dimension + Sampler.LOBE) : 0;
     directions.sample(vertex, uLobe, u, v, context);
     if (sample.isAbsorbed()) {

@@ -89,7 +89,7 @@ public final class RayTracer implements Integrator {
 
   @Override
   public Rgb radiance(Ray cameraRay, Sampler sampler, RenderContext context) {
-    Deque<Branch> pending = context.branches;
+    Deque<Branch> pending = context.scratch.branches;
     pending.clear();
     pending.push(new Branch(cameraRay, Rgb.WHITE, 0, 0));
     context.listener.pathStarted();
@@ -116,13 +116,13 @@ public final class RayTracer implements Integrator {
    */
   private Rgb trace(Branch branch, int number, Sampler sampler, RenderContext context) {
     NearestHit hit = context.hit;
-    context.rays++;
+    context.counters.rays++;
     boolean isHit = scene.intersect(branch.ray(), hit);
     Branch seen = branch;
     if (isHit && hasPassing) {
-      isHit = context.passing.stops(scene, number, sampler, context);
-      context.rays += context.passing.rays();
-      seen = branch.scaled(context.passing.factor());
+      isHit = context.scratch.passing.stops(scene, number, sampler, context);
+      context.counters.rays += context.scratch.passing.rays();
+      seen = branch.scaled(context.scratch.passing.factor());
     }
     return seen.throughput().times(shadeHit(seen, number, isHit, sampler, context));
   }
@@ -163,7 +163,7 @@ public final class RayTracer implements Integrator {
    */
   private Rgb shade(
       Branch branch, int number, Rgb emitted, Sampler sampler, RenderContext context) {
-    Deque<Branch> pending = context.branches;
+    Deque<Branch> pending = context.scratch.branches;
     Vertex vertex = context.vertex;
     boolean isSpecular = vertex.bsdf().isSpecular();
     Rgb light =
@@ -253,7 +253,7 @@ public final class RayTracer implements Integrator {
     double b = emitted.b() + ambient.b();
     for (int i = 0; i < lights.size(); i++) {
       int dimension = Sampler.vertex(number * lights.size() + i) + Sampler.LIGHT_POINT;
-      LightSample light = context.light;
+      LightSample light = context.scratch.light;
       Vec3 position = vertex.surface().origin();
       Point2 u = sampler.get2d(dimension);
       lights.get(i).sample(position.x(), position.y(), position.z(), u.x(), u.y(), light);
@@ -275,7 +275,7 @@ public final class RayTracer implements Integrator {
    * @param number of the light in the scene's list of lights
    */
   private Rgb arriving(int number, LightSample light, Vertex vertex, RenderContext context) {
-    BsdfValue value = context.value;
+    BsdfValue value = context.scratch.value;
     vertex.evaluate(light, value);
     double r = value.r() * light.r();
     double g = value.g() * light.g();
@@ -298,7 +298,7 @@ public final class RayTracer implements Integrator {
   }
 
   private void reflect(Branch branch, RenderContext context, Deque<Branch> pending) {
-    BsdfSample mirrored = context.scattered;
+    BsdfSample mirrored = context.scratch.scattered;
     context.vertex.sample(0, .5, .5, mirrored);
     if (branch.reflections() < maxReflections && !mirrored.isAbsorbed()) {
       pending.push(
@@ -317,7 +317,7 @@ public final class RayTracer implements Integrator {
   private void scatterInGlass(
       Branch branch, Sampler sampler, int dimension, RenderContext context, Deque<Branch> pending) {
     if (branch.refractions() < maxRefractions) {
-      BsdfSample either = context.scattered;
+      BsdfSample either = context.scratch.scattered;
       double uLobe = sampler.get1d(dimension + Sampler.LOBE);
       Point2 u = sampler.get2d(dimension + Sampler.DIRECTION);
       context.vertex.sample(uLobe, u.x(), u.y(), either);
@@ -332,7 +332,7 @@ public final class RayTracer implements Integrator {
       return;
     }
     if (branch.refractions() >= MAX_SPLITS) {
-      BsdfSample either = context.scattered;
+      BsdfSample either = context.scratch.scattered;
       vertex.sample(lobe, .5, .5, either);
       pushGlass(branch, vertex, either.wi(), either.weight(), pending);
       return;

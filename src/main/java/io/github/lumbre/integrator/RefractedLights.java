@@ -93,8 +93,10 @@ final class RefractedLights implements LightTechnique {
    */
   @Override
   public void add(int depth, Sampler sampler, RenderContext context) {
-    LightSample light = context.light;
-    if (depth + 2 > maxDepth || light.isEmpty() || light.target() != LightSample.Target.SURFACE) {
+    LightSample light = context.scratch.light;
+    if (depth + 2 > maxDepth
+        || !context.scratch.isLightMissed
+        || light.target() != LightSample.Target.SURFACE) {
       return;
     }
     Vertex vertex = context.vertex;
@@ -107,10 +109,10 @@ final class RefractedLights implements LightTechnique {
 
   /** Searches for the path to the lamp, and adds its light if there is one. */
   private void search(Vertex vertex, int depth, double probability, RenderContext context) {
-    LightSample light = context.light;
+    LightSample light = context.scratch.light;
     SurfaceSample onLight = light.surface();
     Vec3 to = onLight.position();
-    GlassPath found = context.glassPath;
+    GlassPath found = context.scratch.glassPath;
     Vec3 origin = vertex.surface().spawn(light.wi()).origin();
     boolean isFound = find(origin, vertex.facing(), to, found);
     context.countSearch();
@@ -123,7 +125,7 @@ final class RefractedLights implements LightTechnique {
       return;
     }
     light.redirect(found.first(), found.passed(), refractedPdf);
-    BsdfValue value = context.value;
+    BsdfValue value = context.scratch.value;
     vertex.evaluate(light, value);
     boolean isBlocked =
         !LightSampling.isBlack(context) && context.isOccluded(shared.scene, found.lastSurface());
@@ -151,7 +153,7 @@ final class RefractedLights implements LightTechnique {
     double pdf =
         shared.probability(context.choice, emitter)
             * shared.emitters[emitter].pdf(context.choice.point(), hit);
-    GlassPath found = context.glassPath;
+    GlassPath found = context.scratch.glassPath;
     Vec3 to = hit.position();
     boolean isSame =
         pdf > 0

@@ -18,8 +18,8 @@ import java.util.Deque;
 import java.util.Objects;
 
 /**
- * The per-thread workspace of a render: objects and counters that an {@link Integrator} reuses from
- * sample to sample. Mutable and confined to one thread.
+ * The per-thread workspace of a render, which an {@link Integrator} reuses from sample to sample:
+ * the current path, scratch objects, and counters. Mutable and confined to one thread.
  */
 public final class RenderContext {
   /** Receives the events of the current path. */
@@ -31,22 +31,13 @@ public final class RenderContext {
   NearestHit hit = new NearestHit();
   Vertex vertex = new Vertex();
   final Path path = new Path();
-  final BsdfSample scattered = new BsdfSample();
-  final BsdfValue value = new BsdfValue();
   final LightChoice choice = new LightChoice();
-  final LightSample light = new LightSample();
-  final Passing passing = new Passing();
-  final GuideSample guided = new GuideSample();
   final LensLights.Crossing crossing = new LensLights.Crossing();
   final SpecularLink link = new SpecularLink();
-  final GlassPath glassPath = new GlassPath();
-  final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
-  final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   private final NearestHit shadow = new NearestHit();
   private NearestHit otherHit = new NearestHit();
   private Vertex otherVertex = new Vertex();
 
-  long rays;
   boolean hitSomething;
 
   /** Whether the current sample's camera ray has passed straight through clear glass. */
@@ -58,7 +49,32 @@ public final class RenderContext {
    */
   boolean isRejected;
 
-  private long shadowRays;
+  final Scratch scratch = new Scratch();
+  final Counters counters = new Counters();
+
+  /** What is computed at one vertex, and overwritten at the next. */
+  static final class Scratch {
+    final BsdfSample scattered = new BsdfSample();
+    final BsdfValue value = new BsdfValue();
+    final LightSample light = new LightSample();
+
+    /** Whether the straight way to the light sample is blocked, or the vertex scatters nothing. */
+    boolean isLightMissed;
+
+    final Passing passing = new Passing();
+    final GuideSample guided = new GuideSample();
+    final GlassPath glassPath = new GlassPath();
+    final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
+    final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
+  }
+
+  /** The numbers of rays of all samples. */
+  static final class Counters {
+    /** Rays traced to their nearest hit. */
+    long rays;
+
+    private long shadowRays;
+  }
 
   /** Creates a context that does not record paths. */
   public RenderContext() {
@@ -141,7 +157,7 @@ public final class RenderContext {
    */
   void lift(Scene scene) {
     if (vertex.isLiftable()) {
-      shadowRays++;
+      counters.shadowRays++;
       vertex.surface().aimAlongLift(shadow);
       vertex.lift(scene.intersect(shadow) ? .5 * shadow.t() : 1);
     }
@@ -152,7 +168,8 @@ public final class RenderContext {
    * let a part of it pass straight through dim the light.
    */
   boolean isOccluded(Scene scene, SurfaceHit surface) {
-    shadowRays++;
+    counters.shadowRays++;
+    LightSample light = scratch.light;
     light.aimShadowRay(surface, shadow);
     return scene.hasTransparency()
         ? isBlocked(scene)
@@ -161,24 +178,25 @@ public final class RenderContext {
 
   /** Returns whether anything blocks the light that was sampled last from a point in space. */
   boolean isOccluded(Scene scene, Vec3 point) {
-    shadowRays++;
-    light.aimFrom(point, shadow);
+    counters.shadowRays++;
+    scratch.light.aimFrom(point, shadow);
     return scene.isOccluded(shadow);
   }
 
   /** Returns whether anything blocks a point of one surface from another surface. */
   boolean isOccluded(Scene scene, SurfaceHit surface, SurfaceSample point) {
-    shadowRays++;
+    counters.shadowRays++;
     surface.spawnTowards(point, shadow);
     return scene.isOccluded(shadow);
   }
 
   /** Counts the rays of a search through glass as shadow rays. */
   void countSearch() {
-    shadowRays += glassPath.takeRays();
+    counters.shadowRays += scratch.glassPath.takeRays();
   }
 
   private boolean isBlocked(Scene scene) {
+    LightSample light = scratch.light;
     double mediumStart = 0;
     for (int layer = 0; scene.intersect(shadow); layer++) {
       Material material = scene.primitiveAt(shadow).material();
@@ -209,12 +227,12 @@ public final class RenderContext {
 
   /** Returns the number of rays traced to their nearest hit, shadow rays excluded. */
   public long rays() {
-    return rays;
+    return counters.rays;
   }
 
   /** Returns the number of shadow rays traced. */
   public long shadowRays() {
-    return shadowRays;
+    return counters.shadowRays;
   }
 
   /**

@@ -134,7 +134,7 @@ final class PartNames {
 
   /** Returns whether the lines of two names cross; the first name has the upper row. */
   private static boolean cross(Entry a, Entry b, double x) {
-    // Where the shorter line ends, the order of both is another one.
+    // They do if the first one is lower where the shorter line ends.
     double end = Math.abs(a.x - x) < Math.abs(b.x - x) ? a.x : b.x;
     return at(a, x, end) > at(b, x, end);
   }

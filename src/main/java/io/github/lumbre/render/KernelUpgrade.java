@@ -15,7 +15,7 @@ import java.util.function.DoubleSupplier;
  * it again when they have taken four times as long as it took.
  */
 final class KernelUpgrade {
-  /** With less experience, in processor seconds, the time left is unknown: the JIT compiles. */
+  /** Processor seconds before which the time left cannot be told, as the JIT still compiles. */
   private static final double LEAST_SPENT = 3;
 
   /** It pays from this many processor seconds on, either still to come or already spent. */

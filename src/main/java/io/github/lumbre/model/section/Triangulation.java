@@ -283,7 +283,7 @@ final class Triangulation {
     return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1;
   }
 
-  /** Puts what is on the other side of a half-edge, and its delta, at another half-edge. */
+  /** Lets a half-edge take over the twin of another one, and its delta. */
   private void move(int source, int target) {
     attach(target, twin[source], delta[source]);
   }

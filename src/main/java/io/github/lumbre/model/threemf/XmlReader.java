@@ -32,7 +32,7 @@ final class XmlReader {
 
   private int attributes;
 
-  /** The names of the elements that are open, without one that its own tag closes. */
+  /** The names of the open elements, from the outside in; empty elements are not among them. */
   private final List<String> open = new ArrayList<>();
 
   private final XmlNamespaces namespaces = new XmlNamespaces();
