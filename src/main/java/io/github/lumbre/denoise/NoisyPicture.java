@@ -132,6 +132,8 @@ public record NoisyPicture(
         light[CHANNELS * i + c] *= alpha[i];
       }
     }
+    Optional<Halves> smooth =
+        alpha.length == 0 ? Optional.empty() : guide(film, Layer.DENOISING_ALPHA);
     return new NoisyPicture(
         width,
         height,
@@ -140,8 +142,8 @@ public record NoisyPicture(
         new Halves(light, known(film.developNoise())),
         guide(film, Layer.DENOISING_ALBEDO),
         guide(film, Layer.DENOISING_NORMAL),
-        alpha,
-        known(alphaNoise(film, alpha)),
+        smooth.map(Halves::mean).orElse(alpha),
+        smooth.map(Halves::noise).orElseGet(() -> known(alphaNoise(film, alpha))),
         0,
         film.background());
   }
@@ -176,7 +178,7 @@ public record NoisyPicture(
   /**
    * Returns the picture of an OpenEXR file with the layers {@code variance}, {@code
    * denoisingAlbedo} and {@code denoisingNormal}; {@code albedo} and {@code normal} stand in for
-   * the latter.
+   * the latter. {@code denoisingAlpha} stands in for alpha.
    *
    * <p>A file has the variance but not the sign of the noise. Both signs are equally likely, so
    * that a random choice, which does not depend on the picture, names one of the halves the first.
@@ -198,7 +200,7 @@ public record NoisyPicture(
             .orElse(new float[0]);
     float[] alpha = new float[0];
     if (picture.channels().contains("A")) {
-      alpha = values(picture, List.of("A"));
+      alpha = values(file.layer("denoisingAlpha").orElse(picture), List.of("A"));
       for (int i = 0; i < pixels; i++) {
         alpha[i] = alpha[i] >= 0 ? Math.min(1, alpha[i]) : 0;
       }

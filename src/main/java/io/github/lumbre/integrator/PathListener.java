@@ -38,6 +38,18 @@ interface PathListener {
   /** The ray from the camera passes a lit point of a surface that shows only its shadows. */
   default void litGroundPassed(SurfaceHit surface) {}
 
+  /** Returns whether {@link #shadowMeasured} is wanted. */
+  default boolean measuresShadows() {
+    return false;
+  }
+
+  /**
+   * The camera ray meets a ground that shows its shadow alone, before it passes or not.
+   *
+   * @param blocked the part of the direct light that is blocked there, in [0,1]
+   */
+  default void shadowMeasured(double blocked) {}
+
   /**
    * The ray hit a surface that is not shaded, because it emits or because the path has reached its
    * greatest depth.

@@ -42,10 +42,16 @@ public final class SampleLayers implements PathListener {
   /** The arrays of single layers. */
   private final double[] albedo, normal, geometricNormal, position, depth, uv;
 
-  private final double[] direct, lights, guideAlbedo, guideNormal;
+  private final double[] direct, lights, guideAlbedo, guideNormal, guideAlpha;
 
   /** The normal of the ground that the camera ray passed; 0 if it passed none. */
   private final double[] ground = new double[3];
+
+  /** The part of the light that reaches all grounds that the camera ray met. */
+  private double groundLight;
+
+  /** Whether the camera ray met a ground and ended there, as in a shadow. */
+  private boolean endsInShadow;
 
   /** Whether single layers of the first surface are collected, besides its color. */
   private final boolean hasFirst;
@@ -106,6 +112,7 @@ public final class SampleLayers implements PathListener {
     lights = of(Layer.LIGHTS);
     guideAlbedo = of(Layer.DENOISING_ALBEDO);
     guideNormal = of(Layer.DENOISING_NORMAL);
+    guideAlpha = of(Layer.DENOISING_ALPHA);
     hasFirst = Stream.of(normal, geometricNormal, position, depth, uv).anyMatch(a -> a.length != 0);
     hasLight = direct.length != 0 || lights.length != 0;
   }
@@ -154,6 +161,20 @@ public final class SampleLayers implements PathListener {
     isGuided = guideAlbedo.length == 0 && guideNormal.length == 0;
     isGuidedByMirror = false;
     set(ground, 0, 0, 0);
+    groundLight = 1;
+    endsInShadow = false;
+  }
+
+  /**
+   * Ends the sample.
+   *
+   * @param hitSomething whether it covers its pixel
+   */
+  public void end(boolean hitSomething) {
+    if (guideAlpha.length != 0) {
+      // What is behind a shadow is not known: a ground has nothing below.
+      guideAlpha[0] = hitSomething && !endsInShadow ? 1 : 1 - groundLight;
+    }
   }
 
   /** Multiplies the light of the layers by a factor, as that of a sample that is limited. */
@@ -180,7 +201,19 @@ public final class SampleLayers implements PathListener {
   }
 
   @Override
+  public boolean measuresShadows() {
+    return guideAlpha.length != 0;
+  }
+
+  @Override
+  public void shadowMeasured(double blocked) {
+    groundLight *= 1 - blocked;
+    endsInShadow = true;
+  }
+
+  @Override
   public void litGroundPassed(SurfaceHit surface) {
+    endsInShadow = false;
     setNormal(ground, surface, surface.shadingNormal());
   }
 

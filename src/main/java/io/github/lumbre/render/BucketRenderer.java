@@ -188,6 +188,7 @@ final class BucketRenderer implements Runnable {
     if (kept != radiance) {
       collected.scaleLight(kept.isBlack() ? 0 : kept.max() / radiance.max());
     }
+    collected.end(context.hitSomething());
     film.add(pixel, kept, context.hitSomething() || !countsCoverage, collected);
   }
 

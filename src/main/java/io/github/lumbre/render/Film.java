@@ -489,7 +489,8 @@ public final class Film {
    * light.
    *
    * @throws IllegalArgumentException if the film does not have the layer, or if it is none of
-   *     {@link Layer#DENOISING_ALBEDO} and {@link Layer#DENOISING_NORMAL}
+   *     {@link Layer#DENOISING_ALBEDO}, {@link Layer#DENOISING_NORMAL} and {@link
+   *     Layer#DENOISING_ALPHA}
    */
   public float[] developNoise(Layer layer) {
     return new LayerDevelopment(this).noise(layer);

@@ -6,6 +6,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.internal.SceneInside;
 import java.util.Collections;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.Set;
 
 /**
@@ -30,8 +31,12 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
   /** Returns the layers that a render with the given settings records. */
   public static FilmLayers of(RenderSettings settings, Scene scene) {
     boolean hasLights = settings.layers().contains(Layer.LIGHTS);
+    Set<Layer> kinds = new HashSet<>(settings.layers());
+    if (scene.primitives().stream().noneMatch(p -> p.material().catchesShadows())) {
+      kinds.remove(Layer.DENOISING_ALPHA);
+    }
     return new FilmLayers(
-        settings.layers(), hasLights ? SceneInside.of(scene).lightGroups().names().size() : 0);
+        kinds, hasLights ? SceneInside.of(scene).lightGroups().names().size() : 0);
   }
 
   /** Returns whether there are no layers. */

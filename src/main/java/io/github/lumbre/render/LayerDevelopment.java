@@ -126,18 +126,19 @@ final class LayerDevelopment {
     return Math.sqrt(firstCount * secondCount) / (firstCount + secondCount);
   }
 
-  /** Returns the noise of a layer for denoisers, three values for each pixel. */
+  /** Returns the noise of a layer for denoisers, one value for each of its channels. */
   float[] noise(Layer layer) {
     require(layer);
     if (LayerGrid.of(layer) != LayerGrid.GUIDE) {
       throw new IllegalArgumentException(layer + ": expected a layer for denoisers");
     }
-    float[] values = new float[Math.multiplyExact(3, pixels)];
+    int channels = layer.channels().size();
+    float[] values = new float[Math.multiplyExact(channels, pixels)];
     for (int pixel = 0; pixel < pixels; pixel++) {
       int samples = film.samples(pixel);
       boolean isKnown = film.hasHalves(samples) && sums.hasFirstMean(layer, pixel);
-      for (int channel = 0; channel < 3; channel++) {
-        values[3 * pixel + channel] =
+      for (int channel = 0; channel < channels; channel++) {
+        values[channels * pixel + channel] =
             isKnown ? (float) noise(layer, channel, pixel, samples) : Float.NaN;
       }
     }

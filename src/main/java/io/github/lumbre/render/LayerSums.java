@@ -164,8 +164,9 @@ final class LayerSums {
     for (int guide = 0; guide < guides.size(); guide++) {
       int first = pixel * narrowCount + offsets[guides.get(guide).ordinal()];
       long packed = 1;
+      int channels = layers.channels(guides.get(guide));
       for (int i = 0; i < 3; i++) {
-        double mean = narrowSums[first + i] * UNIT / count;
+        double mean = i < channels ? narrowSums[first + i] * UNIT / count : 0;
         packed = packed << MEAN_BITS | Math.round((mean + 1) / 2 * MEAN_MASK);
       }
       means[pixel * guides.size() + guide] = packed;

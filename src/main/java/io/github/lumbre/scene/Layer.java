@@ -72,7 +72,14 @@ public enum Layer {
   DENOISING_ALBEDO("denoisingAlbedo", "R G B"),
 
   /** The {@link #NORMAL} for denoisers: seen through mirrors and clear glass. */
-  DENOISING_NORMAL("denoisingNormal", "X Y Z");
+  DENOISING_NORMAL("denoisingNormal", "X Y Z"),
+
+  /**
+   * Alpha for denoisers, where the ground shows its shadow alone: several shadow rays for each
+   * sample tell how dark it is, while {@code alpha} counts the samples in shadow. Recorded only in
+   * scenes with such a ground.
+   */
+  DENOISING_ALPHA("denoisingAlpha", "A");
 
   /** The text for all layers. */
   public static final String ALL = "all";
@@ -82,7 +89,7 @@ public enum Layer {
 
   /** The layers that denoisers use. */
   public static final Set<Layer> FOR_DENOISING =
-      setOf(VARIANCE, DENOISING_ALBEDO, DENOISING_NORMAL);
+      setOf(VARIANCE, DENOISING_ALBEDO, DENOISING_NORMAL, DENOISING_ALPHA);
 
   private final String text;
   private final List<String> channels;

@@ -236,7 +236,9 @@ public final class Thumbnails implements AutoCloseable {
         .size(side, side)
         .samples(SAMPLES)
         .threads(1)
-        .set(Setting.LAYERS, Layer.setOf(Layer.DENOISING_ALBEDO, Layer.DENOISING_NORMAL))
+        .set(
+            Setting.LAYERS,
+            Layer.setOf(Layer.DENOISING_ALBEDO, Layer.DENOISING_NORMAL, Layer.DENOISING_ALPHA))
         .build();
   }
 

@@ -20,11 +20,13 @@ import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,6 +39,9 @@ class CaughtShadowsTest {
   private static final int PIXELS = 256;
   private static final int SAMPLES = 64;
 
+  /** The first pixels, in which the shadow is measured, too. */
+  private static final int MEASURED = 64;
+
   private static final ShadowCatcher CATCHER = new ShadowCatcher(Texture.constant(Rgb.grey(.5)));
 
   private static SceneBuilder caught() {
@@ -47,20 +52,42 @@ class CaughtShadowsTest {
     return scene.add(EnvironmentLight.uniform(Rgb.WHITE)).build();
   }
 
-  /** Returns the fraction of camera rays that end at a surface. */
+  /**
+   * Returns the fraction of camera rays that end at a surface. It is the same if the shadow is
+   * measured for denoisers; the mean of what is measured is the same, and it has less noise.
+   */
   private static double opacity(Integrator integrator, Ray ray) {
+    SampleLayers layers = new SampleLayers(Set.of(Layer.DENOISING_ALPHA), empty().build());
+    RenderContext measuring = RenderContext.collecting(layers);
     SobolSampler sampler = new SobolSampler(5);
     RenderContext context = new RenderContext();
     int opaque = 0;
+    double sum = 0;
+    double squares = 0;
     for (int pixel = 0; pixel < PIXELS; pixel++) {
       for (int sample = 0; sample < SAMPLES; sample++) {
         sampler.startSample(pixel, 3, sample);
         context.startSample();
         integrator.radiance(ray, sampler, context);
         opaque += context.hitSomething() ? 1 : 0;
+        if (pixel < MEASURED) {
+          measuring.startSample();
+          layers.clear();
+          integrator.radiance(ray, sampler, measuring);
+          assertThat(measuring.hitSomething()).isEqualTo(context.hitSomething());
+          layers.end(measuring.hitSomething());
+          double alpha = layers.of(Layer.DENOISING_ALPHA)[0];
+          sum += alpha;
+          squares += alpha * alpha;
+        }
       }
     }
-    return (double) opaque / (PIXELS * SAMPLES);
+    double opacity = (double) opaque / (PIXELS * SAMPLES);
+    double mean = sum / (MEASURED * SAMPLES);
+    assertThat(mean).isCloseTo(opacity, within(.015));
+    double variance = squares / (MEASURED * SAMPLES) - mean * mean;
+    assertThat(variance).isLessThanOrEqualTo(.2 * opacity * (1 - opacity));
+    return opacity;
   }
 
   /**
