@@ -185,7 +185,7 @@ public record Stage(
 
     /**
      * Returns the standard views by their names: front, back, left, right, top, bottom, iso, in
-     * this order. Their pictures are the same in all releases; see docs/models.md.
+     * this order. Their pictures are the same in all releases; see docs/model-pictures.md.
      */
     public static Map<String, View> standard() {
       return Collections.unmodifiableMap(STANDARD);

@@ -22,7 +22,8 @@ final class Site {
   static {
     GROUPS.put("Start", List.of("install", "gallery", "cli", "java"));
     GROUPS.put(
-        "Scenes", List.of("models", "scene-format", "materials", "layers"));
+        "Scenes",
+        List.of("models", "model-pictures", "animations", "scene-format", "materials", "layers"));
     GROUPS.put("Rendering", List.of("long-renders", "cluster", "trade", "performance"));
     GROUPS.put("Trust", List.of("numerics", "stability", "reliability", "SECURITY", "testing"));
     GROUPS.put("More", List.of());
