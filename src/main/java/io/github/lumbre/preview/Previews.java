@@ -5,15 +5,12 @@ import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassResult;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Budget;
 import io.github.lumbre.stopping.BudgetWatch;
 import io.github.lumbre.stopping.NoiseEstimate;
-import java.util.EnumSet;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * Hands previews of a film to a listener while it is rendered: after passes, and within long ones,
@@ -69,10 +66,7 @@ public final class Previews implements PassListener {
   private void show(Film film, boolean isEndOfPass, boolean isLast) {
     long start = System.nanoTime();
     boolean isForEstimate = !previews.isDue();
-    Set<Layer> layers = EnumSet.noneOf(Layer.class);
-    layers.addAll(listener.layers());
-    layers.retainAll(recorded.kinds());
-    FilmPicture picture = FilmPicture.of(film, recorded, layers);
+    FilmPicture picture = FilmPicture.of(film, recorded, listener.layers());
     long developed = System.nanoTime();
     Optional<NoiseEstimate> noise =
         isEndOfPass && listener.wantsNoise() && (isLast || estimates.isDue())

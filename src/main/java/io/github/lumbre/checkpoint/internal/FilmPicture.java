@@ -9,6 +9,7 @@ import io.github.lumbre.render.Film;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.internal.SurfaceNames;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -50,14 +51,16 @@ public record FilmPicture(Image image, List<ImageLayer> layers, Map<String, Stri
    * Returns a film's picture with some of its layers.
    *
    * @param recorded the layers of the film
-   * @param wanted the layers to develop, a part of those
-   * @throws IllegalArgumentException if the film does not have one of them
+   * @param wanted the layers to develop; those that the film does not have are left out
    */
   public static FilmPicture of(Film film, RecordedLayers recorded, Set<Layer> wanted) {
     List<ImageLayer> layers = new ArrayList<>();
     Map<String, String> metadata = new LinkedHashMap<>();
     SurfaceNames names = new SurfaceNames(recorded.objects(), recorded.materials());
-    for (Layer layer : Layer.setOf(wanted.toArray(Layer[]::new))) {
+    Set<Layer> found = EnumSet.noneOf(Layer.class);
+    found.addAll(wanted);
+    found.retainAll(recorded.kinds());
+    for (Layer layer : found) {
       switch (layer) {
         case OBJECT -> add(matte("CryptoObject", film, names::object), layers, metadata);
         case MATERIAL -> add(matte("CryptoMaterial", film, names::material), layers, metadata);

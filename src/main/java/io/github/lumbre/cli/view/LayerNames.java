@@ -5,11 +5,13 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.Cryptomatte;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.internal.SceneInside;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 
@@ -27,9 +29,14 @@ final class LayerNames {
     };
   }
 
+  /** Returns the layers that a render records. */
+  static Set<Layer> kinds(SceneFile file) {
+    return FilmLayers.of(file.settings(), file.scene()).kinds();
+  }
+
   /** Returns the names of the layers that a render records, with one for each light group. */
   static List<String> recorded(SceneFile file) {
-    return file.settings().layers().stream()
+    return kinds(file).stream()
         .flatMap(
             layer ->
                 layer == Layer.LIGHTS

@@ -126,7 +126,7 @@ final class ViewRoutes {
     boolean isExact = query.number("exact", 0, 1, 0) == 1;
     Set<Layer> needed = LayerNames.layerOf(name).map(Set::of).orElse(Set.of());
     Optional<SceneFile> scene = session.scene();
-    if (scene.filter(file -> !file.settings().layers().containsAll(needed)).isPresent()) {
+    if (scene.filter(file -> !LayerNames.kinds(file).containsAll(needed)).isPresent()) {
       return Answer.nothingYet();
     }
     Optional<Frame> frame =
@@ -214,7 +214,7 @@ final class ViewRoutes {
 
   private Answer save(Query query) throws InterruptedException, IOException {
     Optional<SceneFile> scene = session.scene();
-    Set<Layer> layers = scene.map(s -> s.settings().layers()).orElse(Set.of());
+    Set<Layer> layers = scene.map(LayerNames::kinds).orElse(Set.of());
     boolean isExr = query.text("format").equals(Optional.of("exr"));
     Optional<Frame> frame =
         isExr && !layers.isEmpty() ? session.frameWith(layers, LAYER_MILLIS) : session.frame();
