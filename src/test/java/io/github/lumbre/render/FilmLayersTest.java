@@ -441,7 +441,7 @@ class FilmLayersTest {
   @Test
   void theBytesPerPixelAreStated() {
     assertThat(FilmLayers.NONE.bytesPerPixel()).isZero();
-    assertThat(new FilmLayers(Layer.FOR_DENOISING, 0).bytesPerPixel()).isEqualTo(2 * (3 * 8 + 8) + 8 + 8);
+    assertThat(new FilmLayers(Layer.FOR_DENOISING, 0).bytesPerPixel()).isEqualTo(2 * 32 + 16);
     assertThat(new FilmLayers(Set.of(Layer.DEPTH), 0).bytesPerPixel()).isEqualTo(16 + 4);
     assertThat(new FilmLayers(Set.of(Layer.INDIRECT), 0).bytesPerPixel()).isEqualTo(48);
     assertThat(new FilmLayers(Set.of(Layer.LIGHTS), 2).bytesPerPixel()).isEqualTo(96);
