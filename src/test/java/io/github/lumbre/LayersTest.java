@@ -47,7 +47,7 @@ class LayersTest {
   private static final String LIBRARY =
       "math image drawing sampling texture geometry file text limit json path material camera light"
           + " scene outline label model guiding integrator render parser checkpoint denoise"
-          + " stopping preview audit compare thumbnail difference";
+          + " stopping preview audit compare thumbnail difference base";
 
   /** The packages that each package may use, in addition to itself and Java. */
   private static final Map<String, String> MAY_USE =
@@ -55,6 +55,7 @@ class LayersTest {
           Map.entry("math", ""),
           Map.entry("file", ""),
           Map.entry("text", ""),
+          Map.entry("base", "file"),
           Map.entry("limit", ""),
           Map.entry("json", "text limit"),
           Map.entry("image", "file limit"),
@@ -91,42 +92,42 @@ class LayersTest {
                   + " parser"),
           Map.entry("compare", "math image"),
           Map.entry("thumbnail", "image limit text scene model render parser denoise"),
-          Map.entry("lab", "image file scene render parser"),
+          Map.entry("lab", "base image text scene render parser"),
           Map.entry("lab.metrics", "math image"),
-          Map.entry("lab.perf", "image scene render parser lab lab.metrics"),
-          Map.entry("lab.report", "scene render parser lab lab.perf"),
+          Map.entry("lab.perf", "base image text scene render parser lab lab.metrics"),
+          Map.entry("lab.report", "base text scene render parser lab lab.perf"),
           Map.entry(
               "lab.checks",
-              "math image sampling texture geometry material camera light scene integrator render"
-                  + " stopping lab"),
+              "math image sampling texture geometry text material camera light scene integrator"
+                  + " render stopping lab"),
           Map.entry(
               "lab.trade",
-              "math image sampling geometry scene integrator render denoise stopping lab"
+              "math image sampling geometry text scene integrator render denoise stopping lab"
                   + " lab.metrics lab.perf compare"),
           Map.entry(
               "cli.output",
               "math image sampling geometry file text path material camera light scene model"
-                  + " render parser checkpoint stopping lab"),
+                  + " render parser checkpoint stopping base"),
           Map.entry(
               "cli.run",
               "image drawing file text limit scene render parser checkpoint denoise"
-                  + " stopping lab cli.output"),
+                  + " stopping base cli.output"),
           Map.entry(
               "cli.option",
-              "image geometry file scene model parser checkpoint denoise stopping lab"
+              "image geometry file text scene model parser checkpoint denoise stopping base"
                   + " cli.output cli.run"),
           Map.entry(
               "cli.view",
               "math image geometry path camera scene render parser checkpoint denoise"
-                  + " stopping preview lab cli.output cli.run"),
+                  + " text stopping preview base cli.output cli.run"),
           Map.entry("cli.diff", "image drawing geometry camera sampling scene parser difference"),
           Map.entry(
               "cli.mcp",
-              "math image drawing text limit json scene model render parser compare file lab"
+              "math image drawing text limit json scene model render parser compare file base"
                   + " cli.output cli.run"),
           Map.entry(
               "cli",
-              "math image drawing texture file text scene model render parser checkpoint"
+              "base math image drawing texture file text scene model render parser checkpoint"
                   + " denoise audit compare lab lab.perf lab.report lab.checks lab.trade cli.output"
                   + " cli.run cli.option cli.view cli.mcp cli.diff difference math"));
 
@@ -262,6 +263,22 @@ class LayersTest {
             .should()
             .dependOnClassesThat()
             .resideInAPackage("picocli.."));
+  }
+
+  /** The measuring commands, and what they alone use. */
+  @Test
+  void theLabIsKnownToTheMeasuringCommandsAlone() {
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage(ROOT + "cli..")
+            .and()
+            .haveNameNotMatching(
+                ".*\\.cli\\.((Benchmark|Coverage|Perf|SelfTest|Trade)Command|TradeRun"
+                    + "|CommandLineHost)(\\$.*)?")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage(ROOT + "lab.."));
   }
 
   @Test

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
@@ -7,11 +8,9 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.TextOutput;
-import io.github.lumbre.cli.run.CommandLineHost;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.SceneFolder;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.report.BenchmarkPlan;
 import io.github.lumbre.lab.report.BenchmarkResult;
 import io.github.lumbre.lab.report.BenchmarkRunner;

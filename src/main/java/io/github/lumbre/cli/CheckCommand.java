@@ -1,12 +1,12 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
 import io.github.lumbre.cli.run.Denoising;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.parser.SceneFile;

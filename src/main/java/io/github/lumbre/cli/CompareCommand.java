@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonText;
@@ -15,9 +17,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
-import io.github.lumbre.lab.Numbers;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.text.Numbers;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;

@@ -1,17 +1,17 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.FlagConverters.OfShare;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.checks.Coverage;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
-import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.Setting.Group;
+import io.github.lumbre.scene.internal.FrameSize;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Command;

@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.cli.option.DenoiserFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
@@ -19,8 +21,6 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
 import java.util.Map;
 import picocli.CommandLine.Command;

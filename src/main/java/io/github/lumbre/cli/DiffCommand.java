@@ -1,10 +1,13 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.diff.ChangePage;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonText;
+import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -17,9 +20,6 @@ import io.github.lumbre.difference.ModelDifference;
 import io.github.lumbre.difference.PartChange;
 import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.lab.MemoryCheck;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;

@@ -2,6 +2,8 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.LayerFiles;
@@ -13,8 +15,6 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.Cryptomatte;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.mcp.Mcp;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;

@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
@@ -17,8 +19,6 @@ import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,17 +1,16 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.TextOutput;
-import io.github.lumbre.cli.run.CommandLineHost;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.SceneFolder;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.perf.PairedRenders;
 import io.github.lumbre.lab.perf.PerfPlan;
 import io.github.lumbre.lab.perf.PerfResult;

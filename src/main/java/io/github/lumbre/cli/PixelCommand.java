@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
@@ -9,7 +10,6 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PixelJson;
 import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.cli.output.PixelReport;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.RunFlags;
@@ -8,6 +9,7 @@ import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
@@ -23,8 +25,6 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.denoise.BuiltInDenoiser;
-import io.github.lumbre.lab.MemoryCheck;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.internal.ParsedScene;

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.FlagChecks;
@@ -22,7 +23,6 @@ import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneParser;
 import java.nio.file.Path;
 import java.util.List;

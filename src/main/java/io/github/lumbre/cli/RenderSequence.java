@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.RenderCommand.Course;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
@@ -11,13 +13,11 @@ import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.Numbers;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.text.Numbers;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;

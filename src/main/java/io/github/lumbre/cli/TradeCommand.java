@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SceneOptions;
@@ -9,7 +10,6 @@ import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.trade.ExactRow;
 import io.github.lumbre.lab.trade.Knob;
 import io.github.lumbre.lab.trade.TradeBudget;

@@ -1,11 +1,11 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.Release;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.lab.Machine;
-import io.github.lumbre.lab.Release;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.perf.SampleBudget;
 import io.github.lumbre.lab.trade.Knob;
 import io.github.lumbre.lab.trade.TradeBudget;

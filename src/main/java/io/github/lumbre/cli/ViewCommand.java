@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.option.BudgetFlags;
@@ -9,6 +11,7 @@ import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmExposure;
 import io.github.lumbre.cli.run.FilmInput;
@@ -28,9 +31,6 @@ import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
-import io.github.lumbre.lab.MemoryCheck;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

@@ -1,6 +1,8 @@
 package io.github.lumbre.lab;
 
-import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
+import io.github.lumbre.base.TextFile;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

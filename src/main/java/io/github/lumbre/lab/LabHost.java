@@ -1,9 +1,11 @@
 package io.github.lumbre.lab;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 
 /** The services that a measurement needs: reading scenes, and displaying renders. */
@@ -15,12 +17,19 @@ public interface LabHost {
    */
   SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, TaskException;
 
-  /** Opens the display of one render; it can also cancel the render. */
-  Display display();
+  /**
+   * Requires that a render fits into memory.
+   *
+   * @throws TaskException that states the needed and the available memory, if it does not
+   */
+  void requireMemory(RenderSettings settings) throws TaskException;
 
-  /** The display of one render. */
-  interface Display extends Progress, AutoCloseable {
-    @Override
-    void close();
+  /** Returns the result of a render whose progress is displayed; the display can cancel it. */
+  <T> T displayed(Displayed<T> render) throws InterruptedException;
+
+  /** A render that reports its progress. */
+  @FunctionalInterface
+  interface Displayed<T> {
+    T render(Progress display) throws InterruptedException;
   }
 }

@@ -44,14 +44,15 @@ public final class Trial {
    */
   public static Outcome render(Scene scene, RenderSettings settings, LabHost host)
       throws InterruptedException {
-    try (LabHost.Display display = host.display()) {
-      display.started(settings.window().pixels() * settings.samples());
-      Cost start = Cost.now();
-      Trial trial = new Trial(new FilmRenderer(settings, scene), display);
-      trial.time = Cost.since(start);
-      trial.to(settings.samples());
-      return trial.develop();
-    }
+    return host.displayed(
+        display -> {
+          display.started(settings.window().pixels() * settings.samples());
+          Cost start = Cost.now();
+          Trial trial = new Trial(new FilmRenderer(settings, scene), display);
+          trial.time = Cost.since(start);
+          trial.to(settings.samples());
+          return trial.develop();
+        });
   }
 
   /**

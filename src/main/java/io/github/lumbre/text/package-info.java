@@ -1,2 +1,2 @@
-/** Texts for people: corrections of misspelled words, and texts of files that are safe to print. */
+/** Texts for people: corrections of misspelled words, numbers, and texts of files that are safe to print. */
 package io.github.lumbre.text;

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.Release;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
-import io.github.lumbre.lab.Release;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

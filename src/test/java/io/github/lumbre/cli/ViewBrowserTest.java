@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.View;
 import io.github.lumbre.cli.view.ViewLimits;
@@ -12,7 +13,6 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.image.internal.Srgb;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

@@ -1,8 +1,8 @@
 package io.github.lumbre.spark;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;

@@ -1,8 +1,8 @@
 package io.github.lumbre.spark;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.run.Engine;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.FilmRenderer;

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.base.Release;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.json.JsonValue;
-import io.github.lumbre.lab.Release;
 import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.text.PrintableText;
 import java.time.Duration;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.denoise.DenoiseException;
 import io.github.lumbre.denoise.OpenImageDenoise;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.run.Denoising;
-import io.github.lumbre.lab.TaskException;
 import java.util.Optional;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;

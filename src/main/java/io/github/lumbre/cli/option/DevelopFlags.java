@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.FilmReport;
@@ -16,8 +18,6 @@ import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;

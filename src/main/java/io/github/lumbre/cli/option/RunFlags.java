@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.FlagConverters.ProgressStyle;
 import io.github.lumbre.cli.output.JsonProgress;
 import io.github.lumbre.cli.output.JsonSummary;
@@ -13,7 +14,6 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;
 import java.nio.file.Path;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.option;
 
-import io.github.lumbre.lab.Numbers;
+import io.github.lumbre.text.Numbers;
 import java.util.Map;
 
 /**

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.image.animation.AnimationFormat;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.text.Normalizer;

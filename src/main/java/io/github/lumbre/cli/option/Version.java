@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.Release;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.lab.Release;
 import java.io.PrintWriter;
 import java.util.Optional;
 import java.util.Set;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.base.TaskException;
 
 /** The exit codes of the program. */
 public final class ExitCodes {

@@ -1,8 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.lab.MemoryCheck;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.Release;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.checkpoint.FilmHeader;
-import io.github.lumbre.lab.Release;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;

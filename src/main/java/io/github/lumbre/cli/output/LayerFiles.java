@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageLayer;
@@ -7,8 +9,6 @@ import io.github.lumbre.image.ImageLayer.Precision;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.Cryptomatte;
 import io.github.lumbre.image.internal.PictureEncoder;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

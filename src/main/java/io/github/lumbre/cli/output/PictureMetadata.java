@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.lab.Release;
+import io.github.lumbre.base.Release;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.RenderSettings;

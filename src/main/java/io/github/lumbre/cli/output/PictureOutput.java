@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.Disk;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
@@ -7,8 +9,6 @@ import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.OutputStream;

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.internal.Origin;
@@ -14,6 +13,7 @@ import io.github.lumbre.path.PathVertex.Hit;
 import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.render.PixelReplay;
+import io.github.lumbre.text.Numbers;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Comparator;

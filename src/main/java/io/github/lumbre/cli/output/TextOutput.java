@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
+import io.github.lumbre.base.TextFile;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
-import io.github.lumbre.lab.TextFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;

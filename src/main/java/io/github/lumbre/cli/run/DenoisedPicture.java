@@ -1,15 +1,15 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.MemoryCheck;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.render.Film;
 import java.nio.file.Path;
 import java.util.Optional;

@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.denoise.BuiltInDenoiser;
@@ -8,9 +10,7 @@ import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.denoise.OpenImageDenoise;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.Numbers;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.text.Numbers;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

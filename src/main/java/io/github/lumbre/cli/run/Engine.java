@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassRenderer;

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.cli.output.Messages;
@@ -7,7 +8,6 @@ import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import java.io.IOException;

@@ -1,5 +1,8 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.Release;
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.output.LaterStep;
@@ -8,9 +11,6 @@ import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.lab.Release;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

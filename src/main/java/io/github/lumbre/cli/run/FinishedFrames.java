@@ -1,12 +1,12 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.internal.PictureTexts;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

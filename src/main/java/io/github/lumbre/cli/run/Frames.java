@@ -1,15 +1,15 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.lab.Numbers;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.text.Numbers;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;

@@ -1,11 +1,11 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.Signals;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.parser.SceneFormatException;
 import java.io.InterruptedIOException;

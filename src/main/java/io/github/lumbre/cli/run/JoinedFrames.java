@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
@@ -9,8 +11,6 @@ import io.github.lumbre.image.animation.AnimationWriter;
 import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureTexts;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
 import java.io.UncheckedIOException;

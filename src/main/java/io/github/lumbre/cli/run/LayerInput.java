@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.Messages;
@@ -7,10 +9,8 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
-import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.image.LayeredImage;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.text.Spelling;
 import java.io.IOException;
 import java.io.InputStream;

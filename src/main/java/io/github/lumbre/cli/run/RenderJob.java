@@ -1,5 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.RecordedLayers;
@@ -17,9 +19,6 @@ import io.github.lumbre.cli.output.ReplayCommand;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
-import io.github.lumbre.lab.Numbers;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -33,6 +32,7 @@ import io.github.lumbre.render.internal.RendererInside;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Forecast;
+import io.github.lumbre.text.Numbers;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;

@@ -1,12 +1,12 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.ProgressDisplay;
-import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -17,7 +17,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
 /** Connects a render to its progress display, its deadline and the handling of signals. */
-public final class RenderMonitor implements LabHost.Display {
+public final class RenderMonitor implements Progress, AutoCloseable {
   private final Interruption interruption;
   private final Deadline deadline;
   private final Messages messages;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.view;
 
-import io.github.lumbre.lab.TaskException;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;

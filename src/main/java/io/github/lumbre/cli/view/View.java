@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.view;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
@@ -7,7 +8,6 @@ import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.Backdrop;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.view;
 
+import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.denoise.Denoised;
 import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.render.Film;
 import java.util.List;
 import java.util.Optional;

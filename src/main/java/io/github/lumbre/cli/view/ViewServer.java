@@ -2,8 +2,8 @@ package io.github.lumbre.cli.view;
 
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;

@@ -1,6 +1,5 @@
 package io.github.lumbre.lab.checks;
 
-import io.github.lumbre.lab.Numbers;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -13,6 +12,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.stopping.Budget;
 import io.github.lumbre.stopping.BudgetWatch;
 import io.github.lumbre.stopping.NoiseEstimate;
+import io.github.lumbre.text.Numbers;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,17 +1,15 @@
 package io.github.lumbre.lab.perf;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.MemoryCheck;
 import io.github.lumbre.lab.SceneFolder;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TaskException.Kind;
 import io.github.lumbre.lab.Trial;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
@@ -47,7 +45,7 @@ public final class MeasuredScene {
     Cost start = Cost.now();
     SceneFile file = change.apply(host.read(scene, parser));
     double loadSeconds = Cost.since(start).seconds();
-    MemoryCheck.require(file.settings(), FilmLayers.NONE);
+    host.requireMemory(file.settings());
     return new MeasuredScene(SceneFolder.name(scene), file, loadSeconds, host);
   }
 

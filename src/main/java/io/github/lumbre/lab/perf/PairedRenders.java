@@ -1,10 +1,10 @@
 package io.github.lumbre.lab.perf;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.Pairs;
 import io.github.lumbre.lab.Table;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.Trial;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.metrics.PictureNoise;

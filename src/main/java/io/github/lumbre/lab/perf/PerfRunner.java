@@ -1,8 +1,8 @@
 package io.github.lumbre.lab.perf;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.metrics.PictureNoise;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

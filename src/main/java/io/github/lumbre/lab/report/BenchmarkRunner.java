@@ -1,8 +1,8 @@
 package io.github.lumbre.lab.report;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.SceneFolder;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.lab.perf.MeasuredScene;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.report;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.lab.Csv;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.scene.RenderSettings.Size;
 import io.github.lumbre.scene.Setting;
 import java.nio.file.Path;

@@ -1,9 +1,9 @@
 package io.github.lumbre.lab.report;
 
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TextFile;
 import io.github.lumbre.lab.Csv;
 import io.github.lumbre.lab.Table;
-import io.github.lumbre.lab.TaskException;
-import io.github.lumbre.lab.TextFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

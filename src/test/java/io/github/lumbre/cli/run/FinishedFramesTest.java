@@ -3,11 +3,11 @@ package io.github.lumbre.cli.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.lab.TaskException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

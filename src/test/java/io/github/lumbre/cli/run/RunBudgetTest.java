@@ -3,6 +3,7 @@ package io.github.lumbre.cli.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.output.Fallback;
@@ -11,7 +12,6 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

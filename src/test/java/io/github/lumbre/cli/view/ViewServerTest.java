@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.denoise.BuiltInDenoiser;
@@ -17,7 +18,6 @@ import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.Srgb;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;

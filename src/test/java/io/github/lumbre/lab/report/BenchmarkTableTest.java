@@ -2,8 +2,8 @@ package io.github.lumbre.lab.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.Release;
 import io.github.lumbre.lab.Csv;
-import io.github.lumbre.lab.Release;
 import io.github.lumbre.lab.metrics.Interval;
 import java.util.List;
 import org.junit.jupiter.api.Test;

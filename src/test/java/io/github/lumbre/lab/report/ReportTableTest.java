@@ -3,8 +3,8 @@ package io.github.lumbre.lab.report;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.lab.SceneFolder;
-import io.github.lumbre.lab.TaskException;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;

@@ -1,8 +1,9 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.cli.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.scene.RenderSettings;

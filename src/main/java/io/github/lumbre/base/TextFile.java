@@ -1,8 +1,8 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.base;
 
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.lab.TaskException.Kind;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;

@@ -1,6 +1,6 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.base;
 
-/** Reports that a task of the lab or the command line failed, with a line that explains why. */
+/** Reports that a command or a measurement failed, with a line that explains why. */
 public final class TaskException extends Exception {
   private static final long serialVersionUID = 1;
 

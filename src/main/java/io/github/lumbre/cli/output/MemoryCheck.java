@@ -1,6 +1,7 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.cli.output;
 
-import io.github.lumbre.lab.TaskException.Kind;
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.scene.RenderSettings;

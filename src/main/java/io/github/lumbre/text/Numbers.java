@@ -1,4 +1,4 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.text;
 
 import java.util.Locale;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.lab;
+package io.github.lumbre.base;
 
 import java.io.IOException;
 import java.io.InputStream;

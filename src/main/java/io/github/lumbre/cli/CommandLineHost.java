@@ -1,0 +1,56 @@
+package io.github.lumbre.cli;
+
+import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.TaskException.Kind;
+import io.github.lumbre.cli.output.MemoryCheck;
+import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.lab.LabHost;
+import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * Runs measurements from the command line.
+ *
+ * @param hasDisplay whether each render shows a progress bar on standard error
+ * @param messages printer of warnings
+ */
+record CommandLineHost(Interruption interruption, boolean hasDisplay, Messages messages)
+    implements LabHost {
+  @Override
+  public SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, TaskException {
+    try (RenderMonitor monitor = new RenderMonitor(interruption, hasDisplay)) {
+      SceneFile file = monitor.reading(scene, () -> load(scene, parser));
+      messages.warnings(file.warnings());
+      return file;
+    }
+  }
+
+  private static SceneFile load(Path scene, SceneParser parser)
+      throws SceneFormatException, TaskException {
+    try {
+      return parser.parse(scene);
+    } catch (IOException e) {
+      throw Kind.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
+    }
+  }
+
+  @Override
+  public void requireMemory(RenderSettings settings) throws TaskException {
+    MemoryCheck.require(settings, FilmLayers.NONE);
+  }
+
+  @Override
+  public <T> T displayed(Displayed<T> render) throws InterruptedException {
+    try (RenderMonitor monitor = new RenderMonitor(interruption, hasDisplay)) {
+      return render.render(monitor);
+    }
+  }
+}
