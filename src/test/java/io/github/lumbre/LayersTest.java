@@ -328,7 +328,7 @@ class LayersTest {
                     .or(accessTo(Throwable.class, Set.of("printStackTrace")))));
   }
 
-  /** A setting declares its flag; other programs and Java have flags of their own. */
+  /** A setting declares its flag, an exit code its cause; other programs and Java have flags, too. */
   @Test
   void theLibraryKnowsNoFlags() throws IOException {
     Pattern flag = Pattern.compile("\"([^\"]*[^\"\\w-])?--[a-z][^\"]*\"");
@@ -341,7 +341,8 @@ class LayersTest {
                   .filter(file -> !file.startsWith("cli") && !file.startsWith("lab"))
                   .filter(file -> flag.matcher(text(sources.resolve(file))).find())
                   .map(file -> file.getFileName().toString()))
-          .containsExactlyInAnyOrder("Setting.java", "OpenImageDenoise.java", "Vectors.java");
+          .containsExactlyInAnyOrder(
+              "ExitCode.java", "Setting.java", "OpenImageDenoise.java", "Vectors.java");
     }
   }
 

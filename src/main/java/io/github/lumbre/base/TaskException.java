@@ -4,60 +4,24 @@ package io.github.lumbre.base;
 public final class TaskException extends Exception {
   private static final long serialVersionUID = 1;
 
-  private final Kind kind;
-
-  /** The reason for the failure. */
-  public enum Kind {
-    /** There are warnings, and they are treated as errors. */
-    WARNINGS,
-
-    /** The request is invalid. */
-    USAGE,
-
-    /** A scene or checkpoint file is missing, unreadable or invalid, or the two do not match. */
-    SCENE,
-
-    /** A mesh or image of the scene cannot be decoded. */
-    ASSET,
-
-    /** A limit or the available memory is exceeded. */
-    LIMIT,
-
-    /** A result cannot be written. */
-    OUTPUT,
-
-    /** Internal error. */
-    INTERNAL,
-
-    /** The task was stopped. */
-    STOPPED;
-
-    /** Returns an exception for this reason; see {@link TaskException}. */
-    public TaskException failure(String message) {
-      return new TaskException(this, message);
-    }
-
-    /** Returns an exception for this reason, with its cause. */
-    public TaskException failure(String message, Throwable cause) {
-      return new TaskException(this, message, cause);
-    }
-  }
+  private final ExitCode code;
 
   /**
    * @param message one line that names the invalid file or setting
    */
-  public TaskException(Kind kind, String message) {
+  public TaskException(ExitCode code, String message) {
     super(message);
-    this.kind = kind;
+    this.code = code;
   }
 
   /** Creates an exception with its cause. */
-  public TaskException(Kind kind, String message, Throwable cause) {
+  public TaskException(ExitCode code, String message, Throwable cause) {
     super(message, cause);
-    this.kind = kind;
+    this.code = code;
   }
 
-  public Kind kind() {
-    return kind;
+  /** Returns the exit code of the program. */
+  public ExitCode code() {
+    return code;
   }
 }

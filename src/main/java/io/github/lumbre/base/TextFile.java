@@ -1,6 +1,5 @@
 package io.github.lumbre.base;
 
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import java.io.IOException;
@@ -25,9 +24,9 @@ public final class TextFile {
     try {
       return Files.readAllLines(file);
     } catch (NoSuchFileException e) {
-      throw Kind.USAGE.failure(file + ": does not exist", e);
+      throw ExitCode.USAGE.failure(file + ": does not exist", e);
     } catch (IOException e) {
-      throw Kind.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -40,7 +39,7 @@ public final class TextFile {
     try (OutputFile output = OutputFile.open(file)) {
       write(output, text);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

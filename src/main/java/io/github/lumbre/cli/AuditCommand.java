@@ -4,11 +4,11 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import io.github.lumbre.audit.Finding;
 import io.github.lumbre.audit.SceneAudit;
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.parser.SceneFile;
@@ -31,16 +31,11 @@ import picocli.CommandLine.Option;
             + " Each finding states its place in the file, what was found, the effect and the fix.",
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
-    footer = {"", "Examples:", "  lumbre audit scene.json", "  lumbre audit --strict scene.json"},
-    exitCodeList = {
-      "0:Done, with or without findings",
-      "1:There are warnings under --strict",
-      "2:The command line is invalid",
-      "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "7:Internal error"
-    })
+    footer = {"", "Examples:", "  lumbre audit scene.json", "  lumbre audit --strict scene.json"})
+@Exits({
+  ExitCode.OK, ExitCode.WARNINGS, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
+  ExitCode.INTERNAL
+})
 final class AuditCommand extends Subcommand {
   /** The JSON format's identifier; it changes with every incompatible change of the format. */
   static final String FORMAT = "lumbre-audit-1";
@@ -56,15 +51,15 @@ final class AuditCommand extends Subcommand {
   private boolean json;
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     flags.validate();
     SceneFile file = options.read(flags.over(options.parser()));
     List<Finding> findings = SceneAudit.of(file);
     Messages out = out();
     (json ? json(file, findings) : text(findings)).lines().forEach(out::line);
     return options.isStrict() && SceneAudit.warnings(findings) > 0
-        ? ExitCodes.WARNINGS
-        : ExitCodes.OK;
+        ? ExitCode.WARNINGS
+        : ExitCode.OK;
   }
 
   private String text(List<Finding> findings) {

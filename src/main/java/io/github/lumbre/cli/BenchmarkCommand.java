@@ -1,9 +1,9 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -52,16 +52,13 @@ import picocli.CommandLine.ParameterException;
       "  lumbre benchmark --rows 1,5,14 --scale 0.001 --repeat 3",
       "  lumbre benchmark --full --csv table.csv",
       "  lumbre benchmark --check"
-    },
-    exitCodeList = {
-      "0:Done",
-      "1:Under --check, a picture's hash differs from the stored one or is not stored",
-      "2:The command line is invalid, or a row or scene does not exist",
-      "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
-      "6:The CSV file or the hashes cannot be written",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; finished rows are written"
     })
+@Exits(
+    value = {
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.SCENE,
+      ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.SAVED
+    },
+    different = "under --check, a picture's hash differs from the stored one or is not stored")
 final class BenchmarkCommand extends Subcommand {
   private static final int MAX_REPETITIONS = 1000;
 
@@ -142,7 +139,7 @@ final class BenchmarkCommand extends Subcommand {
   }
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     BenchmarkPlan plan = plan();
     kernel.validate();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> beside("scenes")));
@@ -160,8 +157,8 @@ final class BenchmarkCommand extends Subcommand {
               kernel.over(new SceneParser()),
               new CommandLineHost(interruption, hasDisplay, errors()));
       boolean complete = interruption.beginRender() && run(selected, runner, results, out);
-      int verdict = settle(stored, results);
-      return complete ? verdict : ExitCodes.INTERRUPTED;
+      ExitCode verdict = settle(stored, results);
+      return complete ? verdict : ExitCode.INTERRUPTED;
     }
   }
 
@@ -238,17 +235,17 @@ final class BenchmarkCommand extends Subcommand {
   }
 
   /** Compares or stores the hashes, as the flags demand, and returns the exit code. */
-  private int settle(TableHashes stored, List<BenchmarkResult> results) throws TaskException {
+  private ExitCode settle(TableHashes stored, List<BenchmarkResult> results) throws TaskException {
     if (hashes.store && !results.isEmpty()) {
       results.forEach(stored::put);
       stored.save();
     }
     if (!hashes.check) {
-      return ExitCodes.OK;
+      return ExitCode.OK;
     }
     List<String> complaints =
         results.stream().map(stored::complaint).flatMap(Optional::stream).toList();
     complaints.forEach(errors()::line);
-    return complaints.isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
+    return complaints.isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
   }
 }

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.SceneOptions;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
@@ -32,16 +32,11 @@ import picocli.CommandLine.Option;
 @Command(
     name = "check",
     header = "Validate a scene and print its contents without rendering it.",
-    footer = {"", "Example:", "  lumbre check --strict scene.json"},
-    exitCodeList = {
-      "0:The scene is valid",
-      "1:There are warnings under --strict",
-      "2:The command line is invalid",
-      "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "7:Internal error"
-    })
+    footer = {"", "Example:", "  lumbre check --strict scene.json"})
+@Exits({
+  ExitCode.OK, ExitCode.WARNINGS, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
+  ExitCode.INTERNAL
+})
 final class CheckCommand extends Subcommand {
   private static final int MOST_NAMES = 20;
 
@@ -56,7 +51,7 @@ final class CheckCommand extends Subcommand {
   private boolean plan;
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     Messages out = out();
     Messages errors = errors();
     if (!json) {
@@ -65,7 +60,7 @@ final class CheckCommand extends Subcommand {
       if (plan) {
         new PlanReport(file).print(out);
       }
-      return ExitCodes.OK;
+      return ExitCode.OK;
     }
     JsonSummary report = new JsonSummary("check", options.scene());
     return report.around(() -> print(options.load(parser(), errors), report, out), out);
@@ -78,14 +73,14 @@ final class CheckCommand extends Subcommand {
         : options.parser();
   }
 
-  private static int print(SceneFile file, JsonSummary report, Messages out) {
+  private static ExitCode print(SceneFile file, JsonSummary report, Messages out) {
     report.putScene(file);
     ParsedScene parsed = ParsedScene.of(file);
     report.putContents(parsed.contents());
     parsed.model().ifPresent(model -> report.putModel(model, model.parts(parsed.scene())));
-    report.put("exit_code", ExitCodes.OK);
+    report.put("exit_code", ExitCode.OK.number());
     report.print(out);
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 
   private void describe(SceneFile file, Messages out) throws TaskException {

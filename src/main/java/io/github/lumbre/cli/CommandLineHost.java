@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.Interruption;
@@ -38,7 +38,7 @@ record CommandLineHost(Interruption interruption, boolean hasDisplay, Messages m
     try {
       return parser.parse(scene);
     } catch (IOException e) {
-      throw Kind.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

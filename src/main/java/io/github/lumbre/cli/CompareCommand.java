@@ -1,9 +1,8 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -49,16 +48,13 @@ import picocli.CommandLine.Parameters;
       "Examples:",
       "  lumbre compare draft.exr reference.exr",
       "  lumbre compare a.pfm b.pfm --tolerance rmse=0.01,flip=0.05 --error-map where.png"
-    },
-    exitCodeList = {
-      "0:Done; all metrics are within their tolerances",
-      "1:A metric is outside its tolerance",
-      "2:The command line is invalid, a picture does not exist, or sizes differ",
-      "4:A picture cannot be decoded, or has NaN or infinite values",
-      "5:A picture exceeds a limit or the available memory",
-      "6:The error map cannot be written",
-      "7:Internal error"
     })
+@Exits(
+    value = {
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.ASSET,
+      ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL
+    },
+    different = "a metric is outside its tolerance")
 final class CompareCommand extends Subcommand {
   private static final String LIKENESS = "ssim";
 
@@ -105,7 +101,7 @@ final class CompareCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws TaskException {
+  ExitCode run() throws TaskException {
     validate();
     OutputGuard guard =
         overwrite.guard().reads(picture, "the picture").reads(reference, "the reference");
@@ -114,7 +110,7 @@ final class CompareCommand extends Subcommand {
     Image a = layer.isPresent() ? readLayer(picture, layer.get()) : read(picture);
     Image b = layer.isPresent() ? readLayer(reference, layer.get()) : read(reference);
     if (a.width() != b.width() || a.height() != b.height()) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           "%s has %dx%d pixels, %s has %dx%d: expected pictures of the same size"
               .formatted(picture, a.width(), a.height(), reference, b.width(), b.height()));
     }
@@ -138,7 +134,7 @@ final class CompareCommand extends Subcommand {
                   error.largest() == 0 ? ": no difference" : ", in linear light"));
       error.byName().forEach((name, value) -> out.line(line(name, value, beyond)));
     }
-    return beyond.isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
+    return beyond.isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
   }
 
   private void validate() {
@@ -165,7 +161,7 @@ final class CompareCommand extends Subcommand {
   private static Image finite(Image image, Path file) throws TaskException {
     for (float value : image.rgb()) {
       if (!Float.isFinite(value)) {
-        throw Kind.ASSET.failure(
+        throw ExitCode.ASSET.failure(
             file + ": has NaN or infinite values, so no metric can be computed");
       }
     }
@@ -174,15 +170,16 @@ final class CompareCommand extends Subcommand {
 
   private static Image read(Path file) throws TaskException {
     if (!Files.exists(file)) {
-      throw Kind.USAGE.failure(file + ": does not exist");
+      throw ExitCode.USAGE.failure(file + ": does not exist");
     }
     try {
       return finite(LinearReader.open(file).light(), file);
     } catch (ImageFormatException e) {
       boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      throw new TaskException(tooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
+      ExitCode code = tooLarge ? ExitCode.LIMIT : ExitCode.ASSET;
+      throw code.failure(file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw Kind.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -190,7 +187,7 @@ final class CompareCommand extends Subcommand {
     try {
       ImageWriter.write(map, file);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.FlagConverters.OfShare;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.lab.checks.Coverage;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -33,17 +33,13 @@ import picocli.CommandLine.Option;
       "Examples:",
       "  lumbre coverage scenes/cornell-box.json",
       "  lumbre coverage lamp.glb --sky white -s 16,64,256 --target-error 10%,5% --seeds 200"
-    },
-    exitCodeList = {
-      "0:In no line more bounds fail than chance explains",
-      "1:More bounds fail: with a confidence of 95 %, this has a probability below 0.1 %",
-      "2:The command line is invalid",
-      "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
+@Exits(
+    value = {
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET,
+      ExitCode.LIMIT, ExitCode.INTERNAL, ExitCode.INTERRUPTED
+    },
+    different = "more bounds fail: with a confidence of 95 %, this has a probability below 0.1 %")
 final class CoverageCommand extends Subcommand {
   /** Of a bound that holds, more failures than a cell may have are less probable than this. */
   private static final double CHANCE = .001;
@@ -93,7 +89,7 @@ final class CoverageCommand extends Subcommand {
   private final SettingFlags settings = new SettingFlags("", Group.TRANSPORT, Group.SAMPLING);
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     checkFlags();
     SceneFile file =
         options.load(
@@ -113,7 +109,7 @@ final class CoverageCommand extends Subcommand {
     for (double target : targets) {
       holds &= isPrintedAndHolds(coverage.ofTarget(target, RenderSettings.MAX_SAMPLES));
     }
-    return holds ? ExitCodes.OK : ExitCodes.DIFFERENT;
+    return holds ? ExitCode.OK : ExitCode.DIFFERENT;
   }
 
   private void checkFlags() {

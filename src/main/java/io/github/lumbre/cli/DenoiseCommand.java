@@ -1,11 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.cli.option.DenoiserFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -41,16 +40,11 @@ import picocli.CommandLine.Parameters;
       "Examples:",
       "  lumbre denoise night.film -o night.denoised.png",
       "  lumbre denoise picture.exr -o clean.exr --oidn folder/bin"
-    },
-    exitCodeList = {
-      "0:Done",
-      "2:The command line is invalid, the file does not exist, or oidnDenoise is not found",
-      "3:The checkpoint file is damaged",
-      "4:The OpenEXR file cannot be decoded",
-      "5:The file exceeds a limit or the available memory",
-      "6:The denoiser failed, or the picture cannot be written",
-      "7:Internal error"
     })
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT,
+  ExitCode.OUTPUT, ExitCode.DENOISER, ExitCode.INTERNAL
+})
 final class DenoiseCommand extends Subcommand {
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")
   private Path file;
@@ -79,7 +73,7 @@ final class DenoiseCommand extends Subcommand {
   private record Input(NoisyPicture noisy, ImageWriter.Options options) {}
 
   @Override
-  public Integer call() throws TaskException {
+  ExitCode run() throws TaskException {
     checks().requirePicture(output);
     require(threads >= 0, "--threads: expected at least 0, found " + threads);
     Denoising denoising = denoiser.denoising(threads);
@@ -98,9 +92,9 @@ final class DenoiseCommand extends Subcommand {
       errors.line(output + ": " + Denoising.line(denoised));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw Kind.STOPPED.failure("stopped; no picture is written", e);
+      throw ExitCode.INTERRUPTED.failure("stopped; no picture is written", e);
     }
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 
   private Input read(Messages errors) throws TaskException {
@@ -127,7 +121,7 @@ final class DenoiseCommand extends Subcommand {
           NoisyPicture.of(image),
           new ImageWriter.Options(Exposure.NONE, ToneCurve.SRGB, 8, 90, Map.of()));
     } catch (IllegalArgumentException e) {
-      throw Kind.ASSET.failure(file + ": " + e.getMessage(), e);
+      throw ExitCode.ASSET.failure(file + ": " + e.getMessage(), e);
     }
   }
 }

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.run.FilmInput;
@@ -20,15 +20,10 @@ import picocli.CommandLine.Parameters;
     header = "Make a picture from a checkpoint file, without rendering.",
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
-    footer = {"", "Example:", "  lumbre develop night.film -o night.png --exposure 1.5"},
-    exitCodeList = {
-      "0:Done",
-      "2:The command line is invalid",
-      "3:The checkpoint file is missing, unreadable or damaged",
-      "5:The available memory is exceeded",
-      "6:The picture cannot be written",
-      "7:Internal error"
-    })
+    footer = {"", "Example:", "  lumbre develop night.film -o night.png --exposure 1.5"})
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.FILM, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL
+})
 final class DevelopCommand extends Subcommand {
   @Parameters(
       paramLabel = "FILM",
@@ -49,12 +44,12 @@ final class DevelopCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws TaskException {
+  ExitCode run() throws TaskException {
     flags.validate();
     checks().requirePicture(output);
     overwrite.guard().readsFilm(film).writes("-o", output, OutputContent.PICTURE).check();
     Messages messages = errors();
     flags.develop(film, () -> FilmInput.read(film, messages), output);
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 }

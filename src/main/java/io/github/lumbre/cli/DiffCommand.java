@@ -1,11 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.diff.ChangePage;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
@@ -70,18 +69,13 @@ import picocli.CommandLine.Parameters;
       "Examples:",
       "  lumbre diff bracket-1.step.glb bracket-2.step.glb",
       "  lumbre diff old.stl new.stl -o what-changed.html --up z"
-    },
-    exitCodeList = {
-      "0:Nothing changed",
-      "1:Something changed",
-      "2:The command line is invalid",
-      "3:A model is missing, unreadable or invalid",
-      "4:A picture of a model cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "6:The page cannot be written",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; no page is written"
     })
+@Exits(
+    value = {
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET,
+      ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.INTERRUPTED
+    },
+    different = "something changed")
 final class DiffCommand extends Subcommand {
   private static final String FORMAT = "lumbre-diff-1";
   private static final RenderSettings USUAL = RenderSettings.builder().size(640, 480).build();
@@ -120,7 +114,7 @@ final class DiffCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     for (Path model : List.of(old, now)) {
       require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
     }
@@ -155,7 +149,7 @@ final class DiffCommand extends Subcommand {
         output.write(page(ofOld, ofNew, found, lines));
       }
       print(found, lines, near);
-      return found.changes().isEmpty() ? ExitCodes.OK : ExitCodes.DIFFERENT;
+      return found.changes().isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
     }
   }
 
@@ -188,16 +182,16 @@ final class DiffCommand extends Subcommand {
       Model model = ModelReader.read(name, content, folder, options);
       return new ModelDifference.Side(model, ModelReader.motions(name, content, folder, options));
     } catch (ModelFormatException e) {
-      Kind kind =
+      ExitCode code =
           switch (e.kind()) {
-            case TOO_LARGE -> Kind.LIMIT;
-            case ASSET -> Kind.ASSET;
-            default -> Kind.SCENE;
+            case TOO_LARGE -> ExitCode.LIMIT;
+            case ASSET -> ExitCode.ASSET;
+            default -> ExitCode.SCENE;
           };
       Problem problem = new Problem(path.toString(), e.location(), e.detail());
-      throw kind.failure(ProblemText.of(problem), e);
+      throw code.failure(ProblemText.of(problem), e);
     } catch (IOException e) {
-      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -223,7 +217,7 @@ final class DiffCommand extends Subcommand {
     try {
       return parser.parse(model, stage, List.of(view));
     } catch (IOException e) {
-      throw Kind.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -237,7 +231,7 @@ final class DiffCommand extends Subcommand {
       return new ChangePage.Side(path, file, picture);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw Kind.STOPPED.failure("stopped before the pictures were complete", e);
+      throw ExitCode.INTERRUPTED.failure("stopped before the pictures were complete", e);
     }
   }
 

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
@@ -33,6 +34,12 @@ final class HelpLayout {
     Map<String, IHelpSectionRenderer> sections = command.getHelpSectionMap();
     sections.remove(UsageMessageSpec.SECTION_KEY_OPTION_LIST_HEADING);
     sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, HelpLayout::flags);
+    CommandSpec spec = command.getCommandSpec();
+    Exits exits = spec.userObject().getClass().getAnnotation(Exits.class);
+    if (exits != null) {
+      spec.usageMessage()
+          .exitCodeList(ExitCode.meanings(List.of(exits.value()), exits.different()));
+    }
     command.getSubcommands().values().forEach(HelpLayout::applyToCommand);
   }
 

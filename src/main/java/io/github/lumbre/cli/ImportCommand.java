@@ -1,11 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.base.TextFile;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.file.FileFailure;
@@ -34,16 +33,11 @@ import picocli.CommandLine.Parameters;
     description =
         "The scene is the one that 'lumbre render MODEL' renders with the same flags. It names the"
             + " model file and does not copy it.",
-    footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"},
-    exitCodeList = {
-      "0:The scene is written",
-      "2:The command line is invalid",
-      "3:The model is missing or unreadable",
-      "4:The model cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "6:The scene cannot be written",
-      "7:Internal error"
-    })
+    footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"})
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT,
+  ExitCode.INTERNAL
+})
 final class ImportCommand extends Subcommand {
   @Parameters(paramLabel = "MODEL", description = "Model: " + ModelFormat.TITLES + ".")
   private Path model;
@@ -61,7 +55,7 @@ final class ImportCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
     Path target = output.orElseGet(this::beside);
     require(
@@ -94,9 +88,9 @@ final class ImportCommand extends Subcommand {
       requireUnedited(target, text);
       TextFile.write(target, text);
     } catch (IOException e) {
-      throw Kind.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
     }
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 
   /** Refuses to replace a scene with other content, which somebody may have edited. */
@@ -105,7 +99,7 @@ final class ImportCommand extends Subcommand {
       return;
     }
     if (!Arrays.equals(Files.readAllBytes(target), text.getBytes(StandardCharsets.UTF_8))) {
-      throw Kind.OUTPUT.failure(
+      throw ExitCode.OUTPUT.failure(
           target + ": is a different scene, which may be edited; --overwrite replaces it");
     }
   }

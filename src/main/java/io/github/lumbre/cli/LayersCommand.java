@@ -2,10 +2,9 @@ package io.github.lumbre.cli;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.LayerFiles;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -44,16 +43,11 @@ import picocli.CommandLine.Parameters;
       "Examples:",
       "  lumbre layers picture.exr",
       "  lumbre layers picture.exr --layer depth --png folder"
-    },
-    exitCodeList = {
-      "0:Done",
-      "2:The command line is invalid, or the file does not exist or has no such layer",
-      "3:The checkpoint file is damaged",
-      "4:The OpenEXR file cannot be decoded",
-      "5:The file exceeds a limit or the available memory",
-      "6:A PNG file cannot be written",
-      "7:Internal error"
     })
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT,
+  ExitCode.OUTPUT, ExitCode.INTERNAL
+})
 final class LayersCommand extends Subcommand {
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
@@ -78,7 +72,7 @@ final class LayersCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws TaskException {
+  ExitCode run() throws TaskException {
     Messages errors = errors();
     LayeredImage image = LayerInput.read(file, errors);
     List<Cryptomatte> all = mattes(image);
@@ -92,14 +86,14 @@ final class LayersCommand extends Subcommand {
     } else {
       print(layers, mattes, out());
     }
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 
   private List<Cryptomatte> mattes(LayeredImage image) throws TaskException {
     try {
       return Cryptomatte.in(image);
     } catch (ImageFormatException e) {
-      throw Kind.ASSET.failure(file + ": " + e.getMessage(), e);
+      throw ExitCode.ASSET.failure(file + ": " + e.getMessage(), e);
     }
   }
 

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.Version;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.StandardOutput;
@@ -35,7 +35,7 @@ import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
 /**
- * The program: runs the command that the arguments name and exits with one of {@link ExitCodes}.
+ * The program: runs the command that the arguments name and exits with an {@link ExitCode}.
  */
 @Command(
     name = "lumbre",
@@ -231,7 +231,7 @@ public final class Lumbre implements Runnable {
   public static int run(String[] args, PrintWriter out, PrintWriter err, Engine engine) {
     if (Version.isAskedForBy(args)) {
       Version.print(out);
-      return ExitCodes.OK;
+      return ExitCode.OK.number();
     }
     Messages messages = new Messages(err);
     String[] current = renamed(args, messages);
@@ -247,14 +247,14 @@ public final class Lumbre implements Runnable {
         messages.error(
             "%s: the locale's encoding, %s, cannot represent this argument; %s"
                 .formatted(arg, System.getProperty("sun.jnu.encoding"), FileFailure.REMEDY));
-        return ExitCodes.USAGE;
+        return ExitCode.USAGE.number();
       }
     }
     try {
       return command.execute(current);
     } catch (Error e) {
       ParseResult parsed = command.getParseResult();
-      return Failures.report(e, command, parsed != null && Failures.isDebug(parsed));
+      return Failures.report(e, command, parsed != null && Failures.isDebug(parsed)).number();
     }
   }
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.option.Version;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.StandardOutput;
 import java.io.PrintWriter;
 
@@ -22,8 +22,8 @@ public final class Main {
     PrintWriter out = new PrintWriter(results);
     Version.print(out);
     out.flush();
-    int exitCode = results.exitCode(ExitCodes.OK, new PrintWriter(System.err, true));
-    if (exitCode != ExitCodes.OK) {
+    int exitCode = results.exitCode(ExitCode.OK.number(), new PrintWriter(System.err, true));
+    if (exitCode != ExitCode.OK.number()) {
       System.exit(exitCode);
     }
   }

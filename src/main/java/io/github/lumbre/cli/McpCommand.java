@@ -1,9 +1,8 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.mcp.Mcp;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.file.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
@@ -23,13 +22,8 @@ import picocli.CommandLine.Option;
         "Read messages of the Model Context Protocol from standard input and answer them on"
             + " standard output, so that programs, such as language models that make parts, can see"
             + " their models. A client starts the command; docs/mcp.md has its configuration.",
-    footer = {"", "Example:", "  lumbre mcp --root parts"},
-    exitCodeList = {
-      "0:The input has ended",
-      "2:The command line is invalid, or a folder does not exist",
-      "7:Internal error",
-      "129, 130, 143:Ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
-    })
+    footer = {"", "Example:", "  lumbre mcp --root parts"})
+@Exits({ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.INTERNAL, ExitCode.INTERRUPTED})
 final class McpCommand extends Subcommand {
   @Option(
       names = "--root",
@@ -38,16 +32,16 @@ final class McpCommand extends Subcommand {
   private List<Path> roots = List.of();
 
   @Override
-  public Integer call() throws TaskException {
+  ExitCode run() throws TaskException {
     for (Path root : roots) {
       require(Files.isDirectory(root), "--root: expected a folder, found none at " + root);
     }
     try {
       Mcp.serve(
           roots, new FileInputStream(FileDescriptor.in), new FileOutputStream(FileDescriptor.out));
-      return ExitCodes.OK;
+      return ExitCode.OK;
     } catch (IOException e) {
-      throw Kind.USAGE.failure("standard input: " + FileFailure.reason(e), e);
+      throw ExitCode.USAGE.failure("standard input: " + FileFailure.reason(e), e);
     }
   }
 }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
@@ -11,7 +11,6 @@ import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -48,15 +47,10 @@ import picocli.CommandLine.Parameters;
       "  lumbre render scene.json --samples-from 500 --samples-to 1000 --checkpoint b.film",
       "  lumbre merge a.film b.film -o all.film",
       "  lumbre merge a.film b.film -o all.png"
-    },
-    exitCodeList = {
-      "0:Done",
-      "2:The command line is invalid",
-      "3:A checkpoint file is missing or damaged, or the files do not match",
-      "5:The available memory is exceeded",
-      "6:The result cannot be written",
-      "7:Internal error"
     })
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.FILM, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL
+})
 final class MergeCommand extends Subcommand {
   @Parameters(
       paramLabel = "FILM",
@@ -78,7 +72,7 @@ final class MergeCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws TaskException {
+  ExitCode run() throws TaskException {
     flags.validate();
     boolean isPicture = ImageFormat.of(output).isPresent();
     OutputGuard guard = overwrite.guard();
@@ -97,7 +91,7 @@ final class MergeCommand extends Subcommand {
     } else {
       writeFilm();
     }
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 
   private void writeFilm() throws TaskException {
@@ -107,7 +101,7 @@ final class MergeCommand extends Subcommand {
       target.save(new FilmFile(FilmNotes.ofMerged(merged.header()), merged.film()));
       flags.report(merged, output);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -128,7 +122,7 @@ final class MergeCommand extends Subcommand {
   }
 
   private TaskException kept(String why) {
-    return Kind.OUTPUT.failure(
+    return ExitCode.OUTPUT.failure(
         "%s: %s; choose another path with -o, or replace the file with --overwrite"
             .formatted(output, why));
   }
@@ -144,7 +138,7 @@ final class MergeCommand extends Subcommand {
     try {
       return FilmMerge.of(named);
     } catch (FilmMismatchException e) {
-      throw Kind.SCENE.failure(e.getMessage(), e);
+      throw ExitCode.SCENE.failure(e.getMessage(), e);
     }
   }
 }

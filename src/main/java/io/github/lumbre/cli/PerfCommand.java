@@ -1,8 +1,8 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
@@ -47,15 +47,11 @@ import picocli.CommandLine.Parameters;
       "  lumbre perf scenes/cornell-box.json",
       "  lumbre perf scenes/cornell-box.json scenes/torus-knot.json -s 4 --json speed.json",
       "  lumbre perf scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16"
-    },
-    exitCodeList = {
-      "0:Done",
-      "2:The command line is invalid, or a scene does not exist",
-      "3, 4, 5:A scene is invalid, an asset cannot be decoded, or a limit is exceeded",
-      "6:The JSON file cannot be written",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; finished measurements are written"
     })
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
+  ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.SAVED
+})
 final class PerfCommand extends Subcommand {
   private static final int DEFAULT_REPETITIONS = 5;
   private static final int MAX_REPETITIONS = 1000;
@@ -144,7 +140,7 @@ final class PerfCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     Messages out = out();
     PerfPlan plan = plan();
     requireDistinctFiles();
@@ -156,17 +152,17 @@ final class PerfCommand extends Subcommand {
         Interruption interruption = Interruption.listen()) {
       LabHost host = new CommandLineHost(interruption, false, errors());
       if (!interruption.beginRender()) {
-        return ExitCodes.INTERRUPTED;
+        return ExitCode.INTERRUPTED;
       }
       if (paired) {
         runPairs(new PairedRenders(plan, host), out);
       } else {
         run(new PerfRunner(plan, host), out, output);
       }
-      return ExitCodes.OK;
+      return ExitCode.OK;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return ExitCodes.INTERRUPTED;
+      return ExitCode.INTERRUPTED;
     }
   }
 

@@ -1,11 +1,11 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PixelJson;
 import io.github.lumbre.cli.output.PixelPlace;
@@ -37,16 +37,11 @@ import picocli.CommandLine.Parameters;
       "  lumbre pixel scene.json 120,80",
       "  lumbre pixel scene.json 120,80 --sample 17",
       "  lumbre pixel scene.json 120,80 --sample 17 --seed 5 --json"
-    },
-    exitCodeList = {
-      "0:Done",
-      "1:There are warnings under --strict",
-      "2:The command line is invalid, or the pixel is outside the frame",
-      "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "7:Internal error, or rejected samples under --strict"
     })
+@Exits({
+  ExitCode.OK, ExitCode.WARNINGS, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
+  ExitCode.INTERNAL, ExitCode.REJECTED
+})
 final class PixelCommand extends Subcommand {
   /** The number of brightest samples that are printed. */
   private static final int SHOWN = 8;
@@ -73,7 +68,7 @@ final class PixelCommand extends Subcommand {
   private boolean json;
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     flags.validate();
     kernel.validate();
     sample.ifPresent(n -> requireIn("--sample", 0, RenderSettings.MAX_SAMPLES - 1, n));
@@ -95,7 +90,7 @@ final class PixelCommand extends Subcommand {
       rejected = all.rejected() > 0;
       print(json ? PixelJson.text(report, all) : report.text(all), out);
     }
-    return rejected && options.isStrict() ? ExitCodes.INTERNAL : ExitCodes.OK;
+    return rejected && options.isStrict() ? ExitCode.INTERNAL : ExitCode.OK;
   }
 
   private static void print(String text, Messages out) {

@@ -1,12 +1,12 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.option.RunFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.MemoryCheck;
@@ -71,18 +71,12 @@ import picocli.CommandLine.Parameters;
       "  lumbre render scene.json --timeout 5m",
       "  lumbre render scene.json --target-error 2%% --time 10m",
       "  lumbre render scene.json -s 4000 --checkpoint night.film"
-    },
-    exitCodeList = {
-      "0:Done, or stopped by --timeout with a partial picture",
-      "1:There are warnings under --strict, or --target-error is not reached",
-      "2:The command line is invalid",
-      "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the memory is exceeded, or --timeout ended before a picture was begun",
-      "6:The picture or the checkpoint file cannot be written",
-      "7:Internal error, or rejected samples under --strict",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; a started render is saved"
     })
+@Exits({
+  ExitCode.OK, ExitCode.PARTIAL, ExitCode.WARNINGS, ExitCode.TARGET, ExitCode.USAGE,
+  ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.LATE, ExitCode.OUTPUT,
+  ExitCode.INTERNAL, ExitCode.REJECTED, ExitCode.SAVED
+})
 final class RenderCommand extends Subcommand {
   private final Engine engine;
 
@@ -109,7 +103,7 @@ final class RenderCommand extends Subcommand {
   }
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     Instant start = options.budgets.start();
     Duration startup = Duration.between(start, Instant.now());
     Deadline deadline = options.run.deadline();
@@ -131,11 +125,11 @@ final class RenderCommand extends Subcommand {
     }
   }
 
-  private int frame(Course course, Frames frames) throws SceneFormatException, TaskException {
+  private ExitCode frame(Course course, Frames frames) throws SceneFormatException, TaskException {
     return frame(course, frames, PictureExposure.ofEach());
   }
 
-  private int frame(Course course, Frames frames, PictureExposure exposing)
+  private ExitCode frame(Course course, Frames frames, PictureExposure exposing)
       throws SceneFormatException, TaskException {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
     return options.run.summarized(
@@ -143,19 +137,20 @@ final class RenderCommand extends Subcommand {
   }
 
   /** Renders several scenes, and returns the highest of their exit codes. */
-  private int batch(Course course, Frames frames) throws SceneFormatException, TaskException {
+  private ExitCode batch(Course course, Frames frames) throws SceneFormatException, TaskException {
     RunFlags run = options.run;
-    int code = ExitCodes.OK;
+    ExitCode code = ExitCode.OK;
     for (Path scene : course.scenes()) {
       options.scene.choose(scene);
       run.about(frames, scene);
       try {
-        code = Math.max(code, frame(course, frames));
+        code = code.or(frame(course, frames));
       } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
-        if (!frames.areReserved() || frames.haveEnded() && code <= Failures.exitCode(e)) {
+        ExitCode failure = Failures.exitCode(e);
+        if (!frames.areReserved() || frames.haveEnded() && failure.or(code) == failure) {
           throw e;
         }
-        code = Math.max(code, Failures.report(e, spec.commandLine(), run.errors()));
+        code = code.or(Failures.report(e, spec.commandLine(), run.errors()));
         if (frames.haveEnded()) {
           return code;
         }
@@ -179,7 +174,7 @@ final class RenderCommand extends Subcommand {
       List<Path> scenes) {}
 
   /** Renders one frame. */
-  private int run(JsonSummary report, Course course, Frames frames, PictureExposure exposing)
+  private ExitCode run(JsonSummary report, Course course, Frames frames, PictureExposure exposing)
       throws SceneFormatException, TaskException {
     Optional<Denoising> denoising = options.denoising(frames.targets().get(0), engine);
     if (!frames.areReserved()) {
@@ -209,7 +204,7 @@ final class RenderCommand extends Subcommand {
       RenderJob.How how = how(denoising).exposedBy(exposing);
       RenderJob job = job(file, frames, keeper, monitor, budget, how, report);
       course.interruption.requireRender();
-      int code = job.run(options.flags.samples().first());
+      ExitCode code = job.run(options.flags.samples().first());
       if (options.run.isJson()) {
         report(file, frames.picture().target(), report);
       }
@@ -259,7 +254,7 @@ final class RenderCommand extends Subcommand {
         scene, file, picture, keeper, monitor, options.run.errors(), report, budget, how, engine);
   }
 
-  private int estimate(SceneFile file, Optional<Denoising> denoising, JsonSummary report)
+  private ExitCode estimate(SceneFile file, Optional<Denoising> denoising, JsonSummary report)
       throws TaskException {
     MemoryEstimate estimate =
         MemoryEstimate.measured(file.settings(), FilmLayers.of(file.settings(), file.scene()));
@@ -273,6 +268,6 @@ final class RenderCommand extends Subcommand {
     report.putScene(file);
     report.putEstimate(estimate);
     MemoryCheck.require(estimate);
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 }

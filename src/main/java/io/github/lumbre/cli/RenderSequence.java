@@ -1,9 +1,8 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.RenderCommand.Course;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.run.Engine;
@@ -56,7 +55,7 @@ final class RenderSequence {
 
   /** Renders the current frame and returns its exit code. */
   interface FrameRender {
-    int run(Course course, Frames frames, PictureExposure exposing)
+    ExitCode run(Course course, Frames frames, PictureExposure exposing)
         throws SceneFormatException, TaskException;
   }
 
@@ -83,11 +82,11 @@ final class RenderSequence {
    *
    * @return the highest of their exit codes
    */
-  int run() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
     options.run.failing(report, this::plan);
     if (!isJoined || options.sequence.havePart()) {
-      int code = render();
+      ExitCode code = render();
       options.run.summarize(summary(), sinceStart());
       return code;
     }
@@ -98,8 +97,8 @@ final class RenderSequence {
     return Duration.between(course.start(), Instant.now());
   }
 
-  private int render() throws SceneFormatException, TaskException {
-    int code = ExitCodes.OK;
+  private ExitCode render() throws SceneFormatException, TaskException {
+    ExitCode code = ExitCode.OK;
     if (missing.isEmpty()) {
       return code;
     }
@@ -107,10 +106,10 @@ final class RenderSequence {
     List<Path> targets = missing.stream().map(all::get).toList();
     try (Frames frames = new Frames(targets, course.interruption(), course.deadline())) {
       frames.checkedBy(this::requireFits);
-      for (int i = 0; i < missing.size() && code <= ExitCodes.WARNINGS; i++) {
+      for (int i = 0; i < missing.size() && !code.isFailure(); i++) {
         choose(missing.get(i));
         options.run.about(frames);
-        code = Math.max(code, render(frames, exposing));
+        code = code.or(render(frames, exposing));
       }
       written = missing.size() - frames.left();
       partial = frames.partial();
@@ -118,13 +117,13 @@ final class RenderSequence {
     return code;
   }
 
-  private int render(Frames frames, PictureExposure exposing)
+  private ExitCode render(Frames frames, PictureExposure exposing)
       throws SceneFormatException, TaskException {
     try {
       return render.run(course, frames, exposing);
     } catch (TaskException e) {
       throw frames.haveEnded() && isJoined
-          ? new TaskException(e.kind(), e.getMessage() + GO_ON, e)
+          ? new TaskException(e.code(), e.getMessage() + GO_ON, e)
           : e;
     }
   }
@@ -136,7 +135,7 @@ final class RenderSequence {
       file.get().requireFits(window);
     }
     if (isJoined && size.isPresent() && !size.get().equals(sizeOf(window))) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           "%s: has %s pixels, expected %s, as the frames before; set one size with --size"
               .formatted(options.scene.scene(), sizeOf(window), size.get()));
     }
@@ -148,12 +147,12 @@ final class RenderSequence {
   }
 
   /** Renders the frames and joins all into one file. */
-  private int join(JsonSummary report) throws SceneFormatException, TaskException {
+  private ExitCode join(JsonSummary report) throws SceneFormatException, TaskException {
     try (JoinedFrames joined = reserved()) {
       file = Optional.of(joined);
-      int code = render();
+      ExitCode code = render();
       if (written < missing.size()) {
-        if (code > ExitCodes.WARNINGS) {
+        if (code.isFailure()) {
           return code;
         }
         throw joined.incomplete(course.deadline());
@@ -229,7 +228,7 @@ final class RenderSequence {
   }
 
   /** Finds out which frames there are, and which of them are complete. */
-  private int plan() throws SceneFormatException, TaskException {
+  private ExitCode plan() throws SceneFormatException, TaskException {
     Path pictures = isJoined ? JoinedFrames.picture(target) : target;
     isDenoised = options.denoising(pictures, engine).isPresent();
     if (isJoined) {
@@ -246,7 +245,7 @@ final class RenderSequence {
     }
     requireExposure();
     missing = part.stream().filter(index -> !finished.contains(all.get(index))).toList();
-    return ExitCodes.OK;
+    return ExitCode.OK;
   }
 
   private int count(RenderMonitor monitor) throws SceneFormatException, TaskException {
@@ -265,7 +264,7 @@ final class RenderSequence {
   private void requireNoFrames() throws TaskException {
     Path folder = JoinedFrames.folder(target);
     if (!options.sequence.areContinued() && !options.sequence.havePart() && Files.exists(folder)) {
-      throw Kind.OUTPUT.failure(
+      throw ExitCode.OUTPUT.failure(
           folder
               + ": exists, with frames of an earlier run; go on with them by --continue, or remove"
               + " the folder");
@@ -276,7 +275,7 @@ final class RenderSequence {
     Optional<ImageFormat> format = ImageFormat.of(pictures);
     if (!format.equals(Optional.of(ImageFormat.PNG))
         && !format.equals(Optional.of(ImageFormat.EXR))) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           "--continue: expected PNG or OpenEXR pictures (-o), which state their scene, found "
               + pictures);
     }
@@ -285,7 +284,7 @@ final class RenderSequence {
   /** Requires that an automatic exposure is the one of the first frame. */
   private void requireExposure() throws TaskException {
     if (options.flags.isExposureAutomatic() && part.get(0) > 0 && finished.exposure().isEmpty()) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           "--exposure auto: is chosen from the first frame, which is not among --frames; render"
               + " --frames 0 first and use --continue, or give a number of stops");
     }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmMismatchException;
@@ -68,18 +68,11 @@ import picocli.CommandLine.Parameters;
       "  lumbre resume night.film",
       "  lumbre resume night.film -s 8000",
       "  lumbre resume night.film --target-error 1%% --time 8h"
-    },
-    exitCodeList = {
-      "0:Done, or stopped by --timeout with a partial picture",
-      "1:The target error is not reached",
-      "2:The command line is invalid",
-      "3:The checkpoint file is damaged or does not match the scene, or the scene is invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the memory is exceeded, or --timeout ended before anything was rendered",
-      "6:The picture or the checkpoint file cannot be written",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; checkpoint and picture are saved"
     })
+@Exits({
+  ExitCode.OK, ExitCode.PARTIAL, ExitCode.TARGET, ExitCode.USAGE, ExitCode.SCENE, ExitCode.FILM,
+  ExitCode.ASSET, ExitCode.LIMIT, ExitCode.LATE, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.SAVED
+})
 final class ResumeCommand extends Subcommand {
   /** The number of samples per pixel that means no limit. */
   private static final int OPEN = RenderSettings.MAX_SAMPLES;
@@ -132,12 +125,12 @@ final class ResumeCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws TaskException, SceneFormatException {
+  ExitCode run() throws TaskException, SceneFormatException {
     JsonSummary report = new JsonSummary("resume", "film", film);
     return run.summarized(report, () -> run(report));
   }
 
-  private int run(JsonSummary report) throws TaskException, SceneFormatException {
+  private ExitCode run(JsonSummary report) throws TaskException, SceneFormatException {
     validate();
     Deadline deadline = run.deadline();
     Instant start = budgets.start();
@@ -219,7 +212,7 @@ final class ResumeCommand extends Subcommand {
     kernel.validate();
     checks().requireFolders("--assets", assets);
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
-      throw Kind.SCENE.failure(film + ": does not exist");
+      throw ExitCode.SCENE.failure(film + ": does not exist");
     }
   }
 
@@ -230,7 +223,7 @@ final class ResumeCommand extends Subcommand {
     boolean asBefore = samples.isEmpty() && !budgets.areGiven();
     OptionalDouble error = asBefore ? notes.targetError() : OptionalDouble.empty();
     if (asBefore && error.isEmpty() && settings.samples() == RenderSettings.MAX_SAMPLES) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           film
               + ": was rendered without a sample limit; expected --samples, --time or"
               + " --target-error");
@@ -242,13 +235,13 @@ final class ResumeCommand extends Subcommand {
     Optional<Path> target = output.isPresent() ? output : notes.output();
     return target.orElseThrow(
         () ->
-            Kind.USAGE.failure(
+            ExitCode.USAGE.failure(
                 film + ": has no picture yet, because it was merged; expected one with -o"));
   }
 
   private void requireNoGaps(FilmHeader header) throws TaskException {
     if (header.hasGaps()) {
-      throw Kind.SCENE.failure(
+      throw ExitCode.SCENE.failure(
           film + ": cannot be resumed, because its samples have gaps: " + header.parts());
     }
   }
@@ -260,7 +253,7 @@ final class ResumeCommand extends Subcommand {
     int limit =
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
     if (limit < most) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           "--samples: expected at least the %s per pixel already rendered, found %s"
               .formatted(Numbers.count(most, "sample"), limit));
     }
@@ -279,7 +272,7 @@ final class ResumeCommand extends Subcommand {
       run.errors().warnings(file.warnings());
       return file;
     } catch (IOException e) {
-      throw Kind.SCENE.failure(
+      throw ExitCode.SCENE.failure(
           path + ": the checkpoint's scene cannot be read: " + FileFailure.reason(e), e);
     }
   }
@@ -294,7 +287,7 @@ final class ResumeCommand extends Subcommand {
         changed.isEmpty()
             ? path + " or a file that it uses has"
             : String.join(", ", changed) + (changed.size() == 1 ? " has" : " have");
-    throw Kind.SCENE.failure(
+    throw ExitCode.SCENE.failure(
         film
             + ": "
             + what
@@ -312,7 +305,7 @@ final class ResumeCommand extends Subcommand {
       Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
       header.requireSame(here, film.toString(), path.toString());
     } catch (FilmMismatchException e) {
-      throw Kind.SCENE.failure(e.getMessage(), e);
+      throw ExitCode.SCENE.failure(e.getMessage(), e);
     }
   }
 
@@ -329,7 +322,7 @@ final class ResumeCommand extends Subcommand {
     try {
       Files.move(film, aside, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(
+      throw ExitCode.OUTPUT.failure(
           film + ": cannot be renamed to " + aside + ": " + e.getMessage(), e);
     }
     run.errors().line("warning: " + film + ": damaged file kept as " + aside);

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.lab.checks.Invariant;
 import io.github.lumbre.lab.checks.Invariants;
@@ -24,13 +24,12 @@ import picocli.CommandLine.Option;
       "Examples:",
       "  lumbre selftest",
       "  lumbre selftest --markdown > docs/stability.md"
-    },
-    exitCodeList = {
-      "0:All invariants hold",
-      "1:An invariant does not hold",
-      "2:The command line is invalid",
-      "7:Internal error"
     })
+@Exits(
+    value = {
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.INTERNAL
+    },
+    different = "an invariant does not hold")
 final class SelfTestCommand extends Subcommand {
   /** Four times the tries of the build's tests. */
   private static final Tries TRIES = new Tries(4, 0);
@@ -39,12 +38,13 @@ final class SelfTestCommand extends Subcommand {
   private boolean markdown;
 
   @Override
-  public Integer call() throws InterruptedException {
+  ExitCode run() throws InterruptedException {
     return run(Invariants.all(), markdown, out());
   }
 
   /** Checks invariants and prints a line for each as soon as its result is known. */
-  static int run(List<Invariant> laws, boolean markdown, Messages out) throws InterruptedException {
+  static ExitCode run(List<Invariant> laws, boolean markdown, Messages out)
+      throws InterruptedException {
     List<Invariant.Outcome> outcomes = new ArrayList<>();
     if (markdown) {
       StabilityPage.head().forEach(out::line);
@@ -59,7 +59,7 @@ final class SelfTestCommand extends Subcommand {
       long held = outcomes.stream().filter(Invariant.Outcome::holds).count();
       out.line(held + " of " + outcomes.size() + " invariants hold");
     }
-    return allHold ? ExitCodes.OK : ExitCodes.DIFFERENT;
+    return allHold ? ExitCode.OK : ExitCode.DIFFERENT;
   }
 
   private static String line(Invariant.Outcome outcome) {

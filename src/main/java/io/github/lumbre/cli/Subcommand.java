@@ -1,5 +1,6 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.Version;
 import io.github.lumbre.cli.output.Messages;
@@ -9,13 +10,21 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** What the commands of the program share. It returns one of the exit codes that its help lists. */
+/** What the commands of the program share. They return one of the codes of {@link Exits}. */
 @Command(
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     exitCodeListHeading = "%nExit codes:%n")
 abstract class Subcommand implements Callable<Integer> {
   @Spec CommandSpec spec;
+
+  @Override
+  public final Integer call() throws Exception {
+    return run().number();
+  }
+
+  /** Runs the command; {@link io.github.lumbre.cli.output.Failures} reports its exceptions. */
+  abstract ExitCode run() throws Exception;
 
   /** Returns the standard output. */
   final Messages out() {

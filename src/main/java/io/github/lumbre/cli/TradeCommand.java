@@ -1,10 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SceneOptions;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -41,18 +41,13 @@ import picocli.CommandLine.Option;
             + " increasing samples. Write a page of error against time, and the same data as .csv"
             + " and .json.",
     sortOptions = false,
-    footer = {"", "Example:", "  lumbre trade scene.json --quick -o trade.html"},
-    exitCodeList = {
-      "0:Done",
-      "1:There are warnings under --strict, or threads or buckets changed a picture",
-      "2:The command line is invalid",
-      "3:The scene is missing, unreadable or invalid",
-      "4:A mesh or image of the scene cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "6:The page cannot be written",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
-    })
+    footer = {"", "Example:", "  lumbre trade scene.json --quick -o trade.html"})
+@Exits(
+    value = {
+      ExitCode.OK, ExitCode.WARNINGS, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.SCENE,
+      ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.INTERRUPTED
+    },
+    different = "threads or buckets changed a picture")
 final class TradeCommand extends Subcommand {
   @Mixin private final SceneOptions options = new SceneOptions();
 
@@ -119,7 +114,7 @@ final class TradeCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
@@ -142,10 +137,10 @@ final class TradeCommand extends Subcommand {
       json.write(TradeTables.json(run.facts(), result));
       out().line(page.toString());
       boolean same = result.exact().stream().allMatch(ExactRow::isSamePicture);
-      return same ? ExitCodes.OK : ExitCodes.DIFFERENT;
+      return same ? ExitCode.OK : ExitCode.DIFFERENT;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return ExitCodes.INTERRUPTED;
+      return ExitCode.INTERRUPTED;
     }
   }
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.option.BudgetFlags;
@@ -10,7 +10,6 @@ import io.github.lumbre.cli.option.QualityFlags;
 import io.github.lumbre.cli.option.RenderFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmExposure;
@@ -72,16 +71,11 @@ import picocli.CommandLine.Option;
       "  lumbre view helmet.glb --size 800x600 --samples 1000",
       "  lumbre view picture.exr --compare reference.exr",
       "  lumbre view scene.json --no-open --port 8080"
-    },
-    exitCodeList = {
-      "2:The command line is invalid",
-      "3:The scene or checkpoint file is missing, unreadable or invalid",
-      "4:A mesh or image cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "6:The port is in use",
-      "7:Internal error",
-      "129, 130, 143:Ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM"
     })
+@Exits({
+  ExitCode.USAGE, ExitCode.SCENE, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.PORT,
+  ExitCode.INTERNAL, ExitCode.INTERRUPTED
+})
 final class ViewCommand extends Subcommand {
   private static final Set<String> PICTURES =
       Set.of("exr", "png", "jpg", "jpeg", "hdr", "pic", "pfm");
@@ -116,7 +110,7 @@ final class ViewCommand extends Subcommand {
   @Mixin private final KernelFlag kernel = new KernelFlag();
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     flags.validate();
     budgets.validate();
     kernel.validate();
@@ -136,10 +130,10 @@ final class ViewCommand extends Subcommand {
       view.open(new ViewLimits(targetError(), budgets.confidence(), budgets.time()));
       announce(view);
       view.run(monitor::isCancelled);
-      return ExitCodes.INTERRUPTED;
+      return ExitCode.INTERRUPTED;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return ExitCodes.INTERRUPTED;
+      return ExitCode.INTERRUPTED;
     }
   }
 
@@ -195,7 +189,7 @@ final class ViewCommand extends Subcommand {
       return developed(FilmInput.read(path, errors)).asLight();
     }
     if (!Files.exists(path)) {
-      throw Kind.SCENE.failure(path + ": does not exist");
+      throw ExitCode.SCENE.failure(path + ": does not exist");
     }
     try {
       boolean isExr = String.valueOf(path.getFileName()).toLowerCase(Locale.ROOT).endsWith(".exr");
@@ -209,9 +203,9 @@ final class ViewCommand extends Subcommand {
     } catch (ImageFormatException e) {
       boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(
-          isTooLarge ? Kind.LIMIT : Kind.ASSET, path + ": " + e.getMessage(), e);
+          isTooLarge ? ExitCode.LIMIT : ExitCode.ASSET, path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 

@@ -1,11 +1,10 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.option.DenoisingFlags;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.LaterStep;
@@ -71,17 +70,11 @@ import picocli.CommandLine.Parameters;
         "Writes front.png, back.png, left.png, right.png, top.png, bottom.png, iso.png and"
             + " views.png into a folder. Each picture has the bits of 'lumbre render MODEL --view"
             + " NAME' with the same flags and samples.",
-    footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"},
-    exitCodeList = {
-      "0:All pictures are written",
-      "2:The command line is invalid",
-      "3:The model is missing or unreadable",
-      "4:The model cannot be decoded",
-      "5:A limit or the available memory is exceeded",
-      "6:A picture cannot be written",
-      "7:Internal error",
-      "129, 130, 143:Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM; complete pictures are kept"
-    })
+    footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"})
+@Exits({
+  ExitCode.OK, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT,
+  ExitCode.INTERNAL, ExitCode.SAVED
+})
 final class ViewsCommand extends Subcommand {
   private static final String SHEET = "views.png";
   private static final int SHEET_COLUMNS = 4;
@@ -131,7 +124,7 @@ final class ViewsCommand extends Subcommand {
   private Optional<Denoising> denoising = Optional.empty();
 
   @Override
-  public Integer call() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException {
     Stage stage = checkedStage();
     OutputGuard guard = guard();
     JsonSummary report = new JsonSummary("views", model);
@@ -141,8 +134,8 @@ final class ViewsCommand extends Subcommand {
     Messages out = out();
     return report.around(
         () -> {
-          int code = run(stage, guard, report);
-          report.put("exit_code", code);
+          ExitCode code = run(stage, guard, report);
+          report.put("exit_code", code.number());
           report.print(out);
           return code;
         },
@@ -150,7 +143,7 @@ final class ViewsCommand extends Subcommand {
         Interruption::exitCode);
   }
 
-  private int run(Stage stage, OutputGuard guard, JsonSummary report)
+  private ExitCode run(Stage stage, OutputGuard guard, JsonSummary report)
       throws SceneFormatException, TaskException {
     guard.check();
     denoising = stored.denoising(true);
@@ -171,7 +164,7 @@ final class ViewsCommand extends Subcommand {
         describe(views, report);
       }
       messages.line(summary(settings, (System.nanoTime() - start) * 1e-9));
-      return ExitCodes.OK;
+      return ExitCode.OK;
     }
   }
 
@@ -221,7 +214,7 @@ final class ViewsCommand extends Subcommand {
     try {
       return parser.parse(model, stage, List.copyOf(View.standard().values()));
     } catch (IOException e) {
-      throw Kind.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -278,7 +271,7 @@ final class ViewsCommand extends Subcommand {
             pictures.add(drawn);
             frames.picture().write(drawn.image(), options(denoised, drawn, film));
             denoised.requireDone();
-            return ExitCodes.OK;
+            return ExitCode.OK;
           });
     }
     int gap = Math.max(1, settings.width() / GAPS_PER_WIDTH);
@@ -343,6 +336,6 @@ final class ViewsCommand extends Subcommand {
   }
 
   private static TaskException stopped() {
-    return Kind.STOPPED.failure("stopped before the views were complete");
+    return ExitCode.INTERRUPTED.failure("stopped before the views were complete");
   }
 }

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.base.TextFile;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,7 +35,7 @@ public final class Csv {
       throws TaskException {
     List<String> lines = TextFile.lines(file);
     if (lines.isEmpty() || !lines.get(0).equals(header)) {
-      throw Kind.USAGE.failure(file + ": line 1: expected " + header);
+      throw ExitCode.USAGE.failure(file + ": line 1: expected " + header);
     }
     int columns = values(header).size();
     List<T> rows = new ArrayList<>();
@@ -48,7 +48,7 @@ public final class Csv {
         }
         rows.add(reader.apply(values));
       } catch (IllegalArgumentException e) {
-        throw Kind.USAGE.failure(file + ": line " + (i + 1) + ": " + e.getMessage(), e);
+        throw ExitCode.USAGE.failure(file + ": line " + (i + 1) + ": " + e.getMessage(), e);
       }
     }
     return rows;

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.ExitCode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -41,18 +43,6 @@ Every command, its flags by group, and its exit codes. `lumbre help COMMAND` pri
 
 All commands use the same codes. Each command below lists its own meanings.
 
-| code | meaning |
-|--:|---|
-| 0 | Done |
-| 1 | Done, but a condition is not met: warnings under `--strict`, a difference, a target error not reached |
-| 2 | The command line is invalid |
-| 3 | The scene or checkpoint file is missing, unreadable or invalid |
-| 4 | A mesh or image of the scene cannot be decoded |
-| 5 | A limit or the available memory is exceeded, or nothing was rendered in time |
-| 6 | An output file cannot be written |
-| 7 | Internal error |
-| 129, 130, 143 | Stopped by SIGHUP, SIGINT (Ctrl-C), SIGTERM |
-
 """;
 
   @Test
@@ -67,6 +57,8 @@ All commands use the same codes. Each command below lists its own meanings.
   private static String page() {
     CommandLine program = Lumbre.commandLine();
     StringBuilder page = new StringBuilder(HEAD);
+    List<ExitCode> codes = Stream.of(ExitCode.values()).filter(c -> c != ExitCode.SAVED).toList();
+    codes(ExitCode.meanings(codes, ""), page);
     Lumbre.SECTIONS.forEach(
         (heading, commands) -> {
           page.append("## ").append(heading).append("\n\n");
@@ -88,14 +80,16 @@ All commands use the same codes. Each command below lists its own meanings.
     parameters(spec, page);
     HelpLayout.divided(spec).forEach((heading, flags) -> flags(heading, flags, page));
     if (!usage.exitCodeList().isEmpty()) {
-      page.append("| exit code | meaning |\n|--:|---|\n");
-      usage
-          .exitCodeList()
-          .forEach((code, meaning) -> page.append("| " + code + " | " + meaning + " |\n"));
-      page.append("\n");
+      codes(usage.exitCodeList(), page);
     }
     Map<String, CommandLine> subcommands = new TreeMap<>(command.getSubcommands());
     subcommands.values().forEach(subcommand -> append(subcommand, page));
+  }
+
+  private static void codes(Map<String, String> meanings, StringBuilder page) {
+    page.append("| exit code | meaning |\n|--:|---|\n");
+    meanings.forEach((code, meaning) -> page.append("| " + code + " | " + meaning + " |\n"));
+    page.append("\n");
   }
 
   private static void parameters(CommandSpec spec, StringBuilder page) {

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.View;
@@ -68,7 +69,7 @@ class ViewBrowserTest {
               s -> s.toBuilder().size(120, 90).samples(64).set(Setting.LAYERS, layers).build())
           .parse(scene);
     } catch (IOException e) {
-      throw new TaskException(TaskException.Kind.SCENE, e.getMessage(), e);
+      throw new TaskException(ExitCode.SCENE, e.getMessage(), e);
     }
   }
 

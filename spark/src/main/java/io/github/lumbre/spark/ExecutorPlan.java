@@ -1,7 +1,7 @@
 package io.github.lumbre.spark;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
@@ -74,7 +74,7 @@ record ExecutorPlan(
   void require() throws TaskException {
     if (neededBytes > heapBytes) {
       throw new TaskException(
-          Kind.LIMIT,
+          ExitCode.LIMIT,
           "an executor with %d cores needs about %s of memory, but has %s; raise it with %s"
               .formatted(
                   cores,

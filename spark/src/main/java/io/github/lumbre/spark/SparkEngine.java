@@ -1,7 +1,7 @@
 package io.github.lumbre.spark;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmLayers;
@@ -48,7 +48,7 @@ final class SparkEngine implements Engine {
       int goal = scene.settings().samples();
       return new SparkPasses(spark, bundle, local, goal, unitSeconds, isTimed, messages);
     } catch (IOException e) {
-      throw new TaskException(Kind.SCENE, e.getMessage(), e);
+      throw new TaskException(ExitCode.SCENE, e.getMessage(), e);
     }
   }
 }

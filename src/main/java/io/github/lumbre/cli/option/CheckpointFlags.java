@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
@@ -61,7 +61,7 @@ public final class CheckpointFlags extends Flags {
     }
     for (Path existing : List.of(path.get(), OutputFile.previous(path.get()))) {
       if (Files.exists(existing)) {
-        throw Kind.OUTPUT.failure(
+        throw ExitCode.OUTPUT.failure(
             existing + ": already exists; 'lumbre resume " + path.get() + "' continues it");
       }
     }
@@ -78,7 +78,7 @@ public final class CheckpointFlags extends Flags {
       return new FilmKeeper(
           Optional.of(CheckpointFile.reserve(path)), interval, fallback(), messages);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 }

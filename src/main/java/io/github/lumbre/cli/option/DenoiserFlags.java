@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.denoise.DenoiseException;
 import io.github.lumbre.denoise.OpenImageDenoise;
@@ -55,7 +55,7 @@ public final class DenoiserFlags {
       OpenImageDenoise program = OpenImageDenoise.find(oidn, System.getenv()).withThreads(threads);
       return new Denoising(Optional.of(limit.map(program::within).orElse(program)), threads);
     } catch (DenoiseException e) {
-      throw Kind.USAGE.failure(e.getMessage() + " or with --oidn", e);
+      throw ExitCode.USAGE.failure(e.getMessage() + " or with --oidn", e);
     }
   }
 }

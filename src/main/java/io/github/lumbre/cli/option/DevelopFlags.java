@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.FilmReport;
@@ -106,7 +106,7 @@ public final class DevelopFlags extends Flags {
     Set<Layer> wanted = settings.valueOr(Setting.LAYERS, recorded);
     for (Layer layer : wanted) {
       if (!recorded.contains(layer)) {
-        throw Kind.SCENE.failure(
+        throw ExitCode.SCENE.failure(
             "%s: has no layer %s, only %s; render it with --layers %s"
                 .formatted(name, layer, recorded, layer));
       }

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.FlagConverters.ProgressStyle;
 import io.github.lumbre.cli.output.JsonProgress;
@@ -152,21 +153,20 @@ public final class RunFlags extends Flags {
   }
 
   /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */
-  public int summarized(JsonSummary report, JsonSummary.Action action)
+  public ExitCode summarized(JsonSummary report, JsonSummary.Action action)
       throws SceneFormatException, TaskException {
     return json ? failing(report, () -> printed(report, action.run())) : action.run();
   }
 
   /** Runs a part of a command, prints a JSON summary if it fails, and returns its exit code. */
-  public int failing(JsonSummary report, JsonSummary.Action action)
+  public ExitCode failing(JsonSummary report, JsonSummary.Action action)
       throws SceneFormatException, TaskException {
     return json ? report.around(action, out(), Interruption::exitCode) : action.run();
   }
 
-  private int printed(JsonSummary report, int ofCommand) {
-    int exitCode = Interruption.exitCode(ofCommand);
-    report.put("exit_code", exitCode);
+  private ExitCode printed(JsonSummary report, ExitCode ofCommand) {
+    report.put("exit_code", Interruption.exitCode(ofCommand.number()));
     report.print(out());
-    return exitCode;
+    return ofCommand;
   }
 }

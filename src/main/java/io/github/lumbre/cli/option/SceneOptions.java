@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -229,7 +229,7 @@ public final class SceneOptions {
       }
       return text.get();
     } catch (IOException e) {
-      throw Kind.SCENE.failure("standard input cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure("standard input cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -263,7 +263,8 @@ public final class SceneOptions {
     if (isStrict() && !file.warnings().isEmpty()) {
       int count = file.warnings().size();
       String warnings = count == 1 ? "1 warning" : count + " warnings";
-      throw Kind.WARNINGS.failure(scene + ": " + warnings + "; --strict treats warnings as errors");
+      throw ExitCode.WARNINGS.failure(
+          scene + ": " + warnings + "; --strict treats warnings as errors");
     }
     return file;
   }
@@ -305,9 +306,9 @@ public final class SceneOptions {
     } catch (CancellationException e) {
       InterruptedIOException interrupted = new InterruptedIOException("reading was interrupted");
       interrupted.initCause(e);
-      throw Kind.SCENE.failure(scene + ": reading was interrupted", interrupted);
+      throw ExitCode.SCENE.failure(scene + ": reading was interrupted", interrupted);
     } catch (IOException e) {
-      throw Kind.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.image.animation.AnimationFormat;
 import io.github.lumbre.image.internal.ImageFormat;
@@ -80,7 +80,7 @@ public final class TargetFlags extends Flags {
       String name = Normalizer.normalize(target.toString(), Normalizer.Form.NFC);
       Path other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), scene);
       if (other != null) {
-        throw Kind.OUTPUT.failure(
+        throw ExitCode.OUTPUT.failure(
             "%s and %s: both pictures would be %s; rename one, or render them into two folders"
                 .formatted(other, scene, target));
       }

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.parser.SceneFormatException;
@@ -34,7 +35,7 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
     CommandLine command = e.getCommandLine();
     String help = command.getCommandSpec().qualifiedName() + " --help";
     new Messages(command.getErr()).error(message(e) + " (see '" + help + "')");
-    return ExitCodes.USAGE;
+    return ExitCode.USAGE.number();
   }
 
   private String message(ParameterException e) {
@@ -76,25 +77,26 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
 
   @Override
   public int handleExecutionException(Exception e, CommandLine command, ParseResult result) {
-    return report(e, command, isDebug(result));
+    return report(e, command, isDebug(result)).number();
   }
 
   /** Reports an exception or error thrown by a command, and returns the exit code. */
-  public static int report(Throwable thrown, CommandLine command, boolean debug) {
+  public static ExitCode report(Throwable thrown, CommandLine command, boolean debug) {
     return report(thrown, command.getErr(), debug, new Messages(command.getErr()));
   }
 
   /** Reports an exception or error of one of several scenes, and returns the exit code. */
-  public static int report(Throwable thrown, CommandLine command, Messages messages) {
+  public static ExitCode report(Throwable thrown, CommandLine command, Messages messages) {
     return report(
         thrown, command.getErr(), isDebug(command.getParent().getParseResult()), messages);
   }
 
-  private static int report(Throwable thrown, PrintWriter err, boolean debug, Messages messages) {
+  private static ExitCode report(
+      Throwable thrown, PrintWriter err, boolean debug, Messages messages) {
     if (thrown instanceof SceneFormatException) {
       problems(thrown).forEach(messages::line);
     } else {
-      boolean unexplained = exitCode(thrown) == ExitCodes.INTERNAL && !debug;
+      boolean unexplained = exitCode(thrown) == ExitCode.INTERNAL && !debug;
       String advice = unexplained ? " (--debug prints the stack trace)" : "";
       problems(thrown).forEach(problem -> messages.error(problem + advice));
     }
@@ -106,21 +108,21 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
   }
 
   /** Returns the exit code for an exception or error. */
-  public static int exitCode(Throwable thrown) {
+  public static ExitCode exitCode(Throwable thrown) {
     if (thrown instanceof TaskException e) {
-      return ExitCodes.of(e.kind());
+      return e.code();
     }
     if (thrown instanceof SceneFormatException e) {
       return switch (e.kind()) {
-        case INVALID -> ExitCodes.SCENE;
-        case ASSET -> ExitCodes.ASSET;
-        case LIMIT -> ExitCodes.LIMIT;
+        case INVALID -> ExitCode.SCENE;
+        case ASSET -> ExitCode.ASSET;
+        case LIMIT -> ExitCode.LIMIT;
       };
     }
     if (thrown instanceof InvalidPathException || thrown instanceof ParameterException) {
-      return ExitCodes.USAGE;
+      return ExitCode.USAGE;
     }
-    return rootIs(thrown, OutOfMemoryError.class) ? ExitCodes.LIMIT : ExitCodes.INTERNAL;
+    return rootIs(thrown, OutOfMemoryError.class) ? ExitCode.LIMIT : ExitCode.INTERNAL;
   }
 
   /** Returns the problems that an exception or error reports, at least one line. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.Release;
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.math.Bounds3;
@@ -39,7 +40,7 @@ public final class JsonSummary {
 
   /** The work of a command; returns its exit code. */
   public interface Action {
-    int run() throws SceneFormatException, TaskException;
+    ExitCode run() throws SceneFormatException, TaskException;
   }
 
   /**
@@ -67,7 +68,7 @@ public final class JsonSummary {
    *
    * @throws ParameterException without a summary, if the command line is invalid
    */
-  public int around(Action action, Messages out) throws SceneFormatException, TaskException {
+  public ExitCode around(Action action, Messages out) throws SceneFormatException, TaskException {
     return around(action, out, IntUnaryOperator.identity());
   }
 
@@ -76,14 +77,14 @@ public final class JsonSummary {
    *
    * @param ofProgram exit code of the program, given the exit code of the failure
    */
-  public int around(Action action, Messages out, IntUnaryOperator ofProgram)
+  public ExitCode around(Action action, Messages out, IntUnaryOperator ofProgram)
       throws SceneFormatException, TaskException {
     try {
       return action.run();
     } catch (ParameterException e) {
       throw e;
     } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
-      values.put("exit_code", ofProgram.applyAsInt(Failures.exitCode(e)));
+      values.put("exit_code", ofProgram.applyAsInt(Failures.exitCode(e).number()));
       values.put("problems", Failures.problems(e));
       print(out);
       throw e;

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageLayer;
@@ -152,13 +152,13 @@ public final class LayerFiles {
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(folder + ": cannot be created: " + FileFailure.reason(e), e);
+      throw ExitCode.OUTPUT.failure(folder + ": cannot be created: " + FileFailure.reason(e), e);
     }
     for (Map.Entry<Path, Content> file : files.entrySet()) {
       try (OutputFile out = OutputFile.open(file.getKey())) {
         file.getValue().write(out);
       } catch (IOException e) {
-        throw Kind.OUTPUT.failure(
+        throw ExitCode.OUTPUT.failure(
             file.getKey() + ": cannot be written: " + FileFailure.reason(e), e);
       }
     }

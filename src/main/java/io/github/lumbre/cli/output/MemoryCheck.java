@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.scene.RenderSettings;
@@ -31,7 +31,8 @@ public final class MemoryCheck {
    */
   public static void require(MemoryEstimate estimate) throws TaskException {
     if (estimate.refusal().isPresent()) {
-      throw Kind.LIMIT.failure(estimate.refusal().get() + "; " + advice(estimate.neededBytes()));
+      throw ExitCode.LIMIT.failure(
+          estimate.refusal().get() + "; " + advice(estimate.neededBytes()));
     }
   }
 

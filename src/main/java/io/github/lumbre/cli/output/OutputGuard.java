@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
@@ -132,7 +132,7 @@ public final class OutputGuard {
   /**
    * Checks all outputs.
    *
-   * @throws TaskException with {@link ExitCodes#OUTPUT} for the first output that must not be
+   * @throws TaskException with {@link ExitCode#OUTPUT} for the first output that must not be
    *     written
    */
   public void check() throws TaskException {
@@ -162,7 +162,7 @@ public final class OutputGuard {
    * Checks that no output is a file of a model that was read after {@link #check}.
    *
    * @param assets the files that the model names
-   * @throws TaskException with {@link ExitCodes#OUTPUT} for the first output that is
+   * @throws TaskException with {@link ExitCode#OUTPUT} for the first output that is
    */
   public void checkAssets(Path model, Set<Path> assets) throws TaskException {
     for (Path asset : assets) {
@@ -250,6 +250,6 @@ public final class OutputGuard {
   }
 
   private static TaskException refused(String message) {
-    return Kind.OUTPUT.failure(message);
+    return ExitCode.OUTPUT.failure(message);
   }
 }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.file.Disk;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.Image;
@@ -106,7 +106,7 @@ public final class PictureOutput implements AutoCloseable {
     try {
       return new PictureOutput(target, target, Optional.of(OutputFile.open(target)), fallback);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -135,7 +135,7 @@ public final class PictureOutput implements AutoCloseable {
       Optional<OutputFile> file = Optional.of(OutputFile.open(collected));
       return new PictureOutput(STANDARD, collected, file, fallback);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(directory + ": cannot be written: " + e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(directory + ": cannot be written: " + e.getMessage(), e);
     }
   }
 
@@ -162,7 +162,7 @@ public final class PictureOutput implements AutoCloseable {
             .orElse(Math.max(settings.width(), settings.height()));
     boolean isJpeg = ImageFormat.of(path).equals(Optional.of(ImageFormat.JPG));
     if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
-      throw Kind.LIMIT.failure(
+      throw ExitCode.LIMIT.failure(
           "%s: a JPEG has at most %s pixels on a side, found %s; choose another format"
               .formatted(target, ImageWriter.MAX_JPEG_SIDE, side));
     }
@@ -194,7 +194,7 @@ public final class PictureOutput implements AutoCloseable {
     } catch (IOException e) {
       String failure = path + ": cannot be written: " + e.getMessage();
       String rescue = isStandardOutput() ? "" : "; " + rescue(image, layers, options);
-      throw Kind.OUTPUT.failure(failure + rescue, e);
+      throw ExitCode.OUTPUT.failure(failure + rescue, e);
     }
     if (isStandardOutput()) {
       print(path);
@@ -213,7 +213,7 @@ public final class PictureOutput implements AutoCloseable {
       Files.copy(collected, out);
       Files.delete(collected);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(
+      throw ExitCode.OUTPUT.failure(
           "standard output cannot be written: %s; the picture is saved as %s instead"
               .formatted(e.getMessage(), collected),
           e);

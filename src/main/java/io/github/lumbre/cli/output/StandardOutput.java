@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
@@ -48,12 +49,12 @@ public final class StandardOutput extends OutputStream {
   }
 
   /**
-   * Returns the exit code of the program after a command: {@link ExitCodes#OUTPUT} if the command
+   * Returns the exit code of the program after a command: {@link ExitCode#OUTPUT} if the command
    * succeeded but its result could not be printed. Prints the error, unless the reader of a pipe
    * has ended, as {@code head} does once it has what it wants.
    */
   public int exitCode(int ofCommand, PrintWriter errors) {
-    boolean isAnswer = ofCommand == ExitCodes.OK || ofCommand == ExitCodes.DIFFERENT;
+    boolean isAnswer = ofCommand <= ExitCode.DIFFERENT.number();
     if (failure.isEmpty() || !isAnswer) {
       return ofCommand;
     }
@@ -62,6 +63,6 @@ public final class StandardOutput extends OutputStream {
     if (!reason.toLowerCase(Locale.ROOT).contains("broken pipe")) {
       new Messages(errors).error("standard output cannot be written: " + reason);
     }
-    return ExitCodes.OUTPUT;
+    return ExitCode.OUTPUT.number();
   }
 }

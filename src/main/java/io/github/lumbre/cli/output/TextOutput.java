@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.base.TextFile;
 import io.github.lumbre.file.OutputFile;
 import java.io.IOException;
@@ -62,6 +62,6 @@ public final class TextOutput implements AutoCloseable {
   }
 
   private static TaskException failure(IOException e) {
-    return Kind.OUTPUT.failure(e.getMessage(), e);
+    return ExitCode.OUTPUT.failure(e.getMessage(), e);
   }
 }

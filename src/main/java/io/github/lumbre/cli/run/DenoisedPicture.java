@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
@@ -45,10 +45,10 @@ public record DenoisedPicture(
       denoising.advise(noisy, name, messages);
       return new DenoisedPicture(Optional.of(denoising.denoise(noisy)), Optional.empty(), true);
     } catch (TaskException e) {
-      return failed(e.kind(), e.getMessage(), name, e);
+      return failed(e.code(), e.getMessage(), name, e);
     } catch (OutOfMemoryError e) {
       String advice = MemoryCheck.advice(Runtime.getRuntime().maxMemory() * 3 / 2);
-      return failed(Kind.LIMIT, "not enough memory to denoise; " + advice, name, e);
+      return failed(ExitCode.LIMIT, "not enough memory to denoise; " + advice, name, e);
     }
   }
 
@@ -76,10 +76,11 @@ public record DenoisedPicture(
     return done.orElse(STOPPED);
   }
 
-  private static DenoisedPicture failed(Kind kind, String reason, String name, Throwable cause) {
+  private static DenoisedPicture failed(
+      ExitCode code, String reason, String name, Throwable cause) {
     String text = reason + "; the noisy picture is " + name;
     return new DenoisedPicture(
-        Optional.empty(), Optional.of(new TaskException(kind, text, cause)), true);
+        Optional.empty(), Optional.of(new TaskException(code, text, cause)), true);
   }
 
   /** Returns whether the picture keeps its noise, although it shall be denoised. */

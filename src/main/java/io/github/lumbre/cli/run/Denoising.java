@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.denoise.BuiltInDenoiser;
@@ -82,7 +82,7 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
           ? program.get().denoise(noisy)
           : BuiltInDenoiser.denoise(noisy, all);
     } catch (DenoiseException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

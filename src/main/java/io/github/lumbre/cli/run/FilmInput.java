@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmFormatException;
@@ -34,11 +34,11 @@ public final class FilmInput {
                       "warning: %s: %s; using %s instead".formatted(path, problem, loaded.from())));
       return loaded;
     } catch (NoSuchFileException e) {
-      throw Kind.SCENE.failure(path + ": does not exist", e);
+      throw ExitCode.SCENE.failure(path + ": does not exist", e);
     } catch (FilmFormatException e) {
-      throw Kind.SCENE.failure(path + ": " + e.getMessage(), e);
+      throw ExitCode.SCENE.failure(path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw Kind.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -55,7 +55,7 @@ public final class FilmInput {
   private static void requireNoChoice(
       Path path, FilmHeader header, Setting<?> setting, String instead) throws TaskException {
     if (SettingType.AUTO.equals(header.identity().get(setting.name()))) {
-      throw Kind.SCENE.failure(
+      throw ExitCode.SCENE.failure(
           "%s: has samples of --%s auto, which earlier versions had; it can be developed and"
                   .formatted(path, setting.name())
               + " denoised, but not resumed or merged: start a new film with "

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.Release;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.FilmPart;
 import io.github.lumbre.cli.output.LaterStep;
@@ -342,7 +342,7 @@ public record FilmNotes(Path film, FilmHeader header) {
     try {
       return reader.apply(text.orElseThrow(() -> new IllegalArgumentException("is missing")));
     } catch (IllegalArgumentException e) {
-      throw Kind.SCENE.failure(film + ": " + name + " in its header: " + e.getMessage(), e);
+      throw ExitCode.SCENE.failure(film + ": " + name + " in its header: " + e.getMessage(), e);
     }
   }
 }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
@@ -48,7 +48,7 @@ public final class FinishedFrames {
    *
    * @param picture path of the file
    * @param expected metadata of the frame as it would be rendered now
-   * @throws TaskException with {@link Kind#USAGE} if the file is something else
+   * @throws TaskException with {@link ExitCode#USAGE} if the file is something else
    */
   public void add(Path picture, Map<String, String> expected) throws TaskException {
     if (!Files.exists(picture)) {
@@ -104,7 +104,7 @@ public final class FinishedFrames {
   }
 
   private static TaskException refused(Path picture, String reason) {
-    return Kind.USAGE.failure(
+    return ExitCode.USAGE.failure(
         picture
             + ": cannot be continued: "
             + reason
@@ -125,7 +125,7 @@ public final class FinishedFrames {
     try {
       return exposure.map(stops -> Exposure.of(Double.parseDouble(stops)));
     } catch (IllegalArgumentException e) {
-      throw Kind.USAGE.failure(
+      throw ExitCode.USAGE.failure(
           "--continue: the frames have a damaged " + PictureMetadata.CHOSEN_EXPOSURE, e);
     }
   }

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -47,7 +47,7 @@ public final class Frames implements AutoCloseable {
   /** Renders the current frame and returns its exit code. */
   @FunctionalInterface
   public interface Rendering {
-    int run() throws SceneFormatException, TaskException;
+    ExitCode run() throws SceneFormatException, TaskException;
   }
 
   /**
@@ -111,7 +111,7 @@ public final class Frames implements AutoCloseable {
     try {
       names = Optional.of(OutputFile.reserve(targets));
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
     targets.forEach(target -> pictures.add(PictureOutput.of(target, fallback)));
     reserved = true;
@@ -239,14 +239,15 @@ public final class Frames implements AutoCloseable {
    * @throws TaskException if a signal ends the sequence, or the deadline passes before its last
    *     frame is begun; it names the complete frames
    */
-  public int render(JsonSummary report, Rendering frame)
+  public ExitCode render(JsonSummary report, Rendering frame)
       throws SceneFormatException, TaskException {
-    int exitCode;
+    ExitCode exitCode;
     try {
       exitCode = frame.run();
     } catch (TaskException e) {
-      boolean hasEnded = e.kind() == Kind.STOPPED || e.kind() == Kind.LIMIT && deadline.hasPassed();
-      throw hasEnded && !isSingle() ? ended(e.kind(), 0) : e;
+      boolean hasEnded =
+          e.code() == ExitCode.INTERRUPTED || e.code() == ExitCode.LIMIT && deadline.hasPassed();
+      throw hasEnded && !isSingle() ? ended(e.code(), 0) : e;
     } finally {
       interruption.endRender();
     }
@@ -254,10 +255,10 @@ public final class Frames implements AutoCloseable {
     int partial = isPartial ? 1 : 0;
     current += 1 - partial;
     if (interruption.isRequested() && !isSingle() && left() > 0) {
-      throw ended(Kind.STOPPED, partial);
+      throw ended(ExitCode.INTERRUPTED, partial);
     }
     if (deadline.hasPassed() && left() > partial) {
-      throw ended(Kind.LIMIT, partial);
+      throw ended(ExitCode.LIMIT, partial);
     }
     return exitCode;
   }
@@ -265,9 +266,10 @@ public final class Frames implements AutoCloseable {
   /**
    * @param partial number of partial frames, 0 or 1
    */
-  private TaskException ended(Kind kind, int partial) {
+  private TaskException ended(ExitCode code, int partial) {
     ended = true;
-    String what = kind == Kind.STOPPED ? "stopped after " : "--timeout: the time ended after ";
+    String what =
+        code == ExitCode.INTERRUPTED ? "stopped after " : "--timeout: the time ended after ";
     List<String> states = new ArrayList<>();
     if (failed.isEmpty() && current > 0) {
       states.add(names(0, current) + " complete");
@@ -283,7 +285,7 @@ public final class Frames implements AutoCloseable {
       states.add(failures());
     }
     String done = complete() + " of " + Numbers.count(targets.size(), "picture");
-    return new TaskException(kind, what + done + ": " + String.join(", ", states));
+    return new TaskException(code, what + done + ": " + String.join(", ", states));
   }
 
   /** Returns the names of the frames from a first one to before a last one, with a verb. */

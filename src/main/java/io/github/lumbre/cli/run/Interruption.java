@@ -1,8 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.Signals;
 import io.github.lumbre.file.OutputFile;
@@ -31,11 +30,11 @@ import java.util.concurrent.atomic.AtomicInteger;
  * temporary files of incomplete outputs.
  */
 public final class Interruption implements AutoCloseable {
-  private static final Map<String, Integer> EXIT_CODES =
+  private static final Map<String, ExitCode> EXIT_CODES =
       Map.of(
-          "INT", ExitCodes.INTERRUPTED,
-          "TERM", ExitCodes.TERMINATED,
-          "HUP", ExitCodes.HUNG_UP);
+          "INT", ExitCode.INTERRUPTED,
+          "TERM", ExitCode.TERMINATED,
+          "HUP", ExitCode.HUNG_UP);
 
   /** The time that a command without a result has to end on its own. */
   private static final long PATIENCE_MILLIS = 1000;
@@ -77,7 +76,7 @@ public final class Interruption implements AutoCloseable {
 
   /** Installs the signal handlers for the rest of the program. */
   public static void install() {
-    EXIT_CODES.forEach((name, code) -> Signals.on(name, () -> arrived(code)));
+    EXIT_CODES.forEach((name, code) -> Signals.on(name, () -> arrived(code.number())));
     Runtime.getRuntime()
         .addShutdownHook(new Thread(OutputFile::deleteUnfinished, "lumbre-clean-up"));
   }
@@ -85,13 +84,14 @@ public final class Interruption implements AutoCloseable {
   /** Returns the exit code of the program, given the exit code of its command. */
   public static int exitCode(int ofCommand) {
     int signal = FIRST.get();
-    boolean hasFailed = ofCommand > ExitCodes.TARGET && ofCommand != ExitCodes.INTERRUPTED;
+    boolean hasFailed =
+        ofCommand > ExitCode.TARGET.number() && ofCommand != ExitCode.INTERRUPTED.number();
     return signal == 0 || hasFailed ? ofCommand : signal;
   }
 
   private static void arrived(int code) {
     if (!FIRST.compareAndSet(0, code)) {
-      if (code != ExitCodes.HUNG_UP) {
+      if (code != ExitCode.HUNG_UP.number()) {
         ProgressBar.vanish();
         OutputFile.deleteUnfinished();
         Runtime.getRuntime().halt(code);
@@ -226,7 +226,7 @@ public final class Interruption implements AutoCloseable {
   static TaskException withoutPicture(boolean isOutOfTime) {
     String end = isOutOfTime ? "--timeout: the time ended" : "stopped";
     return new TaskException(
-        isOutOfTime ? Kind.LIMIT : Kind.STOPPED,
+        isOutOfTime ? ExitCode.LIMIT : ExitCode.INTERRUPTED,
         end + " before anything was rendered; no picture is written");
   }
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
@@ -68,9 +68,9 @@ public final class JoinedFrames implements AutoCloseable {
       joined.file = Optional.of(OutputFile.open(target));
       return joined;
     } catch (IllegalArgumentException e) {
-      throw Kind.USAGE.failure(target + ": " + e.getMessage(), e);
+      throw ExitCode.USAGE.failure(target + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(e.getMessage(), e);
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -83,7 +83,7 @@ public final class JoinedFrames implements AutoCloseable {
     try {
       writer.requireFits(window.width(), window.height());
     } catch (IllegalArgumentException e) {
-      throw Kind.LIMIT.failure(target + ": " + e.getMessage(), e);
+      throw ExitCode.LIMIT.failure(target + ": " + e.getMessage(), e);
     }
   }
 
@@ -92,7 +92,7 @@ public final class JoinedFrames implements AutoCloseable {
     try {
       return AnimationFormat.of(target).orElseThrow().writer(ffmpeg, System.getenv());
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(
+      throw ExitCode.OUTPUT.failure(
           target + ": needs the program ffmpeg (--ffmpeg): " + e.getMessage(), e);
     } catch (InterruptedException e) {
       CancellationException cancelled = new CancellationException(e.getMessage());
@@ -117,7 +117,7 @@ public final class JoinedFrames implements AutoCloseable {
       // A terminal's Ctrl-C also ends the program that writes a video.
       throw monitor.isCancelled()
           ? incomplete(monitor.isOutOfTime())
-          : Kind.OUTPUT.failure(
+          : ExitCode.OUTPUT.failure(
               "%s: cannot be written: %s; %s"
                   .formatted(target, FileFailure.reason(e.getCause()), advice()),
               e);
@@ -131,7 +131,7 @@ public final class JoinedFrames implements AutoCloseable {
       // Other files are not ours to delete.
       return;
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(
+      throw ExitCode.OUTPUT.failure(
           target + ": is complete, but its frames cannot be deleted: " + FileFailure.reason(e), e);
     }
   }
@@ -167,7 +167,7 @@ public final class JoinedFrames implements AutoCloseable {
 
   private TaskException incomplete(boolean isOutOfTime) {
     return new TaskException(
-        isOutOfTime ? Kind.LIMIT : Kind.STOPPED,
+        isOutOfTime ? ExitCode.LIMIT : ExitCode.INTERRUPTED,
         (isOutOfTime ? "--timeout: the time ended" : "stopped")
             + " before "
             + target

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.Messages;
@@ -39,13 +39,13 @@ public final class LayerInput {
       }
       return LayeredImage.read(file);
     } catch (NoSuchFileException e) {
-      throw Kind.USAGE.failure(file + ": does not exist", e);
+      throw ExitCode.USAGE.failure(file + ": does not exist", e);
     } catch (ImageFormatException e) {
       boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
       throw new TaskException(
-          isTooLarge ? Kind.LIMIT : Kind.ASSET, file + ": " + e.getMessage(), e);
+          isTooLarge ? ExitCode.LIMIT : ExitCode.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw Kind.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw ExitCode.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
     }
   }
 
@@ -92,7 +92,7 @@ public final class LayerInput {
     return file.layer(name)
         .orElseThrow(
             () ->
-                Kind.USAGE.failure(
+                ExitCode.USAGE.failure(
                     "%s: has no layer '%s', only %s%s"
                         .formatted(
                             path,

@@ -1,12 +1,11 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.checkpoint.FilmFile;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.checkpoint.internal.FilmPicture;
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.output.ForecastReport;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.LaterStep;
@@ -85,13 +84,13 @@ public record RenderJob(
   }
 
   /** Renders a new film. */
-  public int run(int firstSample) throws TaskException {
+  public ExitCode run(int firstSample) throws TaskException {
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     return run(renderer, renderer.newFilm(firstSample), Optional.empty());
   }
 
   /** Renders the remaining samples of a film and returns the exit code. */
-  public int run(FilmFile begun) throws TaskException {
+  public ExitCode run(FilmFile begun) throws TaskException {
     budget.watch().resume(begun.film());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     return run(renderer, begun.film(), Optional.of(begun.header()));
@@ -102,7 +101,7 @@ public record RenderJob(
    *
    * @param header of the film's existing samples
    */
-  private int run(FilmRenderer renderer, Film film, Optional<FilmHeader> header)
+  private ExitCode run(FilmRenderer renderer, Film film, Optional<FilmHeader> header)
       throws TaskException {
     try (monitor) {
       RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
@@ -131,7 +130,7 @@ public record RenderJob(
       return exitCode(result.statistics(), noise);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return ExitCodes.INTERRUPTED;
+      return ExitCode.INTERRUPTED;
     }
   }
 
@@ -151,7 +150,7 @@ public record RenderJob(
       String found = header.get().identity().getOrDefault(FilmHeader.GUIDE_HASH, "nothing");
       if (!found.equals(hash)) {
         throw new TaskException(
-            Kind.SCENE,
+            ExitCode.SCENE,
             "%s: the film has %s, the pilot render of --guide now has %s; the film cannot be"
                     .formatted(FilmHeader.GUIDE_HASH, found, hash)
                 + " resumed, only developed: start a new one");
@@ -255,19 +254,19 @@ public record RenderJob(
     }
     report(summary, noise, later.loss());
     if (keeper.failure().isPresent()) {
-      throw new TaskException(Kind.OUTPUT, keeper.failure().get());
+      throw new TaskException(ExitCode.OUTPUT, keeper.failure().get());
     }
     later.denoised().requireDone();
   }
 
-  private int exitCode(RenderStatistics statistics, NoiseReport noise) {
+  private ExitCode exitCode(RenderStatistics statistics, NoiseReport noise) {
     if (how.strict() && statistics.rejected() != 0) {
-      return ExitCodes.INTERNAL;
+      return ExitCode.INTERNAL;
     }
     if (how.strict() && statistics.invalidCoordinates() != 0) {
-      return ExitCodes.WARNINGS;
+      return ExitCode.WARNINGS;
     }
-    return noise.isMissed() ? ExitCodes.TARGET : ExitCodes.OK;
+    return noise.isMissed() ? ExitCode.TARGET : ExitCode.OK;
   }
 
   private Map<String, String> metadata(

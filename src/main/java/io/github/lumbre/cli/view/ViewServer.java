@@ -2,8 +2,8 @@ package io.github.lumbre.cli.view;
 
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;
@@ -90,8 +90,9 @@ public final class ViewServer implements AutoCloseable {
       http.start();
       return server;
     } catch (IOException e) {
-      throw Kind.OUTPUT.failure(
-          "--port: cannot listen on 127.0.0.1:%d (%s); choose another port, or 0 for any that is free"
+      throw ExitCode.PORT.failure(
+          ("--port: cannot listen on 127.0.0.1:%d (%s); choose another port, or 0 for any that is"
+                  + " free")
               .formatted(port, e.getMessage()),
           e);
     }

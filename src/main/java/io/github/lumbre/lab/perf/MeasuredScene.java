@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.perf;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.LabHost;
@@ -96,7 +96,7 @@ public final class MeasuredScene {
       statistics = outcome.statistics();
       picture = picture.or(() -> Optional.of(outcome.picture()));
       if (!RasterHash.of(outcome.picture()).equals(RasterHash.of(picture()))) {
-        throw Kind.INTERNAL.failure(name + ": renders of the same scene differ");
+        throw ExitCode.INTERNAL.failure(name + ": renders of the same scene differ");
       }
     }
     return new Measurement(

@@ -3,8 +3,8 @@ package io.github.lumbre.cli.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.TaskException.Kind;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.parser.SceneFormatException;
@@ -50,7 +50,7 @@ class FramesTest {
   }
 
   /** Renders a frame during which something happens. */
-  private int render(Frames frames, boolean complete, Event event)
+  private ExitCode render(Frames frames, boolean complete, Event event)
       throws TaskException, SceneFormatException {
     JsonSummary report = new JsonSummary("render", Path.of("a.glb"));
     return frames.render(
@@ -58,7 +58,7 @@ class FramesTest {
         () -> {
           event.happen();
           report.put("complete", complete);
-          return 0;
+          return ExitCode.OK;
         });
   }
 
@@ -70,9 +70,10 @@ class FramesTest {
     return frames;
   }
 
-  private void assertEnds(Kind kind, String message, Frames frames, boolean complete, Event event) {
+  private void assertEnds(
+      ExitCode code, String message, Frames frames, boolean complete, Event event) {
     assertThatThrownBy(() -> render(frames, complete, event))
-        .isInstanceOfSatisfying(TaskException.class, e -> assertThat(e.kind()).isEqualTo(kind))
+        .isInstanceOfSatisfying(TaskException.class, e -> assertThat(e.code()).isEqualTo(code))
         .hasMessage(message.replace("a-", directory.resolve("a-").toString()));
   }
 
@@ -95,7 +96,7 @@ class FramesTest {
   @Test
   void signalsEndTheSequenceAndNameTheCompleteFrames() throws Exception {
     assertEnds(
-        Kind.STOPPED,
+        ExitCode.INTERRUPTED,
         "stopped after 1 of 4 pictures: a-000.png is complete, a-001.png is partial,"
             + " 2 not rendered: a-002.png to a-003.png",
         after(1),
@@ -106,7 +107,7 @@ class FramesTest {
   @Test
   void signalsBetweenTwoFramesEndIt() throws Exception {
     assertEnds(
-        Kind.STOPPED,
+        ExitCode.INTERRUPTED,
         "stopped after 3 of 4 pictures: a-000.png to a-002.png are complete, 1 not"
             + " rendered: a-003.png",
         after(2),
@@ -117,7 +118,7 @@ class FramesTest {
   @Test
   void signalsInTheLastFrameNameItOnlyIfItIsPartial() throws Exception {
     assertEnds(
-        Kind.STOPPED,
+        ExitCode.INTERRUPTED,
         "stopped after 3 of 4 pictures: a-000.png to a-002.png are complete, a-003.png is partial",
         after(3),
         false,
@@ -126,33 +127,33 @@ class FramesTest {
 
   @Test
   void signalsAtTheVeryEndChangeNothing() throws Exception {
-    assertThat(render(after(3), true, interruption::request)).isZero();
+    assertThat(render(after(3), true, interruption::request)).isEqualTo(ExitCode.OK);
   }
 
   @Test
   void signalsAfterAFrameDoNotWaitForTheNextOne() throws Exception {
     Frames frames = frames(COUNT);
-    assertThat(render(frames, true, interruption::requireRender)).isZero();
+    assertThat(render(frames, true, interruption::requireRender)).isEqualTo(ExitCode.OK);
     assertThat(interruption.request()).isFalse();
   }
 
   @Test
   void signalsDuringReadingNameTheFrames() throws Exception {
     assertEnds(
-        Kind.STOPPED,
+        ExitCode.INTERRUPTED,
         "stopped after 2 of 4 pictures: a-000.png to a-001.png are complete, 2 not rendered:"
             + " a-002.png to a-003.png",
         after(2),
         false,
         () -> {
-          throw new TaskException(Kind.STOPPED, "stopped before anything was rendered");
+          throw new TaskException(ExitCode.INTERRUPTED, "stopped before anything was rendered");
         });
   }
 
   @Test
   void passedDeadlinesEndItBeforeTheNextFrame() throws Exception {
     assertEnds(
-        Kind.LIMIT,
+        ExitCode.LIMIT,
         "--timeout: the time ended after 2 of 4 pictures: a-000.png to a-001.png are complete,"
             + " a-002.png is partial, 1 not rendered: a-003.png",
         after(2),
@@ -163,7 +164,7 @@ class FramesTest {
   @Test
   void deadlinesInTheLastFrameLeaveItPartial() throws Exception {
     Frames frames = after(3);
-    assertThat(render(frames, false, () -> nanos.set(1))).isZero();
+    assertThat(render(frames, false, () -> nanos.set(1))).isEqualTo(ExitCode.OK);
     assertThat(frames.summary())
         .isEqualTo("3 of 4 pictures written, " + frames.target() + " is partial");
   }
@@ -176,7 +177,7 @@ class FramesTest {
                     after(1),
                     false,
                     () -> {
-                      throw new TaskException(Kind.LIMIT, "too large");
+                      throw new TaskException(ExitCode.LIMIT, "too large");
                     }))
         .hasMessage("too large");
   }
@@ -188,12 +189,12 @@ class FramesTest {
     frames.fail(Path.of("c.glb"));
     assertThat(frames.left()).isEqualTo(1);
     assertEnds(
-        Kind.STOPPED,
+        ExitCode.INTERRUPTED,
         "stopped after 2 of 4 pictures: 1 not rendered: a-003.png, 1 failed: c.glb",
         frames,
         false,
         () -> {
-          throw new TaskException(Kind.STOPPED, "stopped before anything was rendered");
+          throw new TaskException(ExitCode.INTERRUPTED, "stopped before anything was rendered");
         });
     assertThat(frames.haveEnded()).isTrue();
   }
@@ -212,7 +213,7 @@ class FramesTest {
 
   @Test
   void singlePicturesAreNoSequence() throws Exception {
-    assertThat(render(frames(1), false, interruption::request)).isZero();
+    assertThat(render(frames(1), false, interruption::request)).isEqualTo(ExitCode.OK);
   }
 
   @Test

@@ -2,6 +2,7 @@ package io.github.lumbre.cli.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.ModelSample;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
@@ -123,7 +124,7 @@ class LaterStepsTest {
       RenderJob job =
           new RenderJob(
               model, file, picture, keeper, monitor, messages, report, budget, how, Engine.LOCAL);
-      assertThat(job.run(0)).isZero();
+      assertThat(job.run(0)).isEqualTo(ExitCode.OK);
     }
     return PictureTexts.read(target);
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.cli.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.option.KernelFlag;
@@ -107,7 +108,7 @@ class RunBudgetTest {
           new RenderJob.How(
               8, 90, false, false, false, Optional.empty(), Set.of(), PictureExposure.ofEach());
       JsonSummary report = new JsonSummary("render", target);
-      int code =
+      ExitCode code =
           new RenderJob(
                   target,
                   file,
@@ -120,7 +121,7 @@ class RunBudgetTest {
                   how,
                   Engine.LOCAL)
               .run(0);
-      assertThat(code).isZero();
+      assertThat(code).isEqualTo(ExitCode.OK);
     }
     return clock.samples().get() / (double) PIXELS;
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.output.Visible;
@@ -97,7 +98,7 @@ class ViewServerTest {
         // A scene around a model is not read from a file.
         return isModel ? parser.parse(text(), scene) : parser.parse(scene);
       } catch (IOException e) {
-        throw new TaskException(TaskException.Kind.SCENE, e.getMessage(), e);
+        throw new TaskException(ExitCode.SCENE, e.getMessage(), e);
       }
     }
 
