@@ -15,6 +15,7 @@ import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.scene.SettingType;
+import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -51,7 +52,7 @@ final class AuditCommand extends Subcommand {
   private boolean json;
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException, IOException {
     flags.validate();
     SceneFile file = options.read(flags.over(options.parser()));
     List<Finding> findings = SceneAudit.of(file);

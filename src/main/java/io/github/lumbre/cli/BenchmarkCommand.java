@@ -21,6 +21,7 @@ import io.github.lumbre.lab.report.TableHashes;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -139,7 +140,7 @@ final class BenchmarkCommand extends Subcommand {
   }
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException, IOException {
     BenchmarkPlan plan = plan();
     kernel.validate();
     SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> beside("scenes")));
@@ -213,7 +214,7 @@ final class BenchmarkCommand extends Subcommand {
   /** Renders and prints the rows. Returns whether all are complete; false if stopped. */
   private boolean run(
       List<ReportRow> selected, BenchmarkRunner runner, List<BenchmarkResult> results, Messages out)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException {
     BenchmarkTables tables = new BenchmarkTables(Machine.here(), runner.plan());
     try (TextOutput output = TextOutput.reserve(csv)) {
       tables.head().forEach(out::line);

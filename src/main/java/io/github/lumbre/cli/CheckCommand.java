@@ -7,10 +7,11 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.ParsedScene;
@@ -51,7 +52,7 @@ final class CheckCommand extends Subcommand {
   private boolean plan;
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws Exception {
     Messages out = out();
     Messages errors = errors();
     if (!json) {
@@ -63,7 +64,8 @@ final class CheckCommand extends Subcommand {
       return ExitCode.OK;
     }
     JsonSummary report = new JsonSummary("check", options.scene());
-    return report.around(() -> print(options.load(parser(), errors), report, out), out);
+    return new Run(Interruption.NONE, Optional.of(out))
+        .of(report, () -> describe(options.load(parser(), errors), report));
   }
 
   /** Returns a parser for the settings with which {@code render} writes its default picture. */
@@ -73,13 +75,11 @@ final class CheckCommand extends Subcommand {
         : options.parser();
   }
 
-  private static ExitCode print(SceneFile file, JsonSummary report, Messages out) {
+  private static ExitCode describe(SceneFile file, JsonSummary report) {
     report.putScene(file);
     ParsedScene parsed = ParsedScene.of(file);
     report.putContents(parsed.contents());
     parsed.model().ifPresent(model -> report.putModel(model, model.parts(parsed.scene())));
-    report.put("exit_code", ExitCode.OK.number());
-    report.print(out);
     return ExitCode.OK;
   }
 

@@ -1,12 +1,10 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderMonitor;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
@@ -25,20 +23,14 @@ import java.nio.file.Path;
 record CommandLineHost(Interruption interruption, boolean hasDisplay, Messages messages)
     implements LabHost {
   @Override
-  public SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, TaskException {
+  public SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, IOException {
     try (RenderMonitor monitor = new RenderMonitor(interruption, hasDisplay)) {
-      SceneFile file = monitor.reading(scene, () -> load(scene, parser));
-      messages.warnings(file.warnings());
-      return file;
-    }
-  }
-
-  private static SceneFile load(Path scene, SceneParser parser)
-      throws SceneFormatException, TaskException {
-    try {
-      return parser.parse(scene);
-    } catch (IOException e) {
-      throw ExitCode.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
+      Interruption.Wait reading = monitor.reading(scene);
+      try (reading) {
+        SceneFile file = parser.parse(scene);
+        messages.warnings(file.warnings());
+        return file;
+      }
     }
   }
 

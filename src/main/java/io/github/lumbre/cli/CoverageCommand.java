@@ -12,6 +12,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting.Group;
 import io.github.lumbre.scene.internal.FrameSize;
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Command;
@@ -89,7 +90,7 @@ final class CoverageCommand extends Subcommand {
   private final SettingFlags settings = new SettingFlags("", Group.TRANSPORT, Group.SAMPLING);
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException, IOException {
     checkFlags();
     SceneFile file =
         options.load(

@@ -73,7 +73,7 @@ final class DenoiseCommand extends Subcommand {
   private record Input(NoisyPicture noisy, ImageWriter.Options options) {}
 
   @Override
-  ExitCode run() throws TaskException {
+  ExitCode run() throws TaskException, InterruptedException {
     checks().requirePicture(output);
     require(threads >= 0, "--threads: expected at least 0, found " + threads);
     Denoising denoising = denoiser.denoising(threads);
@@ -90,9 +90,6 @@ final class DenoiseCommand extends Subcommand {
       Denoised denoised = denoising.denoise(input.noisy);
       picture.write(denoised.image(), Denoising.noting(denoised, input.options));
       errors.line(output + ": " + Denoising.line(denoised));
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw ExitCode.INTERRUPTED.failure("stopped; no picture is written", e);
     }
     return ExitCode.OK;
   }

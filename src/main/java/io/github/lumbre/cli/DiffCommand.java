@@ -114,7 +114,8 @@ final class DiffCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run()
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     for (Path model : List.of(old, now)) {
       require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
     }
@@ -161,18 +162,18 @@ final class DiffCommand extends Subcommand {
    * Returns the stage of a model: if it states its axis and unit, and the other one does not, the
    * flags for these are meant for the other one.
    */
-  private Stage beside(Path other, Path model, Stage stage) throws TaskException {
+  private Stage beside(Path other, Path model, Stage stage) throws TaskException, IOException {
     ModelOptions options = stage.options();
     Stage own = stage.reading(options.oriented(Optional.empty(), OptionalDouble.empty()));
     boolean isCorrected = options.up().isPresent() || options.unit().isPresent();
     return isCorrected && statesUnit(model, own) && !statesUnit(other, own) ? own : stage;
   }
 
-  private boolean statesUnit(Path model, Stage own) throws TaskException {
+  private boolean statesUnit(Path model, Stage own) throws TaskException, IOException {
     return !read(model, own).model().unit().isEmpty();
   }
 
-  private ModelDifference.Side read(Path path, Stage stage) throws TaskException {
+  private ModelDifference.Side read(Path path, Stage stage) throws TaskException, IOException {
     String name = path.getFileName().toString();
     ModelOptions options = stage.options().lenient(true);
     try {
@@ -191,12 +192,12 @@ final class DiffCommand extends Subcommand {
       Problem problem = new Problem(path.toString(), e.location(), e.detail());
       throw code.failure(ProblemText.of(problem), e);
     } catch (IOException e) {
-      throw ExitCode.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw FileFailure.named(path, e);
     }
   }
 
   private String page(Stage ofOld, Stage ofNew, ModelDifference.Result found, List<String> lines)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     ModelViews before = views(old, ofOld);
     ModelViews after = views(now, ofNew);
     View view = ofNew.view().orElse(View.DEFAULT);
@@ -210,29 +211,22 @@ final class DiffCommand extends Subcommand {
         String.join("; ", found.notCompared()));
   }
 
-  private ModelViews views(Path model, Stage stage) throws SceneFormatException, TaskException {
+  private static ModelViews views(Path model, Stage stage)
+      throws SceneFormatException, IOException {
     View view = stage.view().orElse(View.DEFAULT);
     SceneParser parser =
         new SceneParser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build());
-    try {
-      return parser.parse(model, stage, List.of(view));
-    } catch (IOException e) {
-      throw ExitCode.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
-    }
+    return parser.parse(model, stage, List.of(view));
   }
 
-  private ChangePage.Side side(Path path, SceneFile file) throws TaskException {
+  private ChangePage.Side side(Path path, SceneFile file)
+      throws TaskException, InterruptedException {
     String name = String.valueOf(path.getFileName());
     Messages messages = errors();
     MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
-    try {
-      DisplayLight picture =
-          CleanPicture.of(file, name, note -> messages.line(path + ": " + note), Progress.NONE);
-      return new ChangePage.Side(path, file, picture);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw ExitCode.INTERRUPTED.failure("stopped before the pictures were complete", e);
-    }
+    DisplayLight picture =
+        CleanPicture.of(file, name, note -> messages.line(path + ": " + note), Progress.NONE);
+    return new ChangePage.Side(path, file, picture);
   }
 
   /** Returns the numbers of changes by their kinds. */

@@ -7,7 +7,6 @@ import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
@@ -55,7 +54,7 @@ final class ImportCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException, IOException {
     require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
     Path target = output.orElseGet(this::beside);
     require(
@@ -81,15 +80,11 @@ final class ImportCommand extends Subcommand {
     OutputGuard guard =
         overwrite.guard().reads(model, "the model").writes("-o", target, OutputContent.SCENE);
     guard.check();
-    try {
-      SceneFile scene = new SceneParser().parse(folder, model, stage);
-      guard.checkAssets(model, scene.assetPaths(target));
-      String text = scene.text().orElseThrow().pretty() + "\n";
-      requireUnedited(target, text);
-      TextFile.write(target, text);
-    } catch (IOException e) {
-      throw ExitCode.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
-    }
+    SceneFile scene = new SceneParser().parse(folder, model, stage);
+    guard.checkAssets(model, scene.assetPaths(target));
+    String text = scene.text().orElseThrow().pretty() + "\n";
+    requireUnedited(target, text);
+    TextFile.write(target, text);
     return ExitCode.OK;
   }
 

@@ -129,7 +129,7 @@ public final class Lumbre implements Runnable {
     StandardOutput results = StandardOutput.open();
     PrintWriter out = new PrintWriter(results, true, charset);
     PrintWriter err = new PrintWriter(System.err, true, charset);
-    int exitCode = run(args, out, err);
+    int exitCode = run(args, out, err, Engine.LOCAL);
     out.flush();
     exitCode = results.exitCode(exitCode, err);
     err.flush();

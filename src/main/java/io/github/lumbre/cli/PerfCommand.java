@@ -20,6 +20,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.internal.Specialization;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -140,7 +141,8 @@ final class PerfCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run()
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     Messages out = out();
     PerfPlan plan = plan();
     requireDistinctFiles();
@@ -160,9 +162,6 @@ final class PerfCommand extends Subcommand {
         run(new PerfRunner(plan, host), out, output);
       }
       return ExitCode.OK;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return ExitCode.INTERRUPTED;
     }
   }
 
@@ -203,7 +202,7 @@ final class PerfCommand extends Subcommand {
 
   /** Measures scenes with two settings and prints the ratios. */
   private void runPairs(PairedRenders bench, Messages out)
-      throws SceneFormatException, TaskException, InterruptedException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     bench.head().forEach(out::line);
     for (Path scene : scenes) {
       out.line(bench.line(scene));
@@ -212,7 +211,7 @@ final class PerfCommand extends Subcommand {
 
   /** Measures the scenes and prints the results. */
   private void run(PerfRunner runner, Messages out, TextOutput output)
-      throws SceneFormatException, TaskException, InterruptedException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     PerfTables tables = new PerfTables(Machine.here(), runner.plan());
     List<PerfResult> results = new ArrayList<>();
     tables.head().forEach(out::line);

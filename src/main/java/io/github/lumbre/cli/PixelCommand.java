@@ -15,6 +15,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -68,7 +69,7 @@ final class PixelCommand extends Subcommand {
   private boolean json;
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws SceneFormatException, TaskException, IOException {
     flags.validate();
     kernel.validate();
     sample.ifPresent(n -> requireIn("--sample", 0, RenderSettings.MAX_SAMPLES - 1, n));

@@ -23,6 +23,7 @@ import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.denoise.BuiltInDenoiser;
 import io.github.lumbre.parser.SceneFile;
@@ -34,6 +35,7 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.stopping.Budget;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -103,7 +105,7 @@ final class RenderCommand extends Subcommand {
   }
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws Exception {
     Instant start = options.budgets.start();
     Duration startup = Duration.between(start, Instant.now());
     Deadline deadline = options.run.deadline();
@@ -120,32 +122,29 @@ final class RenderCommand extends Subcommand {
         targets = List.of(JoinedFrames.picture(targets.get(0)));
       }
       try (Frames frames = new Frames(targets, interruption, deadline)) {
-        return others.isEmpty() ? frame(course, frames) : batch(course, frames);
+        return others.isEmpty()
+            ? frame(course, frames, PictureExposure.ofEach())
+            : batch(course, frames);
       }
     }
   }
 
-  private ExitCode frame(Course course, Frames frames) throws SceneFormatException, TaskException {
-    return frame(course, frames, PictureExposure.ofEach());
-  }
-
-  private ExitCode frame(Course course, Frames frames, PictureExposure exposing)
-      throws SceneFormatException, TaskException {
+  private ExitCode frame(Course course, Frames frames, PictureExposure exposing) throws Exception {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
-    return options.run.summarized(
-        report, () -> frames.render(report, () -> run(report, course, frames, exposing)));
+    Run border = options.run.border(course.interruption).over(frames);
+    return border.of(report, () -> run(report, course, frames, exposing));
   }
 
   /** Renders several scenes, and returns the highest of their exit codes. */
-  private ExitCode batch(Course course, Frames frames) throws SceneFormatException, TaskException {
+  private ExitCode batch(Course course, Frames frames) throws Exception {
     RunFlags run = options.run;
     ExitCode code = ExitCode.OK;
     for (Path scene : course.scenes()) {
       options.scene.choose(scene);
       run.about(frames, scene);
       try {
-        code = code.or(frame(course, frames));
-      } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
+        code = code.or(frame(course, frames, PictureExposure.ofEach()));
+      } catch (Exception | Error e) {
         ExitCode failure = Failures.exitCode(e);
         if (!frames.areReserved() || frames.haveEnded() && failure.or(code) == failure) {
           throw e;
@@ -175,7 +174,7 @@ final class RenderCommand extends Subcommand {
 
   /** Renders one frame. */
   private ExitCode run(JsonSummary report, Course course, Frames frames, PictureExposure exposing)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     Optional<Denoising> denoising = options.denoising(frames.targets().get(0), engine);
     if (!frames.areReserved()) {
       options.reserve(course.scenes, frames);
@@ -185,7 +184,11 @@ final class RenderCommand extends Subcommand {
     SceneOptions scene = options.scene;
     try (FilmKeeper keeper = options.checkpoints.newKeeper(options.checkpoint(), messages);
         RenderMonitor monitor = options.run.monitor(course.interruption, course.deadline)) {
-      SceneFile file = monitor.reading(scene.scene(), () -> scene.load(options.parser(), messages));
+      SceneFile file;
+      Interruption.Wait reading = monitor.reading(scene.scene());
+      try (reading) {
+        file = scene.load(options.parser(), messages);
+      }
       if (dryRun) {
         return estimate(file, denoising, report);
       }

@@ -8,15 +8,18 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FinishedFrames;
 import io.github.lumbre.cli.run.Frames;
+import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.text.Numbers;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -55,8 +58,7 @@ final class RenderSequence {
 
   /** Renders the current frame and returns its exit code. */
   interface FrameRender {
-    ExitCode run(Course course, Frames frames, PictureExposure exposing)
-        throws SceneFormatException, TaskException;
+    ExitCode run(Course course, Frames frames, PictureExposure exposing) throws Exception;
   }
 
   /**
@@ -82,22 +84,23 @@ final class RenderSequence {
    *
    * @return the highest of their exit codes
    */
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws Exception {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
-    options.run.failing(report, this::plan);
+    Run border = options.run.border(course.interruption());
+    border.failing(report, this::plan);
     if (!isJoined || options.sequence.havePart()) {
       ExitCode code = render();
       options.run.summarize(summary(), sinceStart());
       return code;
     }
-    return options.run.summarized(report, () -> join(report));
+    return border.of(report, () -> join(report));
   }
 
   private Duration sinceStart() {
     return Duration.between(course.start(), Instant.now());
   }
 
-  private ExitCode render() throws SceneFormatException, TaskException {
+  private ExitCode render() throws Exception {
     ExitCode code = ExitCode.OK;
     if (missing.isEmpty()) {
       return code;
@@ -117,8 +120,7 @@ final class RenderSequence {
     return code;
   }
 
-  private ExitCode render(Frames frames, PictureExposure exposing)
-      throws SceneFormatException, TaskException {
+  private ExitCode render(Frames frames, PictureExposure exposing) throws Exception {
     try {
       return render.run(course, frames, exposing);
     } catch (TaskException e) {
@@ -147,7 +149,7 @@ final class RenderSequence {
   }
 
   /** Renders the frames and joins all into one file. */
-  private ExitCode join(JsonSummary report) throws SceneFormatException, TaskException {
+  private ExitCode join(JsonSummary report) throws Exception {
     try (JoinedFrames joined = reserved()) {
       file = Optional.of(joined);
       ExitCode code = render();
@@ -182,11 +184,12 @@ final class RenderSequence {
     }
   }
 
-  private JoinedFrames reserved() throws SceneFormatException, TaskException {
+  private JoinedFrames reserved() throws TaskException, InterruptedException {
     try (RenderMonitor monitor = monitor()) {
-      return monitor.reading(
-          target,
-          () -> JoinedFrames.reserve(target, options.sequence.rate(), options.sequence.ffmpeg()));
+      Interruption.Wait reading = monitor.reading(target);
+      try (reading) {
+        return JoinedFrames.reserve(target, options.sequence.rate(), options.sequence.ffmpeg());
+      }
     }
   }
 
@@ -228,7 +231,7 @@ final class RenderSequence {
   }
 
   /** Finds out which frames there are, and which of them are complete. */
-  private ExitCode plan() throws SceneFormatException, TaskException {
+  private ExitCode plan() throws SceneFormatException, TaskException, IOException {
     Path pictures = isJoined ? JoinedFrames.picture(target) : target;
     isDenoised = options.denoising(pictures, engine).isPresent();
     if (isJoined) {
@@ -240,7 +243,7 @@ final class RenderSequence {
       part = options.sequence.part(all.size());
       if (options.sequence.areContinued()) {
         requireMetadata(pictures);
-        monitor.reading(options.scene.scene(), this::find);
+        find(monitor);
       }
     }
     requireExposure();
@@ -248,16 +251,19 @@ final class RenderSequence {
     return ExitCode.OK;
   }
 
-  private int count(RenderMonitor monitor) throws SceneFormatException, TaskException {
+  private int count(RenderMonitor monitor)
+      throws SceneFormatException, TaskException, IOException {
     if (!options.sequence.areGiven()) {
       return course.scenes().size();
     }
     int turns = options.sequence.motion().orElseThrow().turns();
-    return turns > 0
-        ? turns
-        : monitor
-            .reading(options.scene.scene(), () -> options.scene.sequence(options.parser()))
-            .count();
+    if (turns > 0) {
+      return turns;
+    }
+    Interruption.Wait reading = monitor.reading(options.scene.scene());
+    try (reading) {
+      return options.scene.sequence(options.parser()).count();
+    }
   }
 
   /** Requires that there are no frames of an earlier run, unless they are continued. */
@@ -291,26 +297,26 @@ final class RenderSequence {
   }
 
   /** Finds the frames that are complete; also those that this run would not render. */
-  private FinishedFrames find() throws SceneFormatException, TaskException {
+  private void find(RenderMonitor monitor)
+      throws SceneFormatException, TaskException, IOException {
     Optional<SceneFile> first = Optional.empty();
-    for (int i = 0; i < all.size(); i++) {
-      if (Files.exists(all.get(i))) {
-        boolean isSame = first.isPresent() && options.sequence.areGiven();
-        choose(i);
-        first = isSame ? first : Optional.of(loaded());
-        finished.add(all.get(i), expected(i, first.get()));
+    Interruption.Wait reading = monitor.reading(options.scene.scene());
+    try (reading) {
+      for (int i = 0; i < all.size(); i++) {
+        if (Files.exists(all.get(i))) {
+          choose(i);
+          if (first.isEmpty() || !options.sequence.areGiven()) {
+            first = Optional.of(options.scene.load(options.parser(), options.run.errors()));
+          }
+          finished.add(all.get(i), expected(i, first.get()));
+        }
       }
     }
-    return finished;
-  }
-
-  private SceneFile loaded() throws SceneFormatException, TaskException {
-    return options.scene.load(options.parser(), options.run.errors());
   }
 
   /** Returns the metadata of a frame as it would be rendered now. */
   private Map<String, String> expected(int index, SceneFile file)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException {
     Map<String, String> expected = PictureMetadata.of(options.scene.scene(), file, file.settings());
     if (options.sequence.areGiven()) {
       expected.put(PictureMetadata.SCENE_HASH, options.scene.hash(index));

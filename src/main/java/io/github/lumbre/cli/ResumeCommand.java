@@ -25,7 +25,6 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.parser.SceneFile;
@@ -125,12 +124,15 @@ final class ResumeCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws TaskException, SceneFormatException {
+  ExitCode run() throws Exception {
     JsonSummary report = new JsonSummary("resume", "film", film);
-    return run.summarized(report, () -> run(report));
+    try (Interruption interruption = Interruption.listen()) {
+      return run.border(interruption).of(report, () -> run(report, interruption));
+    }
   }
 
-  private ExitCode run(JsonSummary report) throws TaskException, SceneFormatException {
+  private ExitCode run(JsonSummary report, Interruption interruption)
+      throws TaskException, SceneFormatException, IOException, InterruptedException {
     validate();
     Deadline deadline = run.deadline();
     Instant start = budgets.start();
@@ -156,10 +158,13 @@ final class ResumeCommand extends Subcommand {
           .writes("-o", target, OutputContent.PICTURE)
           .check();
       try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
-          Interruption interruption = Interruption.listen();
           RenderMonitor monitor = run.monitor(interruption, deadline)) {
         report.put("scene", path.toString());
-        SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
+        SceneFile file;
+        Interruption.Wait reading = monitor.reading(path);
+        try (reading) {
+          file = parse(notes, header, path);
+        }
         if (text.isPresent()) {
           guard.checkAssets(path, file.assetPaths(text.get().path()));
         }
@@ -248,7 +253,7 @@ final class ResumeCommand extends Subcommand {
 
   /** Reads the film's scene with the film's settings, overridden by the flags. */
   private SceneFile parse(FilmNotes notes, FilmHeader header, Path path)
-      throws TaskException, SceneFormatException {
+      throws TaskException, SceneFormatException, IOException {
     int most = header.parts().get(0).most();
     int limit =
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
@@ -257,24 +262,19 @@ final class ResumeCommand extends Subcommand {
           "--samples: expected at least the %s per pixel already rendered, found %s"
               .formatted(Numbers.count(most, "sample"), limit));
     }
-    try {
-      SceneParser parser =
-          kernel.over(
-              notes.parser(
-                  settings -> {
-                    settings.samples(limit);
-                    work.override(settings);
-                  }),
-              budgets.time());
-      SceneFile file = notes.read(parser.withAssets(assets), path);
-      requireSameFiles(notes, header, file, path);
-      requireSame(header, file, path);
-      run.errors().warnings(file.warnings());
-      return file;
-    } catch (IOException e) {
-      throw ExitCode.SCENE.failure(
-          path + ": the checkpoint's scene cannot be read: " + FileFailure.reason(e), e);
-    }
+    SceneParser parser =
+        kernel.over(
+            notes.parser(
+                settings -> {
+                  settings.samples(limit);
+                  work.override(settings);
+                }),
+            budgets.time());
+    SceneFile file = notes.read(parser.withAssets(assets), path);
+    requireSameFiles(notes, header, file, path);
+    requireSame(header, file, path);
+    run.errors().warnings(file.warnings());
+    return file;
   }
 
   private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)

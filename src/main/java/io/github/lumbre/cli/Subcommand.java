@@ -15,11 +15,11 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     exitCodeListHeading = "%nExit codes:%n")
-abstract class Subcommand implements Callable<Integer> {
+abstract class Subcommand implements Callable<Object> {
   @Spec CommandSpec spec;
 
   @Override
-  public final Integer call() throws Exception {
+  public final Object call() throws Exception {
     return run().number();
   }
 

@@ -19,6 +19,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.FrameSize;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.EnumSet;
@@ -114,7 +115,8 @@ final class TradeCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run()
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     kernel.validate();
     checkFlags();
     Path page = output.orElseGet(() -> Path.of(baseName(options.scene()) + "-trade.html"));
@@ -138,9 +140,6 @@ final class TradeCommand extends Subcommand {
       out().line(page.toString());
       boolean same = result.exact().stream().allMatch(ExactRow::isSamePicture);
       return same ? ExitCode.OK : ExitCode.DIFFERENT;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return ExitCode.INTERRUPTED;
     }
   }
 

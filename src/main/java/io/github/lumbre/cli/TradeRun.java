@@ -24,6 +24,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.Arrays;
@@ -68,7 +69,7 @@ final class TradeRun {
 
   /** Measures all settings and prints the progress. */
   TradeResult run(Set<Knob> knobs)
-      throws SceneFormatException, TaskException, InterruptedException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     SceneParser parser = kernel.over(options.parser()).inMode(Mode.PATH);
     file = options.load(parser, messages);
     pilot();
@@ -112,7 +113,7 @@ final class TradeRun {
 
   /** Returns a scene together with a copy that counts node visits and texture lookups. */
   private TradeScene counted(SceneFile read, SceneParser parser)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException {
     LongAdder nodes = new LongAdder();
     LongAdder lookUps = new LongAdder();
     SceneFile again = options.load(CountingParser.of(parser, lookUps), quiet);
@@ -121,7 +122,7 @@ final class TradeRun {
 
   /** Adds the texture filters that change the picture. */
   private void addFilters(TradeSweep sweep, SceneParser parser)
-      throws SceneFormatException, TaskException, InterruptedException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     for (Filter filter : Filter.values()) {
       SceneParser filtering = parser.interpolatingTextures(filter == Filter.BILINEAR);
       SceneFile read = options.load(filtering, quiet);

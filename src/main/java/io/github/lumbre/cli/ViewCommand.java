@@ -110,7 +110,8 @@ final class ViewCommand extends Subcommand {
   @Mixin private final KernelFlag kernel = new KernelFlag();
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run()
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     flags.validate();
     budgets.validate();
     kernel.validate();
@@ -130,9 +131,6 @@ final class ViewCommand extends Subcommand {
       view.open(new ViewLimits(targetError(), budgets.confidence(), budgets.time()));
       announce(view);
       view.run(monitor::isCancelled);
-      return ExitCode.INTERRUPTED;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
       return ExitCode.INTERRUPTED;
     }
   }
@@ -220,7 +218,8 @@ final class ViewCommand extends Subcommand {
       private volatile Optional<SceneFile> last = Optional.empty();
 
       @Override
-      public SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException {
+      public SceneFile read(Set<Layer> layers)
+          throws SceneFormatException, TaskException, IOException {
         SceneFile file = options.load(parser(), errors);
         last = Optional.of(file);
         RenderSettings settings = file.settings();

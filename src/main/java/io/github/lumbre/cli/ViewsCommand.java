@@ -19,8 +19,8 @@ import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.drawing.DisplayLight;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ContactSheet;
@@ -124,34 +124,29 @@ final class ViewsCommand extends Subcommand {
   private Optional<Denoising> denoising = Optional.empty();
 
   @Override
-  ExitCode run() throws SceneFormatException, TaskException {
+  ExitCode run() throws Exception {
     Stage stage = checkedStage();
     OutputGuard guard = guard();
     JsonSummary report = new JsonSummary("views", model);
-    if (!json) {
-      return run(stage, guard, report);
+    try (Interruption interruption = Interruption.listen()) {
+      return new Run(interruption, json ? Optional.of(out()) : Optional.empty())
+          .of(report, () -> run(stage, guard, report, interruption));
     }
-    Messages out = out();
-    return report.around(
-        () -> {
-          ExitCode code = run(stage, guard, report);
-          report.put("exit_code", code.number());
-          report.print(out);
-          return code;
-        },
-        out,
-        Interruption::exitCode);
   }
 
-  private ExitCode run(Stage stage, OutputGuard guard, JsonSummary report)
-      throws SceneFormatException, TaskException {
+  private ExitCode run(
+      Stage stage, OutputGuard guard, JsonSummary report, Interruption interruption)
+      throws Exception {
     guard.check();
     denoising = stored.denoising(true);
     Messages messages = errors();
-    try (Interruption interruption = Interruption.listen();
-        RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
+    try (RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
         Frames frames = new Frames(targets(), interruption, Deadline.after(Optional.empty()))) {
-      ModelViews views = monitor.reading(model, () -> read(stage));
+      ModelViews views;
+      Interruption.Wait reading = monitor.reading(model);
+      try (reading) {
+        views = read(stage);
+      }
       SceneFile first = views.first();
       guard.checkAssets(model, first.assetPaths(first.text().orElseThrow().path()));
       messages.warnings(first.warnings());
@@ -209,13 +204,9 @@ final class ViewsCommand extends Subcommand {
     return targets;
   }
 
-  private ModelViews read(Stage stage) throws SceneFormatException, TaskException {
+  private ModelViews read(Stage stage) throws SceneFormatException, IOException {
     SceneParser parser = new SceneParser().overriding(this::overridden);
-    try {
-      return parser.parse(model, stage, List.copyOf(View.standard().values()));
-    } catch (IOException e) {
-      throw ExitCode.SCENE.failure(model + ": cannot be read: " + FileFailure.reason(e), e);
-    }
+    return parser.parse(model, stage, List.copyOf(View.standard().values()));
   }
 
   private RenderSettings overridden(RenderSettings settings) {
@@ -240,7 +231,7 @@ final class ViewsCommand extends Subcommand {
       Interruption interruption,
       RenderMonitor monitor,
       Messages messages)
-      throws SceneFormatException, TaskException {
+      throws Exception {
     RenderSettings settings = views.first().settings();
     ImageWriter.Options options = settings.development();
     ParsedScene first = ParsedScene.of(views.first());
@@ -253,7 +244,7 @@ final class ViewsCommand extends Subcommand {
     Iterator<String> names = View.standard().keySet().iterator();
     for (Scene view : views.scenes()) {
       Optional<String> name = Optional.of(names.next());
-      frames.render(
+      new Run(interruption, Optional.empty(), Optional.of(frames)).of(
           new JsonSummary("views", model),
           () -> {
             interruption.requireRender();

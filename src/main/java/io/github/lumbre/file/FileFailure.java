@@ -10,6 +10,7 @@ import java.nio.file.FileSystemLoopException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
 import java.util.Locale;
 
 /** Describes in words why a file could not be read or written. */
@@ -47,6 +48,16 @@ public final class FileFailure {
       return "the system reports no reason (" + e.getClass().getSimpleName() + ")";
     }
     return begunSmall(message);
+  }
+
+  /** Returns an exception with the same reason that also states the file. */
+  public static FileSystemException named(Path file, IOException e) {
+    if (e instanceof FileSystemException named) {
+      return named;
+    }
+    FileSystemException named = new FileSystemException(file.toString(), null, e.getMessage());
+    named.initCause(e);
+    return named;
   }
 
   /**

@@ -6,6 +6,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.nio.file.Path;
 
 /** The services that a measurement needs: reading scenes, and displaying renders. */
@@ -13,9 +14,10 @@ public interface LabHost {
   /**
    * Reads a scene and reports its warnings.
    *
-   * @throws TaskException if the file cannot be read, or if the program is stopped
+   * @throws IOException if the file cannot be read
+   * @throws java.util.concurrent.CancellationException if the program is stopped
    */
-  SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, TaskException;
+  SceneFile read(Path scene, SceneParser parser) throws SceneFormatException, IOException;
 
   /**
    * Requires that a render fits into memory.

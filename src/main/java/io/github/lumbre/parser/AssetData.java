@@ -1,6 +1,7 @@
 package io.github.lumbre.parser;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
@@ -26,7 +27,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.CancellationException;
 import java.util.regex.Pattern;
 
 /**
@@ -189,7 +189,7 @@ final class AssetData {
     } catch (NoSuchFileException e) {
       throw Unusable.missing(name);
     } catch (ClosedByInterruptException e) {
-      throw new CancellationException(e.toString());
+      throw Interrupts.cancelled(e);
     } catch (InvalidPathException e) {
       throw Unusable.unreadable(name, FileFailure.reason(e));
     } catch (IOException e) {
@@ -335,7 +335,7 @@ final class AssetData {
       note(name, bytes);
       return bytes;
     } catch (ClosedByInterruptException e) {
-      throw new CancellationException(e.toString());
+      throw Interrupts.cancelled(e);
     } catch (IOException e) {
       throw Unusable.unreadable(name, FileFailure.reason(e));
     }

@@ -1,9 +1,12 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -33,10 +36,14 @@ final class InputFile {
         throw problems.exception();
       }
       return Files.readAllBytes(file);
+    } catch (ClosedByInterruptException e) {
+      throw Interrupts.cancelled(e);
     } catch (NoSuchFileException e) {
       String place = Problems.at(file);
       problems.error(Kind.INVALID, () -> "$", "expected a " + what + " file, found none" + place);
       throw problems.exception();
+    } catch (IOException e) {
+      throw FileFailure.named(file, e);
     }
   }
 

@@ -11,6 +11,7 @@ import io.github.lumbre.model.section.Section;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -20,7 +21,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.CancellationException;
 
 /**
  * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP.
@@ -109,9 +109,7 @@ record ModelObjects(
     } catch (ModelFormatException e) {
       place.error(e);
     } catch (IOException e) {
-      CancellationException cancelled = new CancellationException(e.toString());
-      cancelled.initCause(e);
-      throw cancelled;
+      throw new UncheckedIOException(e);
     }
   }
 

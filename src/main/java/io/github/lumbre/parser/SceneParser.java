@@ -22,7 +22,6 @@ import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -152,7 +151,7 @@ public final class SceneParser {
    * Reads a scene and the asset files it uses.
    *
    * @throws SceneFormatException if the scene does not exist or cannot be used; it lists the errors
-   * @throws InterruptedIOException if the calling thread is interrupted; the parser reacts within a
+   * @throws CancellationException if the calling thread is interrupted; the parser reacts within a
    *     fraction of a second and leaves the interrupt status set
    * @throws IOException if the file exists but cannot be read
    */
@@ -375,10 +374,6 @@ public final class SceneParser {
           limits(),
           problems,
           () -> parse(file, text.json(), Optional.of(text), files, known, problems));
-    } catch (InterruptedIOException e) {
-      CancellationException cancelled = new CancellationException(e.getMessage());
-      cancelled.initCause(e);
-      throw cancelled;
     } catch (IOException e) {
       throw new UncheckedIOException(e); // The content is in memory.
     }

@@ -5,8 +5,6 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.limit.internal.TimeLimit;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.io.IOException;
-import java.io.InterruptedIOException;
-import java.nio.channels.ClosedByInterruptException;
 import java.util.concurrent.CancellationException;
 
 /** A way to read a scene, which may take too long or too much memory. */
@@ -30,16 +28,13 @@ interface TimedReading<T> {
       } catch (HierarchyLimitException e) {
         problems.error(Kind.LIMIT, () -> "$", e.getMessage());
         throw problems.exception();
-      } catch (CancellationException | ClosedByInterruptException | InterruptedIOException e) {
+      } catch (CancellationException e) {
         if (time.hasPassed()) {
           String limit = limits.time().toMillis() / 1e3 + " s";
           problems.error(Kind.LIMIT, () -> "$", "expected a scene that is read within " + limit);
           throw problems.exception();
         }
-        InterruptedIOException interrupted =
-            new InterruptedIOException("reading the scene was interrupted");
-        interrupted.initCause(e);
-        throw interrupted;
+        throw e;
       }
     }
   }

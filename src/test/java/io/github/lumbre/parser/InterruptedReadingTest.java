@@ -14,7 +14,6 @@ import io.github.lumbre.model.obj.ObjReader;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
@@ -60,7 +59,7 @@ class InterruptedReadingTest {
     Path scene = scene();
     Thread.currentThread().interrupt();
     assertThatThrownBy(() -> new SceneParser().parse(scene))
-        .isInstanceOf(InterruptedIOException.class);
+        .isInstanceOf(CancellationException.class);
     assertThat(Thread.currentThread().isInterrupted()).isTrue();
   }
 
@@ -84,7 +83,7 @@ class InterruptedReadingTest {
             () -> late.parse(model, stage),
             () -> late.parse("a.obj", bytes, stage),
             () -> late.parse(model, stage, views))) {
-      assertThatThrownBy(reading).isInstanceOf(InterruptedIOException.class);
+      assertThatThrownBy(reading).isInstanceOf(CancellationException.class);
       assertThat(Thread.interrupted()).isTrue();
     }
   }
@@ -151,7 +150,7 @@ class InterruptedReadingTest {
       thread.join(60_000);
       assertThat(thread.isAlive()).as("after %d ms", millis).isFalse();
       assertThat(endNanos.get() - nanos).as("after %d ms", millis).isLessThan(MAX_NANOS);
-      assertThat(end.get()).isInstanceOf(InterruptedIOException.class);
+      assertThat(end.get()).isInstanceOf(CancellationException.class);
     }
   }
 

@@ -1,10 +1,7 @@
 package io.github.lumbre.cli.option;
 
-import io.github.lumbre.base.ExitCode;
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.FlagConverters.ProgressStyle;
 import io.github.lumbre.cli.output.JsonProgress;
-import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.ProgressDisplay;
@@ -15,7 +12,7 @@ import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
-import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.scene.Layer;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -152,21 +149,8 @@ public final class RunFlags extends Flags {
         bits, jpegQuality, quiet, stats, strict, denoising, layers, PictureExposure.ofEach());
   }
 
-  /** Runs a command, prints its JSON summary under {@code --json}, and returns its exit code. */
-  public ExitCode summarized(JsonSummary report, JsonSummary.Action action)
-      throws SceneFormatException, TaskException {
-    return json ? failing(report, () -> printed(report, action.run())) : action.run();
-  }
-
-  /** Runs a part of a command, prints a JSON summary if it fails, and returns its exit code. */
-  public ExitCode failing(JsonSummary report, JsonSummary.Action action)
-      throws SceneFormatException, TaskException {
-    return json ? report.around(action, out(), Interruption::exitCode) : action.run();
-  }
-
-  private ExitCode printed(JsonSummary report, ExitCode ofCommand) {
-    report.put("exit_code", Interruption.exitCode(ofCommand.number()));
-    report.print(out());
-    return ofCommand;
+  /** Returns the border of the command, which prints a summary under {@code --json}. */
+  public Run border(Interruption interruption) {
+    return new Run(interruption, json ? Optional.of(out()) : Optional.empty());
   }
 }

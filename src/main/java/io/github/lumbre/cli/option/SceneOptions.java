@@ -17,14 +17,12 @@ import io.github.lumbre.parser.Stage;
 import io.github.lumbre.parser.internal.ModelSequence;
 import io.github.lumbre.parser.internal.ModelSequence.Motion;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CancellationException;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -186,22 +184,9 @@ public final class SceneOptions {
   /**
    * Returns the frames of the sequence; reads the model if it has not been read.
    *
-   * @throws TaskException if the model cannot be read
+   * @throws IOException if the model cannot be read
    */
-  public ModelSequence sequence(SceneParser parser) throws SceneFormatException, TaskException {
-    return reading(() -> frames(parser));
-  }
-
-  /**
-   * Returns the hash of the scene of a frame of the sequence that has been read.
-   *
-   * @throws TaskException if the model cannot be read
-   */
-  public String hash(int index) throws SceneFormatException, TaskException {
-    return reading(() -> sequence.orElseThrow().hash(index));
-  }
-
-  private ModelSequence frames(SceneParser parser)
+  public ModelSequence sequence(SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     if (sequence.isEmpty()) {
       Optional<byte[]> content =
@@ -212,6 +197,15 @@ public final class SceneOptions {
               ModelSequence.of(parser, named, content, model.stage(), motion.orElseThrow()));
     }
     return sequence.get();
+  }
+
+  /**
+   * Returns the hash of the scene of a frame of the sequence that has been read.
+   *
+   * @throws IOException if the model cannot be read
+   */
+  public String hash(int index) throws SceneFormatException, IOException {
+    return sequence.orElseThrow().hash(index);
   }
 
   private SceneFile parsed(byte[] content, SceneParser parser)
@@ -250,11 +244,11 @@ public final class SceneOptions {
   /**
    * Reads the scene and prints its warnings, each once.
    *
-   * @throws TaskException if there are warnings under {@code --strict}, or if the scene cannot be
-   *     read
+   * @throws TaskException if there are warnings under {@code --strict}
+   * @throws IOException if the scene cannot be read
    */
   public SceneFile load(SceneParser parser, Messages messages)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException {
     SceneFile file = read(parser);
     if (guard.isPresent() && isModel()) {
       guard.get().checkAssets(scene, file.assetPaths(file.text().orElseThrow().path()));
@@ -272,16 +266,12 @@ public final class SceneOptions {
   /**
    * Reads the scene without printing its warnings.
    *
-   * @throws TaskException if the scene cannot be read
+   * @throws IOException if the scene cannot be read
    */
-  public SceneFile read(SceneParser parser) throws SceneFormatException, TaskException {
-    return reading(() -> parsed(parser));
-  }
-
-  private SceneFile parsed(SceneParser parser)
+  public SceneFile read(SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     if (motion.isPresent()) {
-      return frames(parser).frame(frame);
+      return sequence(parser).frame(frame);
     }
     if (isStandardInput()) {
       return parsed(standardInput(), parser);
@@ -292,23 +282,5 @@ public final class SceneOptions {
     SceneParser.requireScene(scene);
     model.requireNone();
     return parser.parse(scene);
-  }
-
-  /** Reads something of a scene. */
-  @FunctionalInterface
-  private interface Reading<T> {
-    T read() throws SceneFormatException, TaskException, IOException;
-  }
-
-  private <T> T reading(Reading<T> action) throws SceneFormatException, TaskException {
-    try {
-      return action.read();
-    } catch (CancellationException e) {
-      InterruptedIOException interrupted = new InterruptedIOException("reading was interrupted");
-      interrupted.initCause(e);
-      throw ExitCode.SCENE.failure(scene + ": reading was interrupted", interrupted);
-    } catch (IOException e) {
-      throw ExitCode.SCENE.failure(scene + ": cannot be read: " + FileFailure.reason(e), e);
-    }
   }
 }

@@ -6,11 +6,14 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -30,6 +33,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
  */
 public record Failures(Set<String> commands, Supplier<CommandLine> program)
     implements IExecutionExceptionHandler, IParameterExceptionHandler {
+  /** The end of the sentence about a picture that has no sample. */
+  public static final String NO_PICTURE = " before anything was rendered; no picture is written";
+
   @Override
   public int handleParseException(ParameterException e, String[] args) {
     CommandLine command = e.getCommandLine();
@@ -107,6 +113,11 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
     return exitCode(thrown);
   }
 
+  /** Returns whether the command line is invalid, so that there is nothing to summarize. */
+  public static boolean isOfArguments(Exception e) {
+    return e instanceof ParameterException;
+  }
+
   /** Returns the exit code for an exception or error. */
   public static ExitCode exitCode(Throwable thrown) {
     if (thrown instanceof TaskException e) {
@@ -122,11 +133,20 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
     if (thrown instanceof InvalidPathException || thrown instanceof ParameterException) {
       return ExitCode.USAGE;
     }
+    if (thrown instanceof CancellationException || thrown instanceof InterruptedException) {
+      return ExitCode.INTERRUPTED;
+    }
+    if (thrown instanceof IOException) {
+      return ExitCode.SCENE;
+    }
     return rootIs(thrown, OutOfMemoryError.class) ? ExitCode.LIMIT : ExitCode.INTERNAL;
   }
 
-  /** Returns the problems that an exception or error reports, at least one line. */
-  static List<String> problems(Throwable thrown) {
+  /**
+   * Returns the problems that an exception or error reports, at least one line; none if a signal
+   * ended work whose results so far are printed.
+   */
+  public static List<String> problems(Throwable thrown) {
     if (thrown instanceof TaskException || thrown instanceof ParameterException) {
       return List.of(thrown.getMessage());
     }
@@ -135,6 +155,16 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
     }
     if (thrown instanceof InvalidPathException e) {
       return List.of(e.getInput() + ": " + FileFailure.reason(e));
+    }
+    if (thrown instanceof CancellationException) {
+      return List.of("stopped" + NO_PICTURE);
+    }
+    if (thrown instanceof InterruptedException) {
+      return List.of();
+    }
+    if (thrown instanceof IOException e) {
+      String file = e instanceof FileSystemException named ? named.getFile() : "a file";
+      return List.of(file + ": cannot be read: " + FileFailure.reason(e));
     }
     if (rootIs(thrown, OutOfMemoryError.class)) {
       // How much is missing is not known.

@@ -24,9 +24,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.IntUnaryOperator;
 import java.util.function.Supplier;
-import picocli.CommandLine.ParameterException;
 
 /**
  * The summary of a command's result or failure as one line of JSON. Mutable.
@@ -61,34 +59,6 @@ public final class JsonSummary {
     values.put("version", Release.number());
     values.put("command", command);
     values.put(key, path.toString());
-  }
-
-  /**
-   * Runs a command, and prints a summary if it fails. On success the command prints its own.
-   *
-   * @throws ParameterException without a summary, if the command line is invalid
-   */
-  public ExitCode around(Action action, Messages out) throws SceneFormatException, TaskException {
-    return around(action, out, IntUnaryOperator.identity());
-  }
-
-  /**
-   * Runs a command as {@link #around(Action, Messages)} does.
-   *
-   * @param ofProgram exit code of the program, given the exit code of the failure
-   */
-  public ExitCode around(Action action, Messages out, IntUnaryOperator ofProgram)
-      throws SceneFormatException, TaskException {
-    try {
-      return action.run();
-    } catch (ParameterException e) {
-      throw e;
-    } catch (SceneFormatException | TaskException | RuntimeException | Error e) {
-      values.put("exit_code", ofProgram.applyAsInt(Failures.exitCode(e).number()));
-      values.put("problems", Failures.problems(e));
-      print(out);
-      throw e;
-    }
   }
 
   public void print(Messages out) {

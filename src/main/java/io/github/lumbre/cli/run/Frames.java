@@ -3,11 +3,9 @@ package io.github.lumbre.cli.run;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.Fallback;
-import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.text.Numbers;
 import java.io.Closeable;
@@ -43,12 +41,6 @@ public final class Frames implements AutoCloseable {
   private boolean reserved;
   private boolean ended;
   private boolean isPartial;
-
-  /** Renders the current frame and returns its exit code. */
-  @FunctionalInterface
-  public interface Rendering {
-    ExitCode run() throws SceneFormatException, TaskException;
-  }
 
   /**
    * @param targets paths of the pictures, at least one
@@ -233,25 +225,13 @@ public final class Frames implements AutoCloseable {
   }
 
   /**
-   * Renders the current frame and goes to the next one.
+   * Goes to the next frame, because the current one is written.
    *
-   * @param report receives the result of the frame
-   * @throws TaskException if a signal ends the sequence, or the deadline passes before its last
-   *     frame is begun; it names the complete frames
+   * @throws TaskException if a signal has ended the sequence, or the deadline has passed before its
+   *     last frame is begun; it names the complete frames
    */
-  public ExitCode render(JsonSummary report, Rendering frame)
-      throws SceneFormatException, TaskException {
-    ExitCode exitCode;
-    try {
-      exitCode = frame.run();
-    } catch (TaskException e) {
-      boolean hasEnded =
-          e.code() == ExitCode.INTERRUPTED || e.code() == ExitCode.LIMIT && deadline.hasPassed();
-      throw hasEnded && !isSingle() ? ended(e.code(), 0) : e;
-    } finally {
-      interruption.endRender();
-    }
-    isPartial = report.isPartial();
+  void finish(boolean isPartialNow) throws TaskException {
+    isPartial = isPartialNow;
     int partial = isPartial ? 1 : 0;
     current += 1 - partial;
     if (interruption.isRequested() && !isSingle() && left() > 0) {
@@ -260,7 +240,16 @@ public final class Frames implements AutoCloseable {
     if (deadline.hasPassed() && left() > partial) {
       throw ended(ExitCode.LIMIT, partial);
     }
-    return exitCode;
+  }
+
+  /** Returns the failure of the current frame; if it ends the sequence, with the complete frames. */
+  Exception end(Exception failure) {
+    if (ended || isSingle() || !(failure instanceof TaskException e)) {
+      return failure;
+    }
+    boolean isEnd =
+        e.code() == ExitCode.INTERRUPTED || e.code() == ExitCode.LIMIT && deadline.hasPassed();
+    return isEnd ? ended(e.code(), 0) : failure;
   }
 
   /**

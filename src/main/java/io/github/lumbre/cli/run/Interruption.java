@@ -1,13 +1,10 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.Signals;
 import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.limit.internal.TimeLimit;
-import io.github.lumbre.parser.SceneFormatException;
-import java.io.InterruptedIOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -57,15 +54,15 @@ public final class Interruption implements AutoCloseable {
   private volatile boolean requested;
   private long requestedAt;
 
+  /** Hears no signals: the first one exits the program. */
+  public static final Interruption NONE = new Interruption();
+
   private Interruption() {}
 
-  /**
-   * An action that reads a scene. When its thread is interrupted, it throws a {@link
-   * CancellationException} or an exception whose cause is an {@link InterruptedIOException}.
-   */
-  @FunctionalInterface
-  public interface Reading<T> {
-    T read() throws TaskException, SceneFormatException;
+  /** A time in which a signal or the deadline interrupts a thread. */
+  public interface Wait extends AutoCloseable {
+    @Override
+    void close();
   }
 
   /** An action that throws an exception when its thread is interrupted. */
@@ -136,11 +133,11 @@ public final class Interruption implements AutoCloseable {
   /**
    * Marks that there is now a result to save.
    *
-   * @throws TaskException if the program is already ending
+   * @throws CancellationException if the program is already ending
    */
-  public void requireRender() throws TaskException {
+  public void requireRender() {
     if (!beginRender()) {
-      throw withoutPicture(false);
+      throw new CancellationException("stopped by a signal");
     }
   }
 
@@ -152,33 +149,22 @@ public final class Interruption implements AutoCloseable {
     closed.countDown();
   }
 
-  /**
-   * Reads a scene; stops when a signal arrives or the deadline passes.
-   *
-   * @throws TaskException if reading fails or is stopped
-   */
-  <T> T reading(Deadline deadline, Reading<T> action) throws TaskException, SceneFormatException {
+  /** Lets a signal or the deadline interrupt this thread until the result is closed. */
+  Wait waiting(Deadline deadline) {
     TimeLimit alarm = beginWaiting(deadline);
-    try (alarm) {
-      return action.read();
-    } catch (CancellationException e) {
-      throw withoutPicture(!requested);
-    } catch (TaskException e) {
-      throw e.getCause() instanceof InterruptedIOException ? withoutPicture(!requested) : e;
-    } finally {
+    return () -> {
+      alarm.close();
       endWaiting();
-    }
+    };
   }
 
   /** Returns the result of a computation; empty if a signal or the deadline stops it. */
   <T> Optional<T> unlessStopped(Deadline deadline, Waiting<T> action) {
-    TimeLimit alarm = beginWaiting(deadline);
-    try (alarm) {
+    Wait wait = waiting(deadline);
+    try (wait) {
       return Optional.of(action.get());
     } catch (InterruptedException | CancellationException e) {
       return Optional.empty();
-    } finally {
-      endWaiting();
     }
   }
 
@@ -220,14 +206,6 @@ public final class Interruption implements AutoCloseable {
   private synchronized void endFinishing() {
     finishing = Optional.empty();
     Thread.interrupted();
-  }
-
-  /** Returns the exception for a render that a signal or the deadline ended without a sample. */
-  static TaskException withoutPicture(boolean isOutOfTime) {
-    String end = isOutOfTime ? "--timeout: the time ended" : "stopped";
-    return new TaskException(
-        isOutOfTime ? ExitCode.LIMIT : ExitCode.INTERRUPTED,
-        end + " before anything was rendered; no picture is written");
   }
 
   /** Arranges that a signal or the deadline interrupts this thread. */

@@ -20,7 +20,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 
 /**
  * An animation in one file, whose frames are pictures in a folder beside it until all are complete.
@@ -58,10 +57,10 @@ public final class JoinedFrames implements AutoCloseable {
    * @param ffmpeg path of the program that writes videos, if it is given
    * @throws TaskException if the format cannot have the rate, the program is not found, or the file
    *     cannot be written
-   * @throws CancellationException if the thread is interrupted
+   * @throws InterruptedException if the thread is interrupted
    */
   public static JoinedFrames reserve(Path target, FrameRate rate, Optional<Path> ffmpeg)
-      throws TaskException {
+      throws TaskException, InterruptedException {
     try {
       AnimationFormat.of(target).orElseThrow().requireFits(rate);
       JoinedFrames joined = new JoinedFrames(target, rate, writer(target, ffmpeg));
@@ -88,16 +87,13 @@ public final class JoinedFrames implements AutoCloseable {
   }
 
   /** Returns the writer; for a video it needs an installed program. */
-  private static AnimationWriter writer(Path target, Optional<Path> ffmpeg) throws TaskException {
+  private static AnimationWriter writer(Path target, Optional<Path> ffmpeg)
+      throws TaskException, InterruptedException {
     try {
       return AnimationFormat.of(target).orElseThrow().writer(ffmpeg, System.getenv());
     } catch (IOException e) {
       throw ExitCode.OUTPUT.failure(
           target + ": needs the program ffmpeg (--ffmpeg): " + e.getMessage(), e);
-    } catch (InterruptedException e) {
-      CancellationException cancelled = new CancellationException(e.getMessage());
-      cancelled.initCause(e);
-      throw cancelled;
     }
   }
 

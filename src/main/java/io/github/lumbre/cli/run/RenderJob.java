@@ -38,6 +38,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 
 /**
  * Renders a film until it is complete or stopped, and saves the film and the picture.
@@ -84,13 +85,13 @@ public record RenderJob(
   }
 
   /** Renders a new film. */
-  public ExitCode run(int firstSample) throws TaskException {
+  public ExitCode run(int firstSample) throws TaskException, InterruptedException {
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     return run(renderer, renderer.newFilm(firstSample), Optional.empty());
   }
 
   /** Renders the remaining samples of a film and returns the exit code. */
-  public ExitCode run(FilmFile begun) throws TaskException {
+  public ExitCode run(FilmFile begun) throws TaskException, InterruptedException {
     budget.watch().resume(begun.film());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
     return run(renderer, begun.film(), Optional.of(begun.header()));
@@ -102,7 +103,7 @@ public record RenderJob(
    * @param header of the film's existing samples
    */
   private ExitCode run(FilmRenderer renderer, Film film, Optional<FilmHeader> header)
-      throws TaskException {
+      throws TaskException, InterruptedException {
     try (monitor) {
       RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
       long start = System.nanoTime();
@@ -128,9 +129,6 @@ public record RenderJob(
       NoiseReport noise = budget.report(film);
       finish(film, result, noise, 1e-9 * (System.nanoTime() - start), isForVectors);
       return exitCode(result.statistics(), noise);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return ExitCode.INTERRUPTED;
     }
   }
 
@@ -230,11 +228,10 @@ public record RenderJob(
     }
   }
 
-  private void requireSamples(Film film) throws TaskException {
-    if (film.totalSamples() != 0) {
-      return;
+  private static void requireSamples(Film film) {
+    if (film.totalSamples() == 0) {
+      throw new CancellationException("stopped without a sample");
     }
-    throw Interruption.withoutPicture(monitor.isOutOfTime());
   }
 
   /** Does the steps after the samples, and writes the picture. */

@@ -1,10 +1,8 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.ProgressDisplay;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -48,14 +46,12 @@ public final class RenderMonitor implements Progress, AutoCloseable {
   }
 
   /**
-   * Reads a scene; stops when a signal arrives or the deadline passes.
-   *
-   * @throws TaskException if reading fails or is stopped
+   * Shows that a scene is read. Until the result is closed, a signal or the deadline interrupts this
+   * thread.
    */
-  public <T> T reading(Path scene, Interruption.Reading<T> action)
-      throws TaskException, SceneFormatException {
+  public Interruption.Wait reading(Path scene) {
     busy("reading " + scene.getFileName());
-    return interruption.reading(deadline, action);
+    return interruption.waiting(deadline);
   }
 
   /**

@@ -15,7 +15,7 @@ public interface SceneSource {
    *
    * @param layers the layers to record besides the layers of the command line
    */
-  SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException;
+  SceneFile read(Set<Layer> layers) throws SceneFormatException, TaskException, IOException;
 
   /** Returns the text of the scene; for a model, of the scene around it. */
   byte[] text() throws IOException;

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.cli.output.ProblemText;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
@@ -158,7 +158,7 @@ public final class View implements AutoCloseable {
    * @param limits what ends the render besides its samples
    * @throws SceneFormatException if the scene is invalid; later, the page shows such errors
    */
-  public void open(ViewLimits limits) throws SceneFormatException, TaskException {
+  public void open(ViewLimits limits) throws SceneFormatException, TaskException, IOException {
     if (source.isPresent()) {
       SceneFile file = source.get().read(Set.of());
       session.open(file);
@@ -188,10 +188,8 @@ public final class View implements AutoCloseable {
     recorded = layers;
     try {
       session.open(scene.read(layers));
-    } catch (SceneFormatException e) {
-      fail(ProblemText.of(e));
-    } catch (TaskException e) {
-      fail(List.of(String.valueOf(e.getMessage())));
+    } catch (SceneFormatException | TaskException | IOException e) {
+      fail(Failures.problems(e));
     }
     watch.watch(scene.files());
   }

@@ -12,6 +12,7 @@ import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -37,11 +38,12 @@ public final class MeasuredScene {
    * Reads a scene.
    *
    * @param change changes the scene after it is read
-   * @throws TaskException if the scene cannot be read, or if its picture does not fit into memory
+   * @throws TaskException if the scene's picture does not fit into memory
+   * @throws IOException if the scene cannot be read
    */
   public static MeasuredScene read(
       Path scene, SceneParser parser, UnaryOperator<SceneFile> change, LabHost host)
-      throws SceneFormatException, TaskException {
+      throws SceneFormatException, TaskException, IOException {
     Cost start = Cost.now();
     SceneFile file = change.apply(host.read(scene, parser));
     double loadSeconds = Cost.since(start).seconds();

@@ -11,6 +11,7 @@ import io.github.lumbre.lab.metrics.PictureNoise;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -87,7 +88,8 @@ public record PairedRenders(PerfPlan plan, LabHost host) {
    *
    * @throws InterruptedException if the host cancels a render
    */
-  public String line(Path path) throws SceneFormatException, TaskException, InterruptedException {
+  public String line(Path path)
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan.plain()::over);
     MeasuredScene scene = MeasuredScene.read(path, parser, UnaryOperator.identity(), host);
     MeasuredScene changed = scene.with(plan.over(scene.file()));

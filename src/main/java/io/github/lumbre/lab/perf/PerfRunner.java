@@ -7,6 +7,7 @@ import io.github.lumbre.lab.metrics.PictureNoise;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,12 +21,11 @@ public record PerfRunner(PerfPlan plan, LabHost host) {
   /**
    * Measures a scene and returns one result for each number of threads.
    *
-   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
-   *     if two renders of the scene differ
+   * @throws TaskException if the picture does not fit into memory, or if two renders of the scene differ
    * @throws InterruptedException if the host cancels a render
    */
   public List<PerfResult> run(Path path)
-      throws SceneFormatException, TaskException, InterruptedException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     SceneParser parser = new SceneParser().overriding(plan::over);
     MeasuredScene scene = MeasuredScene.read(path, parser, plan::over, host);
     List<Measurement> renders = new ArrayList<>();

@@ -7,6 +7,7 @@ import io.github.lumbre.lab.perf.MeasuredScene;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
+import java.io.IOException;
 import java.util.function.UnaryOperator;
 
 /**
@@ -20,12 +21,11 @@ public record BenchmarkRunner(
   /**
    * Measures a row and returns the result.
    *
-   * @throws TaskException if the scene cannot be read, if the picture does not fit into memory, or
-   *     if two renders of the row differ
+   * @throws TaskException if the picture does not fit into memory, or if two renders of the row differ
    * @throws InterruptedException if the host cancels a render
    */
   public BenchmarkResult run(ReportRow row)
-      throws SceneFormatException, TaskException, InterruptedException {
+      throws SceneFormatException, TaskException, IOException, InterruptedException {
     SceneParser ofRow = parser.inMode(row.mode()).overriding(inScene -> settings(row, inScene));
     MeasuredScene scene =
         MeasuredScene.read(scenes.file(row.scene()), ofRow, UnaryOperator.identity(), host);

@@ -2,6 +2,7 @@ package io.github.lumbre.limit.internal;
 
 import java.io.ByteArrayInputStream;
 import java.io.InputStream;
+import java.nio.channels.ClosedByInterruptException;
 import java.util.concurrent.CancellationException;
 
 /** Stops the reading of a file when its thread is interrupted; checks at coarse intervals. */
@@ -17,6 +18,13 @@ public final class Interrupts {
     if (Thread.currentThread().isInterrupted()) {
       throw new CancellationException("reading was interrupted");
     }
+  }
+
+  /** Returns the exception for a file whose reading was interrupted. */
+  public static CancellationException cancelled(ClosedByInterruptException e) {
+    CancellationException cancelled = new CancellationException("reading was interrupted");
+    cancelled.initCause(e);
+    return cancelled;
   }
 
   /** Returns a stream over bytes that calls {@link #check} before it reads a block. */

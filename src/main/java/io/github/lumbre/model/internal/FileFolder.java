@@ -1,6 +1,7 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.text.PrintableText;
@@ -45,7 +46,7 @@ public final class FileFolder implements ModelFolder {
         problem = "expected a file, found " + found + " at " + PrintableText.quoted(name);
       }
     } catch (ClosedByInterruptException e) {
-      throw e;
+      throw Interrupts.cancelled(e);
     } catch (NoSuchFileException e) {
       problem = "expected a file, found none at " + PrintableText.quoted(name);
     } catch (InvalidPathException e) {

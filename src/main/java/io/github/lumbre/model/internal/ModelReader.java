@@ -9,14 +9,12 @@ import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.section.Sections;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 
 /** Reads model files of all supported formats. Stateless. */
 public final class ModelReader {
@@ -97,8 +95,6 @@ public final class ModelReader {
         throw e;
       }
       throw Kind.MALFORMED.at("", "expected " + format.title() + ", found " + other.get());
-    } catch (CancellationException e) {
-      throw (IOException) new InterruptedIOException(e.getMessage()).initCause(e);
     }
   }
 

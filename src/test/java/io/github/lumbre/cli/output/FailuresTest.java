@@ -2,6 +2,7 @@ package io.github.lumbre.cli.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.Lumbre;
 import io.github.lumbre.render.RenderException;
 import java.io.PrintWriter;
@@ -23,7 +24,7 @@ class FailuresTest {
     IllegalStateException cause = new IllegalStateException("planted");
     RenderException fault = new RenderException("rendering failed: " + cause, cause);
 
-    assertThat(Failures.report(fault, command, debug)).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(Failures.report(fault, command, debug)).isEqualTo(ExitCode.INTERNAL);
     assertThat(err.toString()).contains("internal error: rendering failed", "planted");
     assertThat(err.toString().contains("\tat ")).isEqualTo(debug);
   }
@@ -32,7 +33,7 @@ class FailuresTest {
   void messagesOfSeveralLinesAreCutToTheFirst() {
     Exception fault = new IllegalStateException("planted\nThis was created at:\n\nA.java:1");
 
-    assertThat(Failures.report(fault, command, false)).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(Failures.report(fault, command, false)).isEqualTo(ExitCode.INTERNAL);
     assertThat(err.toString())
         .isEqualTo(
             "lumbre: internal error: java.lang.IllegalStateException: planted"
@@ -43,7 +44,7 @@ class FailuresTest {
   void lackOfMemoryIsALimit() {
     RenderException fault = new RenderException("rendering failed", new OutOfMemoryError());
 
-    assertThat(Failures.report(fault, command, false)).isEqualTo(ExitCodes.LIMIT);
+    assertThat(Failures.report(fault, command, false)).isEqualTo(ExitCode.LIMIT);
     assertThat(err.toString()).contains("out of memory");
   }
 }

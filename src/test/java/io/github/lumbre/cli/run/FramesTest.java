@@ -7,7 +7,6 @@ import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
-import io.github.lumbre.parser.SceneFormatException;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -50,19 +49,19 @@ class FramesTest {
   }
 
   /** Renders a frame during which something happens. */
-  private ExitCode render(Frames frames, boolean complete, Event event)
-      throws TaskException, SceneFormatException {
+  private ExitCode render(Frames frames, boolean complete, Event event) throws Exception {
     JsonSummary report = new JsonSummary("render", Path.of("a.glb"));
-    return frames.render(
-        report,
-        () -> {
-          event.happen();
-          report.put("complete", complete);
-          return ExitCode.OK;
-        });
+    return new Run(interruption, Optional.empty(), Optional.of(frames))
+        .of(
+            report,
+            () -> {
+              event.happen();
+              report.put("complete", complete);
+              return ExitCode.OK;
+            });
   }
 
-  private Frames after(int complete) throws TaskException, SceneFormatException {
+  private Frames after(int complete) throws Exception {
     Frames frames = frames(COUNT);
     for (int i = 0; i < complete; i++) {
       render(frames, true, () -> {});

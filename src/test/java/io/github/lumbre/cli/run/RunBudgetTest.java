@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.base.ExitCode;
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.TinyScene;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.output.Fallback;
@@ -14,11 +13,9 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressDisplay;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stopping.Budget;
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -74,7 +71,7 @@ class RunBudgetTest {
 
   /** Returns the samples per pixel of a render with a time limit. */
   private double samples(Duration time, LongUnaryOperator cost)
-      throws IOException, SceneFormatException, TaskException {
+      throws Exception {
     return samples(time, Optional.empty(), cost);
   }
 
@@ -84,7 +81,7 @@ class RunBudgetTest {
    * @param timeout stops the render as Ctrl-C does; empty for none
    */
   private double samples(Duration time, Optional<Duration> timeout, LongUnaryOperator cost)
-      throws IOException, SceneFormatException, TaskException {
+      throws Exception {
     SceneFile file =
         new SceneParser()
             .overriding(

@@ -9,11 +9,11 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelReader;
-import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -456,7 +456,7 @@ class GltfErrorsTest {
               () ->
                   ModelReader.read(
                       "a.glb", GltfFile.ofTriangle().glb(), GltfFile.EMPTY, ModelOptions.DEFAULT))
-          .isInstanceOf(InterruptedIOException.class)
+          .isInstanceOf(CancellationException.class)
           .hasMessage("reading was interrupted");
     } finally {
       assertThat(Thread.interrupted()).isTrue();
