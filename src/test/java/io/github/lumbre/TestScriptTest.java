@@ -135,6 +135,22 @@ class TestScriptTest {
   }
 
   @Test
+  void quickTestsLeaveOutClassesThatExist() throws Exception {
+    Result result = run(Map.of(), "quick");
+    String list = "src/test/slow-tests.txt";
+    assertThat(result.ran()).containsExactly("mvnw -B test -Dsurefire.excludesFile=" + list);
+    List<String> classes;
+    try (Stream<Path> files = Files.walk(Path.of("src/test/java"))) {
+      classes = files.map(file -> "**/" + file.getFileName()).toList();
+    }
+    assertThat(Files.readAllLines(Path.of(list)))
+        .filteredOn(line -> line.endsWith(".java"))
+        .hasSizeGreaterThan(50)
+        .doesNotHaveDuplicates()
+        .allSatisfy(slow -> assertThat(classes).containsOnlyOnce(slow));
+  }
+
+  @Test
   void wrongCommandLinesRunNothing() throws Exception {
     for (String wrong : List.of("--al", "brow", "junit|spark", "-x")) {
       Result result = run(Map.of(), wrong);
