@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -21,31 +20,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Animations and turntables: their frames, parts of them, and those that are continued. */
-class AnimationCommandsTest {
+class AnimationCommandsTest extends CommandFixture {
   private static final String SMALL = " --size 16x12 -s 2";
   private static final String LIFT = "render T/sample.glb --animation lift --fps 4";
-
-  @TempDir private Path directory;
 
   @BeforeEach
   void writeModel() throws IOException {
     ModelSample.write(directory);
-  }
-
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
-
-  private String runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-    return outcome.err().replace(directory + "/", "");
   }
 
   private List<String> files(String start) throws IOException {
@@ -58,18 +44,10 @@ class AnimationCommandsTest {
     }
   }
 
-  private void assertSame(String one, String other) {
-    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
-  }
-
-  private Map<String, String> texts(String picture) throws IOException {
-    return PictureTexts.read(directory.resolve(picture));
-  }
-
   /** The animation lasts 1 s: the frame at its end is the first one of the next loop. */
   @Test
   void framesAreThePosesFromTheStartToBeforeTheEnd() throws IOException {
-    String printed = runs(LIFT + " -o T/a.pfm" + SMALL);
+    String printed = said(LIFT + " -o T/a.pfm" + SMALL);
     assertThat(printed)
         .containsPattern("4 of 4 pictures written: a-000.pfm to a-003.pfm; [0-9.]+ s\n");
     assertThat(files("a-")).containsExactly("a-000.pfm", "a-001.pfm", "a-002.pfm", "a-003.pfm");
@@ -113,17 +91,17 @@ class AnimationCommandsTest {
   @ValueSource(strings = {"--turntable 3", "--animation lift --fps 3 --view front"})
   void missingFramesAreContinued(String what) throws IOException {
     String line = "render T/sample.glb " + what + " --continue -o T/a.png" + SMALL;
-    assertThat(runs(line)).contains("3 of 3 pictures written, denoised: a-000.png");
+    assertThat(said(line)).contains("3 of 3 pictures written, denoised: a-000.png");
     byte[] second = Files.readAllBytes(directory.resolve("a-001.png"));
     Files.delete(directory.resolve("a-001.png"));
     Object before = Files.getLastModifiedTime(directory.resolve("a-000.png"));
-    assertThat(runs(line))
+    assertThat(said(line))
         .contains("1 of 3 pictures written, denoised, 2 were complete: a-000.png to");
     assertThat(Files.getLastModifiedTime(directory.resolve("a-000.png"))).isEqualTo(before);
     assertThat(PictureTexts.read(directory.resolve("a-001.png"))).containsKey("SceneHash");
     assertThat(Files.size(directory.resolve("a-001.png")))
         .isBetween(second.length - 9L, second.length + 9L);
-    assertThat(runs(line)).contains("0 of 3 pictures written, denoised, 3 were complete");
+    assertThat(said(line)).contains("0 of 3 pictures written, denoised, 3 were complete");
   }
 
   @ParameterizedTest
@@ -159,7 +137,7 @@ class AnimationCommandsTest {
     String line = "render T/sample.glb --turntable 2 --size 16x12 -o T/a.png";
     run(line + " -s 100000000 --timeout 3s");
     assertThat(texts("a-000.png")).containsKey("Partial");
-    assertThat(runs(line + " -s 2 --continue")).contains("2 of 2 pictures written");
+    assertThat(said(line + " -s 2 --continue")).contains("2 of 2 pictures written");
     assertThat(texts("a-000.png")).doesNotContainKey("Partial");
   }
 
@@ -281,7 +259,7 @@ class AnimationCommandsTest {
   @Test
   void framesAreJoinedIntoOneFile() throws IOException {
     String line = "render T/sample.glb --turntable 3 --fps 10 -o T/a.";
-    String printed = runs(line + "gif" + SMALL);
+    String printed = said(line + "gif" + SMALL);
     assertThat(printed)
         .containsPattern("a.gif: 3 frames, denoised, 10 frames per second; [0-9.]+ s\n");
     assertThat(files("a.")).containsExactly("a.gif");
@@ -329,10 +307,10 @@ class AnimationCommandsTest {
     Files.writeString(
         directory.resolve("c.json"), TinyScene.JSON.replace("\"name\": \"", "\"name\": \"x"));
     String line = "render T/b.json T/c.json T/b.json -o T/a.gif -s 1 --size 8x6 ";
-    assertThat(runs(line + "--frames 0..1"))
+    assertThat(said(line + "--frames 0..1"))
         .contains("2 of 2 pictures written: a.gif.frames/a-000.png");
     assertThat(files("a.gif")).containsExactly("a.gif.frames");
-    assertThat(runs(line + "--continue"))
+    assertThat(said(line + "--continue"))
         .contains("a.gif: 3 frames, 25 frames per second; 2 were complete");
     assertThat(files("a.gif")).containsExactly("a.gif");
     runs(line + "--frames 0..1");
@@ -395,11 +373,11 @@ class AnimationCommandsTest {
   @Test
   void eachKindOfWarningIsPrintedOnce() {
     String line = "render T/sample.glb --turntable 3 --denoise --size 16x12 -s 1 -o T/a.png";
-    String printed = runs(line);
+    String printed = said(line);
     assertThat(printed.lines().filter(text -> text.contains("lacks its noise"))).hasSize(1);
     assertThat(printed).contains("warning: ", "a-000.png: lacks its noise");
     assertThat(printed.lines().filter(text -> !text.startsWith("warning: "))).hasSize(1);
-    String stats = runs(line + " --stats --progress json");
+    String stats = said(line + " --stats --progress json");
     assertThat(stats.lines().filter(text -> text.contains("peak heap"))).hasSize(3);
     assertThat(stats.lines())
         .anyMatch(text -> text.startsWith("{\"frame\":3,\"frames\":3,\"seconds_left_in_all\":"));
@@ -408,9 +386,9 @@ class AnimationCommandsTest {
   @Test
   void transparencyThatTheFileLacksIsSaid() {
     String line = "render T/sample.glb --turntable 1 --background transparent -o T/";
-    assertThat(runs(line + "a.gif" + SMALL)).contains("warning: a.gif: a GIF has no partial");
-    assertThat(runs(line + "a.apng" + SMALL)).doesNotContain("warning: a.apng");
-    assertThat(runs("render T/sample.glb --turntable 1 -o T/b.gif" + SMALL))
+    assertThat(said(line + "a.gif" + SMALL)).contains("warning: a.gif: a GIF has no partial");
+    assertThat(said(line + "a.apng" + SMALL)).doesNotContain("warning: a.apng");
+    assertThat(said("render T/sample.glb --turntable 1 -o T/b.gif" + SMALL))
         .doesNotContain("warning: b.gif");
   }
 }

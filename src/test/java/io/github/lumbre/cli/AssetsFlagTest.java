@@ -8,61 +8,45 @@ import io.github.lumbre.model.gltf.GltfFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Models whose pictures and buffers lie beside their own folder. */
-class AssetsFlagTest {
+class AssetsFlagTest extends CommandFixture {
   private static final String FLAGS =
       " --size 16x16 -s 1 --no-denoise --view front --quiet --overwrite";
 
   private static final String ASSETS = " --assets T/materials";
 
-  @TempDir private Path folder;
-
   @BeforeEach
   void write() throws IOException {
-    Files.createDirectories(folder.resolve("models"));
-    Files.createDirectories(folder.resolve("materials/textures"));
+    Files.createDirectories(directory.resolve("models"));
+    Files.createDirectories(directory.resolve("materials/textures"));
     byte[] red = Pixels.of(1, 1, 3, new byte[] {(byte) 255, 0, 0}).toPng();
-    Files.write(folder.resolve("materials/textures/x.png"), red);
+    Files.write(directory.resolve("materials/textures/x.png"), red);
     String text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n";
-    Files.writeString(folder.resolve("models/a.obj"), "mtllib a.mtl\n" + text);
+    Files.writeString(directory.resolve("models/a.obj"), "mtllib a.mtl\n" + text);
     Files.writeString(
-        folder.resolve("models/a.mtl"), "newmtl m\nmap_Kd ../materials/textures/x.png\n");
-    Files.writeString(folder.resolve("red.obj"), "mtllib red.mtl\n" + text);
-    Files.writeString(folder.resolve("red.mtl"), "newmtl m\nmap_Kd x.png\n");
-    Files.write(folder.resolve("x.png"), red);
+        directory.resolve("models/a.mtl"), "newmtl m\nmap_Kd ../materials/textures/x.png\n");
+    Files.writeString(directory.resolve("red.obj"), "mtllib red.mtl\n" + text);
+    Files.writeString(directory.resolve("red.mtl"), "newmtl m\nmap_Kd x.png\n");
+    Files.write(directory.resolve("x.png"), red);
   }
 
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? folder + word.substring(1) : word)
-            .toArray(String[]::new));
-  }
-
-  private void runs(String line) {
+  private void succeeds(String line) {
     Outcome outcome = run(line);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     assertThat(outcome.err()).isEmpty();
   }
 
-  private void assertSame(String a, String b) throws IOException {
-    assertThat(Files.mismatch(folder.resolve(a), folder.resolve(b))).isEqualTo(-1);
-  }
-
   @Test
   void picturesOfNamedFoldersAreShown() throws IOException {
-    runs("render T/red.obj -o T/expected.pfm" + FLAGS);
-    runs("render T/models/a.obj -o T/a.pfm" + FLAGS + ASSETS);
+    succeeds("render T/red.obj -o T/expected.pfm" + FLAGS);
+    succeeds("render T/models/a.obj -o T/a.pfm" + FLAGS + ASSETS);
     assertSame("expected.pfm", "a.pfm");
     assertThat(run("check T/models/a.obj" + ASSETS).out()).contains("textures   1\n");
-    runs("check T/models/a.obj --strict --assets T/models --assets T/materials/textures");
+    succeeds("check T/models/a.obj --strict --assets T/models --assets T/materials/textures");
     assertThat(run("check T/models/a.obj").err()).contains("inside the model's folder");
     assertThat(run("diff T/models/a.obj T/models/a.obj" + ASSETS).err()).isEmpty();
   }
@@ -70,28 +54,28 @@ class AssetsFlagTest {
   @Test
   void buffersOfNamedFoldersAreRead() throws IOException {
     GltfFile file = GltfFile.ofTriangle();
-    Files.write(folder.resolve("models/b.gltf"), file.gltf("../materials/b.bin"));
-    Files.write(folder.resolve("materials/b.bin"), file.buffer());
-    runs("check T/models/b.gltf --strict" + ASSETS);
+    Files.write(directory.resolve("models/b.gltf"), file.gltf("../materials/b.bin"));
+    Files.write(directory.resolve("materials/b.bin"), file.buffer());
+    succeeds("check T/models/b.gltf --strict" + ASSETS);
     run("check T/models/b.gltf").assertFailed(ExitCodes.ASSET, "inside the model's folder");
   }
 
   /** The picture of a sky widens the folder of the scene, but not that of the model. */
   @Test
   void aSkyNamesNoFolderOfTheModel() {
-    runs("render T/red.obj -o T/materials/sky.pfm" + FLAGS);
+    succeeds("render T/red.obj -o T/materials/sky.pfm" + FLAGS);
     assertThat(run("check T/models/a.obj --sky T/materials/sky.pfm").err())
         .contains("inside the model's folder");
-    runs("check T/models/a.obj --strict --sky T/materials/sky.pfm" + ASSETS);
+    succeeds("check T/models/a.obj --strict --sky T/materials/sky.pfm" + ASSETS);
   }
 
   @Test
   void aFilmIsResumedWithTheSameFolders() throws IOException {
     String film = " --checkpoint T/a.film";
-    runs("render T/models/a.obj -o T/a.pfm" + film + FLAGS + ASSETS);
+    succeeds("render T/models/a.obj -o T/a.pfm" + film + FLAGS + ASSETS);
     run("resume T/a.film -s 2 --quiet").assertFailed(ExitCodes.SCENE, "x.png", "--assets");
-    runs("resume T/a.film -s 2 --quiet" + ASSETS);
-    runs("render T/models/a.obj -o T/b.pfm" + FLAGS.replace("-s 1", "-s 2") + ASSETS);
+    succeeds("resume T/a.film -s 2 --quiet" + ASSETS);
+    succeeds("render T/models/a.obj -o T/b.pfm" + FLAGS.replace("-s 1", "-s 2") + ASSETS);
     assertSame("a.pfm", "b.pfm");
   }
 
@@ -99,13 +83,13 @@ class AssetsFlagTest {
   void filesOfNamedFoldersAreNotReplaced() throws IOException {
     run("render T/models/a.obj -o T/materials/textures/x.png" + FLAGS + ASSETS)
         .assertFailed(ExitCodes.OUTPUT, "x.png");
-    Path texture = folder.resolve("materials/textures/red.png");
-    Files.copy(folder.resolve("x.png"), texture);
+    Path texture = directory.resolve("materials/textures/red.png");
+    Files.copy(directory.resolve("x.png"), texture);
     Files.writeString(
-        folder.resolve("models/a.mtl"), "newmtl m\nmap_Kd ../materials/textures/red.png\n");
+        directory.resolve("models/a.mtl"), "newmtl m\nmap_Kd ../materials/textures/red.png\n");
     run("render T/red.obj T/models/a.obj -o T/materials/textures" + FLAGS + ASSETS)
         .assertFailed(ExitCodes.OUTPUT, "red.png");
-    assertThat(texture).hasSameBinaryContentAs(folder.resolve("x.png"));
+    assertThat(texture).hasSameBinaryContentAs(directory.resolve("x.png"));
   }
 
   @Test
@@ -114,7 +98,7 @@ class AssetsFlagTest {
     run("check T/models/a.obj --assets T/x.png").assertFailed(2, "found a file");
     run("resume T/a.film --assets T/no").assertFailed(2, "--assets: expected a folder, found none");
     run("import T/models/a.obj -o T/a.json" + ASSETS).assertFailed(2, "--assets: cannot be used");
-    Files.writeString(folder.resolve("s.json"), "{}");
+    Files.writeString(directory.resolve("s.json"), "{}");
     run("check T/s.json" + ASSETS).assertFailed(2, "--assets: requires a model file");
   }
 }

@@ -14,41 +14,28 @@ import io.github.lumbre.image.internal.Srgb;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReadParam;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The color behind a model is the stated one in every picture for the screen. */
-class BackgroundColorTest {
+class BackgroundColorTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 -s 2 --quiet --overwrite";
-
-  @TempDir private Path directory;
 
   @BeforeEach
   void writeModel() throws IOException {
     ModelSample.write(directory);
   }
 
-  private void runs(String line) {
-    Outcome outcome = Outcome.in(directory, line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-  }
-
   private int corner(String name) throws IOException {
-    BufferedImage picture = ImageIO.read(directory.resolve(name).toFile());
+    BufferedImage picture = picture(name);
     assertThat(picture.getColorModel().hasAlpha()).isFalse();
     return picture.getRGB(0, 0) & 0xffffff;
-  }
-
-  private byte[] bytes(String name) throws IOException {
-    return Files.readAllBytes(directory.resolve(name));
   }
 
   @ParameterizedTest
@@ -170,7 +157,7 @@ class BackgroundColorTest {
     runs("render T/sample.glb -o T/c.png --checkpoint T/c.film --samples-from 4" + flags + "coral");
     runs("render T/sample.glb -o T/b.png --checkpoint T/b.film --samples-from 4" + flags + "blue");
     runs("develop T/a.film -o T/developed.png");
-    assertThat(picture("developed.png")).isEqualTo(picture("a.png"));
+    assertThat(pixels("developed.png")).isEqualTo(pixels("a.png"));
     runs("develop T/a.film -o T/bright.png --exposure 2 --tonemap aces --denoise");
     assertThat(corner("bright.png")).isEqualTo(0xff7f50);
     runs("develop T/a.film -o T/light.exr");
@@ -179,13 +166,8 @@ class BackgroundColorTest {
     assertThat(corner("clean.png")).isEqualTo(0xff7f50);
     runs("merge T/a.film T/c.film -o T/merged.png");
     assertThat(corner("merged.png")).isEqualTo(0xff7f50);
-    Outcome.in(directory, "merge T/a.film T/b.film -o T/no.png")
+    run("merge T/a.film T/b.film -o T/no.png")
         .assertFailed(ExitCodes.SCENE, "backplate: ", "#ff7f50", "#0000ff");
-  }
-
-  private int[] picture(String name) throws IOException {
-    BufferedImage picture = ImageIO.read(directory.resolve(name).toFile());
-    return picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, 24);
   }
 
   @Test
@@ -194,7 +176,7 @@ class BackgroundColorTest {
     assertThat(directory.resolve("scene.json")).content().contains("\"backplate\": \"#ff7f50\"");
     runs("render T/scene.json -o T/scene.png --no-denoise" + SMALL);
     runs("render T/sample.glb -o T/model.png --no-denoise --background coral" + SMALL);
-    assertThat(picture("scene.png")).isEqualTo(picture("model.png"));
+    assertThat(pixels("scene.png")).isEqualTo(pixels("model.png"));
   }
 
   /** Clear glass shows the light of the color, times its tint; holes of a surface show the color. */
@@ -203,7 +185,7 @@ class BackgroundColorTest {
   void clearGlassShowsItsLight(String mode) throws IOException {
     Files.writeString(directory.resolve("pane.json"), PANES.replace("MODE", mode));
     runs("render T/pane.json -o T/a.png -s 16 --quiet --no-denoise --tonemap aces");
-    BufferedImage picture = ImageIO.read(directory.resolve("a.png").toFile());
+    BufferedImage picture = picture("a.png");
     assertThat(picture.getRGB(1, 1) & 0xffffff).isEqualTo(0xffffff);
     assertThat(picture.getRGB(8, 8) & 0xffffff).as("a hole").isEqualTo(0xffffff);
     runs("render T/pane.json -o T/a.exr -s 16 --quiet --no-denoise");

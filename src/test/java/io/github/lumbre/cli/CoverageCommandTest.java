@@ -3,25 +3,16 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests {@code lumbre coverage}. */
 class CoverageCommandTest {
-  private static Outcome run(String... arguments) {
-    StringWriter out = new StringWriter();
-    StringWriter err = new StringWriter();
-    int code = Lumbre.run(arguments, new PrintWriter(out, true), new PrintWriter(err, true));
-    return new Outcome(code, out.toString(), err.toString());
-  }
-
   @Test
   void eachNumberOfSamplesAndEachTargetHasALine() {
     Outcome outcome =
-        run(
+        Outcome.of(
             ("coverage scenes/camera-pinhole.json --size 8x8 --seeds 3 -s 2,4 --reference 64"
                     + " --target-error 60%")
                 .split(" "));
@@ -44,7 +35,7 @@ class CoverageCommandTest {
         "--target-error 0%"
       })
   void valuesOutOfRangeAreRefused(String flags) {
-    Outcome outcome = run(("coverage scenes/camera-pinhole.json " + flags).split(" "));
+    Outcome outcome = Outcome.of(("coverage scenes/camera-pinhole.json " + flags).split(" "));
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.USAGE);
     String flag = flags.startsWith("-s ") ? "--samples" : flags.split(" ")[0];
     assertThat(outcome.err()).contains(flag);

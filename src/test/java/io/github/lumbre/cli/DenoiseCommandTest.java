@@ -16,11 +16,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests {@code lumbre denoise}, and {@code --denoise} of other commands. */
-class DenoiseCommandTest {
-  @TempDir private Path directory;
+class DenoiseCommandTest extends CommandFixture {
   private String scene;
 
   @BeforeEach
@@ -28,18 +26,10 @@ class DenoiseCommandTest {
     scene = TinyScene.write(directory, TinyScene.JSON).toString();
   }
 
-  private String path(String name) {
-    return directory.resolve(name).toString();
-  }
-
   private static Outcome run(String... line) {
     Outcome outcome = Outcome.of(line);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     return outcome;
-  }
-
-  private byte[] bytes(String name) throws IOException {
-    return Files.readAllBytes(directory.resolve(name));
   }
 
   @Test
@@ -220,17 +210,9 @@ class DenoiseCommandTest {
       Files.deleteIfExists(directory.resolve("x.png"));
       Path program = program(script + "\n");
       Outcome outcome =
-          Outcome.of(
-              "render",
-              scene,
-              "--quiet",
-              "-o",
-              path("x.png"),
-              "--denoise",
-              "--oidn",
-              program.toString(),
-              "--denoise-timeout",
-              "0.5s");
+          run(
+              "render %s --quiet -o T/x.png --denoise --oidn %s --denoise-timeout 0.5s"
+                  .formatted(scene, program));
       assertThat(outcome.exitCode()).isEqualTo(ExitCodes.OUTPUT);
       assertThat(outcome.err()).contains("oidnDenoise", "the noisy picture is", "x.png");
       assertThat(light("x.png")).isEqualTo(light("plain.png"));

@@ -6,18 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import java.io.IOException;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Layers of denoised pictures, and pictures whose layers are other than a denoiser's own. */
-class DenoisedLayersTest {
-  @TempDir private Path directory;
-
-  private String path(String name) {
-    return directory.resolve(name).toString();
-  }
-
+class DenoisedLayersTest extends CommandFixture {
   private static Outcome run(String... line) {
     Outcome outcome = Outcome.of(line);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();

@@ -6,49 +6,27 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.LinearReader;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Pictures of models for the screen are denoised by default, and others are not. */
-class DenoisedModelsTest {
+class DenoisedModelsTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 -s 4";
   private static final String DENOISED = "denoised: ";
-
-  @TempDir private Path directory;
 
   @BeforeEach
   void writeModel() throws IOException {
     ModelSample.write(directory);
-  }
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
-
-  /** Runs a command that succeeds, and returns what it prints. */
-  private String runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-    return outcome.err();
-  }
-
-  private int[] pixels(String name) throws IOException {
-    BufferedImage image = ImageIO.read(directory.resolve(name).toFile());
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
   }
 
   private float[] light(String name) throws IOException {
@@ -59,9 +37,9 @@ class DenoisedModelsTest {
   @ValueSource(strings = {"png", "jpg"})
   void picturesForTheScreenAreDenoised(String ending) throws IOException {
     String model = "render T/sample.glb" + SMALL + " -o T/";
-    assertThat(runs(model + "a." + ending)).contains(DENOISED);
-    assertThat(runs(model + "same." + ending + " --denoise")).contains(DENOISED);
-    assertThat(runs(model + "noisy." + ending + " --no-denoise")).doesNotContain("denoised");
+    assertThat(said(model + "a." + ending)).contains(DENOISED);
+    assertThat(said(model + "same." + ending + " --denoise")).contains(DENOISED);
+    assertThat(said(model + "noisy." + ending + " --no-denoise")).doesNotContain("denoised");
     assertThat(pixels("same." + ending)).isEqualTo(pixels("a." + ending));
     assertThat(pixels("noisy." + ending)).isNotEqualTo(pixels("a." + ending));
   }
@@ -70,9 +48,9 @@ class DenoisedModelsTest {
   @ValueSource(strings = {"exr", "pfm"})
   void linearPicturesKeepTheirNoise(String ending) throws IOException {
     String model = "render T/sample.glb" + SMALL + " -o T/";
-    assertThat(runs(model + "a." + ending)).doesNotContain("denoised");
+    assertThat(said(model + "a." + ending)).doesNotContain("denoised");
     runs(model + "noisy." + ending + " --no-denoise");
-    assertThat(runs(model + "clean." + ending + " --denoise")).contains(DENOISED);
+    assertThat(said(model + "clean." + ending + " --denoise")).contains(DENOISED);
     assertThat(light("a." + ending))
         .isEqualTo(light("noisy." + ending))
         .isNotEqualTo(light("clean." + ending));
@@ -81,7 +59,7 @@ class DenoisedModelsTest {
   @Test
   void anImportedSceneHasTheNoisyPicture() throws IOException {
     runs("import T/sample.glb -o T/scene.json");
-    assertThat(runs("render T/scene.json -o T/scene.png" + SMALL)).doesNotContain("denoised");
+    assertThat(said("render T/scene.json -o T/scene.png" + SMALL)).doesNotContain("denoised");
     runs("render T/sample.glb -o T/noisy.png --no-denoise" + SMALL);
     assertThat(pixels("scene.png")).isEqualTo(pixels("noisy.png"));
   }
@@ -91,19 +69,19 @@ class DenoisedModelsTest {
   void filmsAndTheirPicturesKeepTheirNoise() throws IOException {
     String model = "render T/sample.glb --size 24x18";
     runs(model + " -s 4 -o T/noisy.png --no-denoise");
-    assertThat(runs(model + " -s 4 -o T/a.png --checkpoint T/a.film")).doesNotContain("denoised");
+    assertThat(said(model + " -s 4 -o T/a.png --checkpoint T/a.film")).doesNotContain("denoised");
     assertThat(pixels("a.png")).isEqualTo(pixels("noisy.png"));
     runs(model + " -s 2 -o T/r.png --checkpoint T/r.film");
-    assertThat(runs("resume T/r.film -s 4")).doesNotContain("denoised");
+    assertThat(said("resume T/r.film -s 4")).doesNotContain("denoised");
     assertThat(pixels("r.png")).isEqualTo(pixels("noisy.png"));
     for (int i = 0; i < 2; i++) {
       runs(model + " -s 4 -o T/part.png --share I/2 --checkpoint T/I.film".replace("I", "" + i));
     }
-    assertThat(runs("merge T/0.film T/1.film -o T/merged.png")).doesNotContain("denoised");
+    assertThat(said("merge T/0.film T/1.film -o T/merged.png")).doesNotContain("denoised");
     assertThat(pixels("merged.png")).isEqualTo(pixels("noisy.png"));
     runs("develop T/a.film -o T/developed.png");
     assertThat(pixels("developed.png")).isEqualTo(pixels("noisy.png"));
-    assertThat(runs(model + " -s 4 -o T/b.png --checkpoint T/b.film --denoise")).contains(DENOISED);
+    assertThat(said(model + " -s 4 -o T/b.png --checkpoint T/b.film --denoise")).contains(DENOISED);
     runs(model + " -s 4 -o T/clean.png");
     assertThat(pixels("b.png")).isEqualTo(pixels("clean.png"));
   }
@@ -111,7 +89,7 @@ class DenoisedModelsTest {
   @Test
   void rayModeHasNoNoiseToRemove() throws IOException {
     String model = "render T/sample.glb --mode ray" + SMALL + " -o T/";
-    assertThat(runs(model + "a.png")).doesNotContain("denoised");
+    assertThat(said(model + "a.png")).doesNotContain("denoised");
     runs(model + "noisy.png --no-denoise");
     assertThat(pixels("a.png")).isEqualTo(pixels("noisy.png"));
   }
@@ -119,7 +97,7 @@ class DenoisedModelsTest {
   @Test
   void viewsAndTurntablesAreDenoised() throws IOException {
     runs("views T/sample.glb -o T/views" + SMALL);
-    assertThat(runs("views T/sample.glb -o T/noisy --no-denoise" + SMALL))
+    assertThat(said("views T/sample.glb -o T/noisy --no-denoise" + SMALL))
         .doesNotContain("denoised");
     for (String views : new String[] {"", "--no-denoise "}) {
       String folder = views.isEmpty() ? "views" : "noisy";
@@ -127,10 +105,10 @@ class DenoisedModelsTest {
       assertThat(pixels(folder + "/iso.png")).isEqualTo(pixels("iso.png"));
     }
     assertThat(pixels("views/views.png")).isNotEqualTo(pixels("noisy/views.png"));
-    String turned = runs("render T/sample.glb --view iso --turntable 2 -o T/turn.png" + SMALL);
+    String turned = said("render T/sample.glb --view iso --turntable 2 -o T/turn.png" + SMALL);
     assertThat(turned).contains("2 of 2 pictures written, denoised: ");
     assertThat(
-            runs("render T/sample.glb --view iso --turntable 2 --no-denoise -o T/no.png" + SMALL))
+            said("render T/sample.glb --view iso --turntable 2 --no-denoise -o T/no.png" + SMALL))
         .contains("2 of 2 pictures written: ");
     for (String frame : new String[] {"000", "001"}) {
       assertThat(pixels("turn-" + frame + ".png")).isNotEqualTo(pixels("no-" + frame + ".png"));
@@ -165,7 +143,7 @@ class DenoisedModelsTest {
   @Test
   void aPartIsDenoisedFromItsOwnPixels() throws IOException {
     String part = "render T/sample.glb --crop 4,3,16,12" + SMALL + " -o T/";
-    assertThat(runs(part + "part.png")).contains(DENOISED);
+    assertThat(said(part + "part.png")).contains(DENOISED);
     runs(part + "noisy.png --checkpoint T/part.film --layers denoise");
     runs("denoise T/part.film -o T/of-film.png");
     assertThat(pixels("part.png")).hasSize(16 * 12).isEqualTo(pixels("of-film.png"));
@@ -173,7 +151,7 @@ class DenoisedModelsTest {
 
   @Test
   void adaptiveSamplesAreDenoised() {
-    assertThat(runs("render T/sample.glb --adaptive --size 24x18 -s 48 -o T/a.png"))
+    assertThat(said("render T/sample.glb --adaptive --size 24x18 -s 48 -o T/a.png"))
         .contains(DENOISED);
   }
 
@@ -205,8 +183,8 @@ class DenoisedModelsTest {
   @Test
   void denoisedViewsNeedFewSamples() {
     String views = "views T/sample.glb --size 24x18 -o T/v";
-    assertThat(runs(views)).contains(" 2 samples per pixel, denoised");
-    assertThat(runs(views + "2 --no-denoise")).contains(" 100 samples per pixel, ");
+    assertThat(said(views)).contains(" 2 samples per pixel, denoised");
+    assertThat(said(views + "2 --no-denoise")).contains(" 100 samples per pixel, ");
   }
 
   /** The stop rule sees the noise of the samples, which the denoiser does not change. */

@@ -14,7 +14,6 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,18 +23,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the film commands {@code resume}, {@code merge} and {@code develop}. */
-class FilmCommandsTest {
-  @TempDir private Path directory;
-
-  private String path(String name) {
-    return directory.resolve(name).toString();
-  }
-
+class FilmCommandsTest extends CommandFixture {
   private Outcome render(String picture, String... flags) {
     TinyScene.write(directory, TinyScene.JSON);
     List<String> args = new ArrayList<>(List.of("render", path("tiny.json"), "-o", path(picture)));
@@ -45,10 +36,6 @@ class FilmCommandsTest {
 
   private static void assertDone(Outcome outcome) {
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-  }
-
-  private byte[] bytes(String name) throws IOException {
-    return Files.readAllBytes(directory.resolve(name));
   }
 
   private void assertSamePicture(String name) throws IOException {
@@ -433,11 +420,6 @@ class FilmCommandsTest {
     assertDone(Outcome.of("develop", path("a.film"), "-o", path("dark.png"), "--exposure", "-2"));
     assertThat(pixels("same.png")).isEqualTo(pixels("a.png"));
     assertThat(pixels("dark.png")).isEqualTo(pixels("b.png")).isNotEqualTo(pixels("a.png"));
-  }
-
-  private int[] pixels(String name) throws IOException {
-    BufferedImage image = ImageIO.read(directory.resolve(name).toFile());
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
   }
 
   @Test

@@ -10,24 +10,15 @@ import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.geometry.Kernel;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that pictures of {@code --guide} have one guide, however they are rendered. */
-class GuideFilmTest {
+class GuideFilmTest extends CommandFixture {
   private static final String[] ON = {"--guide", "on"};
-
-  @TempDir private Path directory;
-
-  private String path(String name) {
-    return directory.resolve(name).toString();
-  }
 
   private Outcome render(String picture, String[] guide, String... flags) {
     List<String> args = new ArrayList<>(List.of("render", "scenes/door-ajar.json"));
@@ -39,10 +30,6 @@ class GuideFilmTest {
 
   private static void assertDone(Outcome outcome) {
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-  }
-
-  private byte[] bytes(String name) throws IOException {
-    return Files.readAllBytes(directory.resolve(name));
   }
 
   /** Resumed and merged films, threads, buckets and both kernels give the bits of one render. */

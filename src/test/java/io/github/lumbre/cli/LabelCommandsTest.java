@@ -18,16 +18,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
-import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests labels on pictures of models. */
-class LabelCommandsTest {
+class LabelCommandsTest extends CommandFixture {
   /** Shows nothing but labels. */
   private static final String WHITE = " -s 1 --no-denoise --look lines --line-width 0";
 
@@ -36,8 +33,6 @@ class LabelCommandsTest {
   /** Two boxes of 40 x 25 x 12.5 together, with z up. */
   private static final String MODEL =
       box("block", 0, 0, 0, 40, 25, 5, 0) + box("knob", 10, 10, 5, 15, 15, 12.5, 8);
-
-  @TempDir private Path directory;
 
   private static String box(
       String name, double x, double y, double z, double x2, double y2, double z2, int from) {
@@ -58,24 +53,6 @@ class LabelCommandsTest {
   @BeforeEach
   void writeModel() throws IOException {
     Files.writeString(directory.resolve("a.obj"), MODEL);
-  }
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.of(
-        Stream.of(line.split(" "))
-            .map(word -> word.matches("T(/.*)?") ? directory + word.substring(1) : word)
-            .toArray(String[]::new));
-  }
-
-  private Outcome runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-    return outcome;
-  }
-
-  private BufferedImage picture(String name) throws IOException {
-    return ImageIO.read(directory.resolve(name).toFile());
   }
 
   private static double pixel(JsonArray matrix, int row, double[] point) {
@@ -157,11 +134,6 @@ class LabelCommandsTest {
     assertThat(pixels("one.png")).isEqualTo(pixels("two.png"));
     runs(line.replace(" --labels all", "") + " -o T/none.png");
     assertThat(pixels("none.png")).isNotEqualTo(pixels("one.png"));
-  }
-
-  private int[] pixels(String name) throws IOException {
-    BufferedImage image = picture(name);
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
   }
 
   @Test

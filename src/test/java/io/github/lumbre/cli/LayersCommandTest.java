@@ -15,13 +15,11 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests {@code lumbre layers}, and {@code compare --layer}. */
-class LayersCommandTest {
-  @TempDir private Path directory;
+class LayersCommandTest extends CommandFixture {
   private Path scene;
   private Path picture;
   private Path film;
@@ -35,17 +33,7 @@ class LayersCommandTest {
                 "\"shapeType\": \"Sphere\"", "\"name\": \"../ball\", \"shapeType\": \"Sphere\""));
     picture = directory.resolve("all.exr");
     film = directory.resolve("all.film");
-    Outcome outcome =
-        Outcome.of(
-            "render",
-            scene.toString(),
-            "--layers",
-            "all",
-            "-o",
-            picture.toString(),
-            "--checkpoint",
-            film.toString());
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    runs("render " + scene + " --layers all -o T/all.exr --checkpoint T/all.film");
   }
 
   private Outcome layers(Path file, String... more) {

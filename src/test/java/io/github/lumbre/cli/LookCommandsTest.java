@@ -5,19 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.cli.output.ExitCodes;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.stream.IntStream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the flags that show the shape of models alone. */
-class LookCommandsTest {
+class LookCommandsTest extends CommandFixture {
   private static final String SMALL = " --size 40x30 --view front --quiet";
   private static final int WHITE = 0xffffffff;
 
@@ -33,31 +29,10 @@ class LookCommandsTest {
       f 1 2 3 4
       """;
 
-  @TempDir private Path directory;
-
   @BeforeEach
   void writeModel() throws IOException {
     Files.writeString(directory.resolve("a.obj"), MODEL);
     Files.writeString(directory.resolve("a.mtl"), "newmtl red\nKd 1 0 0\nKe 5 0 0\n");
-  }
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
-
-  private Outcome runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-    return outcome;
-  }
-
-  private BufferedImage picture(String name) {
-    try {
-      return ImageIO.read(directory.resolve(name).toFile());
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   /** Returns how many pixels of the middle row are not white, as areas of black. */

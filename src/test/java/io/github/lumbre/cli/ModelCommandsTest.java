@@ -11,42 +11,20 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import javax.imageio.ImageIO;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** All commands work on a model file as on a scene. */
-class ModelCommandsTest {
+class ModelCommandsTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 -s 4 --quiet";
-
-  @TempDir private Path directory;
 
   @BeforeEach
   void writeModel() throws IOException {
     ModelSample.write(directory);
-  }
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
-
-  private void runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-  }
-
-  private BufferedImage picture(String name) throws IOException {
-    return ImageIO.read(directory.resolve(name).toFile());
-  }
-
-  private void assertSame(String one, String other) {
-    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
   }
 
   @Test
@@ -231,11 +209,6 @@ class ModelCommandsTest {
         .contains("found none", "without the film's model, ");
     assertThat(run("develop T/a.film -o T/a.exr").err()).doesNotContain("warning");
     assertThat(run("develop T/a.film -o T/c.png --exposure 2").err()).doesNotContain("warning");
-  }
-
-  private int[] pixels(String name) throws IOException {
-    BufferedImage image = picture(name);
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
   }
 
   private void assertSamePixels(String one, String other) throws IOException {

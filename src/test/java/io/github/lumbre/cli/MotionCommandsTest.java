@@ -3,38 +3,22 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.image.internal.PictureTexts;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Pictures of moving models, and their checkpoint files. */
-class MotionCommandsTest {
+class MotionCommandsTest extends CommandFixture {
   private static final String LIFT =
       "render T/sample.glb --pose lift@0.25 --view front --size 12x9 --no-denoise";
   private static final String MOVING = LIFT + " --shutter 0.5 --fps 2 --poses 4";
 
-  @TempDir private Path directory;
-
   @BeforeEach
   void writeModel() throws IOException {
     ModelSample.write(directory);
-  }
-
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
-
-  private String runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-    return outcome.err().replace(directory + "/", "");
   }
 
   private void fails(String line, int code, String message) {
@@ -43,33 +27,25 @@ class MotionCommandsTest {
     assertThat(outcome.exitCode()).isEqualTo(code);
   }
 
-  private void assertSame(String one, String other) {
-    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
-  }
-
-  private Map<String, String> texts(String picture) throws IOException {
-    return PictureTexts.read(directory.resolve(picture));
-  }
-
   @Test
   void samplesAreRoundedUpToWholePoses() throws IOException {
-    assertThat(runs(MOVING + " -s 9 -o T/a.png")).contains("12 samples per pixel, noise about");
+    assertThat(said(MOVING + " -s 9 -o T/a.png")).contains("12 samples per pixel, noise about");
     assertThat(texts("a.png"))
         .containsEntry("Shutter", "0.25")
         .containsEntry("Poses", "4")
         .containsEntry("Samples", "12");
     // Four samples have no halves with all poses.
-    assertThat(runs(MOVING + " -s 1 -o T/b.png"))
+    assertThat(said(MOVING + " -s 1 -o T/b.png"))
         .contains("4 samples per pixel")
         .doesNotContain("noise about");
-    assertThat(runs(LIFT + " -s 9 -o T/c.png")).contains("9 samples per pixel");
+    assertThat(said(LIFT + " -s 9 -o T/c.png")).contains("9 samples per pixel");
   }
 
   /** A denoiser needs to know the noise. */
   @Test
   void denoisedPicturesHaveTwoSamplesOfEachPose() {
     String line = MOVING.replace("--poses 4", "--poses 16").replace(" --no-denoise", "");
-    assertThat(runs(line + " -o T/a.png")).contains("32 samples per pixel", "denoised");
+    assertThat(said(line + " -o T/a.png")).contains("32 samples per pixel", "denoised");
   }
 
   @Test
@@ -97,7 +73,7 @@ class MotionCommandsTest {
     assertSame("a.pfm", "whole.pfm");
     runs(MOVING + " -s 14 --share 0/2 -o T/b.pfm --checkpoint T/b.film");
     runs(MOVING + " -s 14 --share 1/2 -o T/c.pfm --checkpoint T/c.film");
-    assertThat(runs("merge T/b.film T/c.film -o T/d.film")).contains("16 samples");
+    assertThat(said("merge T/b.film T/c.film -o T/d.film")).contains("16 samples");
     runs("develop T/d.film -o T/d.pfm");
     assertSame("d.pfm", "whole.pfm");
     runs(MOVING.replace("--poses 4", "--poses 8") + " -s 8 -o T/e.pfm --checkpoint T/e.film");

@@ -21,7 +21,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -32,7 +31,7 @@ import picocli.CommandLine.Model.OptionSpec;
 
 /** No command overwrites its input or a file of a different type. */
 @DisabledOnOs(OS.WINDOWS)
-class OutputGuardTest {
+class OutputGuardTest extends CommandFixture {
   /** Paths that commands only read, or in which they only create files with new names. */
   private static final Set<String> INPUTS =
       Set.of(
@@ -97,8 +96,6 @@ class OutputGuardTest {
           Map.entry("trade --output", "trade T/wood.json -o OUT.html"),
           Map.entry("views --output", "views T/mesh.obj -o OUT"));
 
-  @TempDir private Path directory;
-
   @BeforeEach
   void writeFiles() throws IOException {
     ImageIO.write(new BufferedImage(1, 1, 1), "png", directory.resolve("wood.png").toFile());
@@ -109,11 +106,6 @@ class OutputGuardTest {
     Files.writeString(directory.resolve("notes"), "# What somebody has written\n");
     TinyTable.write(directory);
     run("render T/wood.json -o T/a.png --checkpoint T/a.film");
-  }
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
   }
 
   private Map<String, String> files() throws IOException {

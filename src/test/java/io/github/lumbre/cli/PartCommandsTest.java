@@ -5,16 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.cli.output.ExitCodes;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the flags for parts of models. */
-class PartCommandsTest {
+class PartCommandsTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 --view front --quiet";
 
   /** A gray square, and a red one to its right. */
@@ -37,27 +34,11 @@ class PartCommandsTest {
       f 5 6 7 8
       """;
 
-  @TempDir private Path directory;
-
   @BeforeEach
   void writeModel() throws IOException {
     Files.writeString(directory.resolve("a.obj"), MODEL);
     Files.writeString(
         directory.resolve("a.mtl"), "newmtl gray\nKd .5 .5 .5\nnewmtl red\nKd 1 0 0\n");
-  }
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
-
-  private void runs(String line) {
-    Outcome outcome = run(line);
-    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isEqualTo(ExitCodes.OK);
-  }
-
-  private void assertSame(String one, String other) {
-    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
   }
 
   @Test
@@ -92,15 +73,6 @@ class PartCommandsTest {
     assertThat(pixels("d.png")).isEqualTo(pixels("a.png"));
     runs("render T/a.obj -o T/e.png -s 4 --no-denoise" + SMALL);
     assertThat(pixels("e.png")).isNotEqualTo(pixels("a.png"));
-  }
-
-  private int[] pixels(String name) {
-    try {
-      BufferedImage image = ImageIO.read(directory.resolve(name).toFile());
-      return image.getRGB(0, 0, 24, 18, null, 0, 24);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   @Test

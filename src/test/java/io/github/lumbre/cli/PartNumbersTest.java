@@ -19,23 +19,15 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the numbers beside pictures of models, as JSON. */
-class PartNumbersTest {
+class PartNumbersTest extends CommandFixture {
   private static final String FAST = " -s 1 --no-denoise";
 
   /** The corners of a box that is not centered; none hides another in the views of the tests. */
   private static final double[] LOW = {3, -1, 2};
 
   private static final double[] SIZE = {4, 2.5, 1.5};
-
-  @TempDir private Path directory;
-
-  /** Runs a command line in which T stands for the directory of the test. */
-  private Outcome run(String line) {
-    return Outcome.in(directory, line);
-  }
 
   private List<JsonObject> json(String line) {
     Outcome outcome = run(line + " --json");

@@ -5,17 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Commands show clouds of points. */
-class PointsTest {
+class PointsTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 -s 2 --seed 3 --quiet --no-denoise";
-
-  @TempDir private Path folder;
 
   @BeforeEach
   void writeCloud() throws IOException {
@@ -23,17 +18,8 @@ class PointsTest {
     for (int i = 0; i < 64; i++) {
       text.append("v %d %d %d %f 0 1\n".formatted(i % 4, i / 4 % 4, i / 16, i / 64.));
     }
-    Files.writeString(folder.resolve("cloud.obj"), text.append("p 1 2\np 3\n"));
-    Files.writeString(folder.resolve("all.obj"), text.toString().replace("p 1 2\np 3\n", ""));
-  }
-
-  private Outcome run(String command) {
-    return Outcome.in(folder, command);
-  }
-
-  private void runs(String command) {
-    Outcome outcome = run(command);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Files.writeString(directory.resolve("cloud.obj"), text.append("p 1 2\np 3\n"));
+    Files.writeString(directory.resolve("all.obj"), text.toString().replace("p 1 2\np 3\n", ""));
   }
 
   @Test
@@ -53,9 +39,9 @@ class PointsTest {
       runs("import T/all.obj -o T/scene.json --overwrite" + flags);
       runs("render T/scene.json -o T/a.pfm --overwrite" + SMALL);
       runs("render T/all.obj -o T/b.pfm --overwrite" + SMALL + flags);
-      assertThat(folder.resolve("a.pfm")).hasSameBinaryContentAs(folder.resolve("b.pfm"));
+      assertThat(directory.resolve("a.pfm")).hasSameBinaryContentAs(directory.resolve("b.pfm"));
     }
-    assertThat(Files.readString(folder.resolve("scene.json"))).contains("\"pointRadius\"");
+    assertThat(Files.readString(directory.resolve("scene.json"))).contains("\"pointRadius\"");
   }
 
   /** The spheres, not only their centers, are in the frame. */
@@ -66,7 +52,7 @@ class PointsTest {
           "render T/cloud.obj -o T/a.png --overwrite --background transparent --points 3 --view "
               + view
               + SMALL.replace("24x18", "60x45"));
-      BufferedImage picture = ImageIO.read(folder.resolve("a.png").toFile());
+      BufferedImage picture = picture("a.png");
       int covered = 0;
       for (int y = 0; y < 45; y++) {
         for (int x = 0; x < 60; x++) {

@@ -5,22 +5,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Commands cut models by planes. */
-class SectionsTest {
+class SectionsTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 -s 2 --seed 3 --quiet --no-denoise";
 
   /** The faces of a box, counterclockwise from outside, by the bits of its corners. */
   private static final int[][] FACES = {
     {1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}
   };
-
-  @TempDir private Path folder;
 
   @BeforeEach
   void writeHollowBox() throws IOException {
@@ -37,33 +33,24 @@ class SectionsTest {
       text.append("f %d %d %d %d\n".formatted(f[0], f[1], f[2], f[3]));
       text.append("f %d %d %d %d\n".formatted(f[3] + 8, f[2] + 8, f[1] + 8, f[0] + 8));
     }
-    Files.writeString(folder.resolve("box.obj"), text.toString());
-  }
-
-  private Outcome run(String command) {
-    return Outcome.in(folder, command);
-  }
-
-  private void runs(String command) {
-    Outcome outcome = run(command);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Files.writeString(directory.resolve("box.obj"), text.toString());
   }
 
   @Test
   void theImportedSceneAndTheFilmHaveTheSamePicture() throws IOException {
     String flags = " --section x=50% --section 0,0,-3/0,-1,-1 --up z --unit 3";
     runs("import T/box.obj -o T/scene.json" + flags);
-    assertThat(Files.readString(folder.resolve("scene.json")))
+    assertThat(Files.readString(directory.resolve("scene.json")))
         .containsIgnoringWhitespaces("\"section\": [\"x=50%\", \"0,0,-3/0,-1,-1\"]");
     runs("render T/scene.json -o T/a.pfm" + SMALL);
     runs("render T/box.obj -o T/b.pfm" + SMALL + flags);
-    assertThat(folder.resolve("a.pfm")).hasSameBinaryContentAs(folder.resolve("b.pfm"));
+    assertThat(directory.resolve("a.pfm")).hasSameBinaryContentAs(directory.resolve("b.pfm"));
     runs(
         "render T/box.obj -o T/c.pfm --checkpoint T/c.film -s 1"
             + SMALL.replace(" -s 2", "")
             + flags);
     runs("resume T/c.film -s 2 -o T/d.pfm --quiet");
-    assertThat(folder.resolve("d.pfm")).hasSameBinaryContentAs(folder.resolve("b.pfm"));
+    assertThat(directory.resolve("d.pfm")).hasSameBinaryContentAs(directory.resolve("b.pfm"));
   }
 
   /** The far wall of the cavity is lit by the sky alone, which it sees through the opening. */
@@ -72,7 +59,7 @@ class SectionsTest {
     runs(
         "render T/box.obj -o T/a.png --view front --sky white --section z=9"
             + SMALL.replace(" -s 2", " -s 64"));
-    BufferedImage picture = ImageIO.read(folder.resolve("a.png").toFile());
+    BufferedImage picture = ImageIO.read(directory.resolve("a.png").toFile());
     int wall = picture.getRGB(12, 9) & 0xff;
     assertThat(wall).isBetween(100, 250);
   }
@@ -108,9 +95,5 @@ class SectionsTest {
     runs(
         "render T/box.obj -o T/left.png --view left --section -x=5 -s 1 --no-denoise --size 24x18");
     assertThat(pixels("v/left.png")).containsExactly(pixels("left.png"));
-  }
-
-  private int[] pixels(String name) throws IOException {
-    return ImageIO.read(folder.resolve(name).toFile()).getRGB(0, 0, 24, 18, null, 0, 24);
   }
 }

@@ -7,7 +7,6 @@ import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.image.ImageReader;
-import io.github.lumbre.image.internal.PictureTexts;
 import io.github.lumbre.testing.Effort;
 import java.io.File;
 import java.io.IOException;
@@ -29,11 +28,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Processes that are stopped after the last sample of a picture, while it is denoised. */
 @DisabledOnOs(OS.WINDOWS)
-class StoppedStepsTest {
+class StoppedStepsTest extends CommandFixture {
   private static final String SMALL = " --size 24x18 -s 2";
   private static final String SLOW = " --oidn T/bin" + SMALL;
 
@@ -57,7 +55,6 @@ class StoppedStepsTest {
       cp "$from" "$to"
       """;
 
-  @TempDir private Path directory;
   private final List<Process> started = new ArrayList<>();
 
   @BeforeEach
@@ -115,10 +112,6 @@ class StoppedStepsTest {
         .collect(Collectors.joining(File.pathSeparator));
   }
 
-  private Outcome run(String line) throws IOException, InterruptedException {
-    return Program.await(directory, start(line));
-  }
-
   private void signal(String name, Process process) throws IOException, InterruptedException {
     List<String> kill = List.of("kill", "-" + name, "" + process.pid());
     assertThat(new ProcessBuilder(kill).start().waitFor()).isZero();
@@ -133,10 +126,6 @@ class StoppedStepsTest {
     }
     signal(name, process);
     return Program.await(directory, process);
-  }
-
-  private Map<String, String> texts(String picture) throws IOException {
-    return PictureTexts.read(directory.resolve(picture));
   }
 
   @Test
@@ -192,8 +181,8 @@ class StoppedStepsTest {
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
     assertThat(outcome.err()).contains("2 of 3 pictures written, denoised, 1 was complete");
     for (String frame : List.of("-000.png", "-001.png", "-002.png")) {
-      assertThat(pixels(directory.resolve("a" + frame)))
-          .isEqualTo(pixels(directory.resolve("whole" + frame)));
+      assertThat(content(directory.resolve("a" + frame)))
+          .isEqualTo(content(directory.resolve("whole" + frame)));
     }
   }
 
@@ -289,23 +278,23 @@ class StoppedStepsTest {
       process.waitFor();
       Outcome outcome = run(stopped + " --continue");
       assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-      assertThat(pixels("stopped" + i)).isEqualTo(pixels("whole" + i % lines.size()));
+      assertThat(contents("stopped" + i)).isEqualTo(contents("whole" + i % lines.size()));
     }
   }
 
   /** Returns the pixels of all pictures of a folder by their names. */
-  private Map<String, String> pixels(String folder) throws IOException {
+  private Map<String, String> contents(String folder) throws IOException {
     Map<String, String> all = new TreeMap<>();
     try (Stream<Path> files = Files.list(directory.resolve(folder))) {
       for (Path file : files.toList()) {
-        all.put("" + file.getFileName(), pixels(file));
+        all.put("" + file.getFileName(), content(file));
       }
     }
     return all;
   }
 
   /** Returns the content of a file, and of pictures with the time of their render the pixels. */
-  private static String pixels(Path file) throws IOException {
+  private static String content(Path file) throws IOException {
     byte[] bytes = Files.readAllBytes(file);
     String name = file.toString();
     if (name.endsWith(".png")) {

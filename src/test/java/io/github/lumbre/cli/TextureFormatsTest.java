@@ -2,22 +2,19 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.ktx.KtxSamples;
 import io.github.lumbre.image.webp.WebpSamples;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** KTX 2 and WebP files are pictures wherever PNG files are, with the same result. */
-class TextureFormatsTest {
+class TextureFormatsTest extends CommandFixture {
   private static final String OBJ =
       "mtllib %s.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
           + "f 1/1 2/2 3/3\n";
@@ -42,29 +39,15 @@ class TextureFormatsTest {
       """;
   private static final String CORNERS = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
 
-  @TempDir private Path folder;
-
   private byte[] rendered(String name) throws IOException {
-    Path picture = folder.resolve(name + ".out.png");
-    Outcome outcome =
-        Outcome.of(
-            "render",
-            folder.resolve(name).toString(),
-            "-s",
-            "4",
-            "--size",
-            "24x18",
-            "--quiet",
-            "--no-denoise",
-            "-o",
-            picture.toString());
-    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
-    assertThat(outcome.err()).isEmpty();
-    return ImageReader.decode(Files.readAllBytes(picture)).toPng();
+    String picture = name + ".out.png";
+    String flags = " -s 4 --size 24x18 --quiet --no-denoise -o T/";
+    assertThat(said("render T/" + name + flags + picture)).isEmpty();
+    return ImageReader.decode(bytes(picture)).toPng();
   }
 
   private void write(String name, String text) throws IOException {
-    Files.writeString(folder.resolve(name), text, StandardCharsets.US_ASCII);
+    Files.writeString(directory.resolve(name), text, StandardCharsets.US_ASCII);
   }
 
   static Stream<Arguments> pictures() {
@@ -78,8 +61,8 @@ class TextureFormatsTest {
   @ParameterizedTest
   @MethodSource("pictures")
   void picturesAreThoseOfPng(String extension, byte[] encoded) throws IOException {
-    Files.write(folder.resolve("a.picture"), encoded);
-    Files.write(folder.resolve("b.png"), ImageReader.decode(encoded).toPng());
+    Files.write(directory.resolve("a.picture"), encoded);
+    Files.write(directory.resolve("b.png"), ImageReader.decode(encoded).toPng());
     for (String name : new String[] {"a.picture", "b.png"}) {
       String stem = name.substring(0, 1);
       write(stem + ".obj", OBJ.formatted(stem));

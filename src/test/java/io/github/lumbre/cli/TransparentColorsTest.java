@@ -2,7 +2,6 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.cli.output.ExitCodes;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -14,16 +13,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Models whose PNG textures have transparent colors look as those with an alpha channel. */
-class TransparentColorsTest {
+class TransparentColorsTest extends CommandFixture {
   private static final String RGBA = "rgba_MASK.glb";
-
-  @TempDir private Path folder;
 
   private static byte[] read(String name) throws IOException {
     return Files.readAllBytes(Path.of("src/test/resources/cases", name));
@@ -31,28 +27,10 @@ class TransparentColorsTest {
 
   /** Returns the pixels of a model before a transparent background. */
   private int[] pixels(String name, byte[] model) throws IOException {
-    Path file = Files.write(folder.resolve(name), model);
-    Path picture = folder.resolve("x.png");
-    Outcome outcome =
-        Outcome.of(
-            "render",
-            file.toString(),
-            "-o",
-            picture.toString(),
-            "--overwrite",
-            "--quiet",
-            "--view",
-            "front",
-            "-s",
-            "4",
-            "--size",
-            "32x32",
-            "--sky",
-            "white",
-            "--background",
-            "transparent");
-    assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
-    return ImageIO.read(picture.toFile()).getRGB(0, 0, 32, 32, null, 0, 32);
+    Files.write(directory.resolve(name), model);
+    String flags = " --overwrite --quiet --view front -s 4 --size 32x32";
+    runs("render T/" + name + " -o T/x.png --sky white --background transparent" + flags);
+    return pixels("x.png");
   }
 
   private static double meanAlpha(int... pixels) {
@@ -84,7 +62,7 @@ class TransparentColorsTest {
   }
 
   /** Returns the picture in a GLB file. */
-  private static byte[] picture(String name) throws IOException {
+  private static byte[] stored(String name) throws IOException {
     String glb = new String(read(name), StandardCharsets.ISO_8859_1);
     int end = glb.indexOf("IEND") + 8;
     return glb.substring(glb.indexOf("\u0089PNG"), end).getBytes(StandardCharsets.ISO_8859_1);
@@ -106,9 +84,9 @@ class TransparentColorsTest {
   }
 
   private int[] objPixels(byte[] picture) throws IOException {
-    Files.write(folder.resolve("t.png"), picture);
+    Files.write(directory.resolve("t.png"), picture);
     String mtl = "newmtl m\nKd 1 1 1\nmap_Kd t.png\nmap_d t.png\n";
-    Files.writeString(folder.resolve("a.mtl"), mtl);
+    Files.writeString(directory.resolve("a.mtl"), mtl);
     String obj =
         "mtllib a.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
             + "vt 0 1\nf 1/1 2/2 3/3 4/4\n";
@@ -118,8 +96,8 @@ class TransparentColorsTest {
   @ParameterizedTest
   @ValueSource(strings = {"pal8_trns_MASK.glb", "rgb_trns_MASK.glb"})
   void objShowsThem(String name) throws IOException {
-    int[] expected = objPixels(withChannel(picture(name)));
+    int[] expected = objPixels(withChannel(stored(name)));
     assertThat(meanAlpha(expected)).isBetween(.5, .67);
-    assertThat(objPixels(picture(name))).isEqualTo(expected);
+    assertThat(objPixels(stored(name))).isEqualTo(expected);
   }
 }

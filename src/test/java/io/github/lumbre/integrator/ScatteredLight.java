@@ -37,7 +37,7 @@ final class ScatteredLight {
     return samples(scene, options, context, ray, count, count);
   }
 
-  /** Returns samples: the least number, and more until their error is small or the most is reached. */
+  /** Returns the least number of samples, or more until their error is small; at most so many. */
   private static Moments samples(
       Scene scene, PathOptions options, RenderContext context, Ray ray, int least, int most) {
     PathTracer tracer = new PathTracer(scene, options);

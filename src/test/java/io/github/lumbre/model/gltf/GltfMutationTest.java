@@ -9,6 +9,7 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Mutants;
 import java.io.IOException;
 import java.util.EnumMap;
 import java.util.Map;
@@ -68,47 +69,51 @@ class GltfMutationTest {
   private static Map<Ending, Integer> run(long seed, int count) throws IOException {
     byte[] original = GltfSample.file();
     Map<Ending, Integer> endings = new EnumMap<>(Ending.class);
-    for (int i = 0; i < count; i++) {
-      endings.merge(ending(new GltfMutator(seed + i).mutant(original), seed + i), 1, Integer::sum);
-    }
+    Mutants.read(
+        seed,
+        count,
+        number -> {
+          Ending ending = ending(new GltfMutator(number).mutant(original), number);
+          endings.merge(ending, 1, Integer::sum);
+          return ending == Ending.READ;
+        });
     return endings;
   }
 
   private static Ending ending(byte[] file, long seed) throws IOException {
     try {
       ModelOptions options = (seed % 4 < 2 ? OPTIONS : MOVING).lenient(seed % 2 == 0);
-      Model model =
+      check(
           GltfReader.read(
-              file, GltfFile.EMPTY, options, new GltfBudget(Limits.NONE.withMemory(MAX_BYTES)));
-      model.parts().forEach(GltfMutationTest::check);
-      model.poses().forEach(pose -> pose.parts().forEach(GltfMutationTest::check));
+              file, GltfFile.EMPTY, options, new GltfBudget(Limits.NONE.withMemory(MAX_BYTES))));
       return Ending.READ;
     } catch (ModelFormatException e) {
-      assertThat(e.getMessage()).as("seed %d", seed).hasSizeLessThan(1000);
+      assertThat(e.getMessage()).hasSizeLessThan(1000);
       return Ending.valueOf(e.kind().name());
-    } catch (RuntimeException e) {
-      throw new AssertionError("seed " + seed, e);
     }
   }
 
   /** Reads mutants of another file, of which some are read and some refused. */
   static void checkMutants(byte[] original, long seed, int count) throws IOException {
-    int read = 0;
-    for (int i = 0; i < count; i++) {
-      byte[] mutant = new GltfMutator(seed + i).mutant(original);
-      try {
-        GltfBudget budget = new GltfBudget(Limits.NONE.withMemory(10 * MAX_BYTES));
-        Model model = GltfReader.read(mutant, GltfFile.EMPTY, ModelOptions.DEFAULT, budget);
-        model.parts().forEach(GltfMutationTest::check);
-        model.poses().forEach(pose -> pose.parts().forEach(GltfMutationTest::check));
-        read++;
-      } catch (ModelFormatException e) {
-        assertThat(e.getMessage()).as("seed %d", seed + i).hasSizeLessThan(1000);
-      } catch (RuntimeException e) {
-        throw new AssertionError("seed " + (seed + i), e);
-      }
-    }
+    int read =
+        Mutants.read(seed, count, number -> isRead(new GltfMutator(number).mutant(original)));
     assertThat(read).isBetween(count / 20, count * 19 / 20);
+  }
+
+  private static boolean isRead(byte[] mutant) throws IOException {
+    try {
+      GltfBudget budget = new GltfBudget(Limits.NONE.withMemory(10 * MAX_BYTES));
+      check(GltfReader.read(mutant, GltfFile.EMPTY, ModelOptions.DEFAULT, budget));
+      return true;
+    } catch (ModelFormatException e) {
+      assertThat(e.getMessage()).hasSizeLessThan(1000);
+      return false;
+    }
+  }
+
+  private static void check(Model model) {
+    model.parts().forEach(GltfMutationTest::check);
+    model.poses().forEach(pose -> pose.parts().forEach(GltfMutationTest::check));
   }
 
   private static void check(ModelPart part) {

@@ -6,8 +6,8 @@ import io.github.lumbre.light.internal.LightProfile;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.Warnings;
-import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.FileMutator;
+import io.github.lumbre.testing.Mutants;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Test;
 /** Every damaged file of a lamp is read, or refused with a reason. */
 class IesMutationTest {
   private static final int QUICK = 3000;
-  private static final int MANY = 100_000;
 
   private static final List<String> FILES =
       List.of(
@@ -27,25 +26,13 @@ class IesMutationTest {
 
   @Test
   void mutantsAreReadOrRefused() {
-    run(Effort.seed(1), Effort.count(QUICK, MANY));
+    Mutants.few(QUICK, IesMutationTest::isRead);
   }
 
   @Test
   @Tag("fuzz")
   void manyMutantsAreReadOrRefused() {
-    run(Long.getLong("lumbre.fuzz.seed", System.nanoTime()), MANY);
-  }
-
-  private static void run(long seed, int count) {
-    int read = 0;
-    for (int i = 0; i < count; i++) {
-      try {
-        read += isRead(seed + i) ? 1 : 0;
-      } catch (RuntimeException | Error e) {
-        throw new AssertionError("seed " + (seed + i), e);
-      }
-    }
-    assertThat(read).isBetween(count / 20, count * 19 / 20);
+    Mutants.many(IesMutationTest::isRead);
   }
 
   private static boolean isRead(long seed) {
@@ -63,7 +50,7 @@ class IesMutationTest {
       assertThat(warnings.all()).allMatch(text -> text.length() < 300);
       return true;
     } catch (ModelFormatException e) {
-      assertThat(e.getMessage()).hasSizeLessThan(300).doesNotContain("null");
+      Mutants.assertPrintable(e.getMessage(), 300);
       return false;
     }
   }

@@ -1,0 +1,65 @@
+package io.github.lumbre.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.lumbre.image.internal.PictureTexts;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A folder for the files of a test, and command lines in which T stands for it. */
+abstract class CommandFixture {
+  @TempDir Path directory;
+
+  final Outcome run(String line) {
+    return Outcome.in(directory, line);
+  }
+
+  /** Runs a command that succeeds. */
+  final Outcome runs(String line) {
+    Outcome outcome = run(line);
+    outcome.assertDone(line);
+    return outcome;
+  }
+
+  /** Runs a command that succeeds, and returns its messages, without the name of the folder. */
+  final String said(String line) {
+    return runs(line).err().replace(directory + "/", "");
+  }
+
+  final String path(String name) {
+    return directory.resolve(name).toString();
+  }
+
+  final byte[] bytes(String name) throws IOException {
+    return Files.readAllBytes(directory.resolve(name));
+  }
+
+  final BufferedImage picture(String name) {
+    try {
+      return ImageIO.read(directory.resolve(name).toFile());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns the colors of a picture's pixels, with alpha. */
+  final int[] pixels(String name) {
+    BufferedImage image = picture(name);
+    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  /** Returns the metadata of a picture. */
+  final Map<String, String> texts(String name) throws IOException {
+    return PictureTexts.read(directory.resolve(name));
+  }
+
+  final void assertSame(String one, String other) {
+    assertThat(directory.resolve(one)).hasSameBinaryContentAs(directory.resolve(other));
+  }
+}
