@@ -282,14 +282,12 @@ public final class MaterialParameter {
     return List.copyOf(ALL);
   }
 
-  /**
-   * Returns the extensions of glTF materials, and objects in these, that have parameters; see
-   * {@link #gltfObject}.
-   */
-  public static Set<String> gltfObjects() {
-    Set<String> objects = new LinkedHashSet<>();
-    ALL.forEach(parameter -> objects.add(parameter.gltfObject));
-    return objects;
+  /** Returns the extensions of glTF materials that have parameters; see {@link #gltfObject}. */
+  public static Set<String> gltfExtensions() {
+    Set<String> extensions = new LinkedHashSet<>();
+    ALL.forEach(parameter -> extensions.add(parameter.gltfObject));
+    extensions.remove(CORE);
+    return extensions;
   }
 
   /** Returns the type of the values. */

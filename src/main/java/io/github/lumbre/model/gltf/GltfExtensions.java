@@ -122,7 +122,7 @@ final class GltfExtensions {
     return SUPPORTED.contains(name)
         || GltfTextures.PICTURES.contains(name)
         || INVISIBLE.contains(name)
-        || name.startsWith("KHR_") && MaterialParameter.gltfObjects().contains(name);
+        || MaterialParameter.gltfExtensions().contains(name);
   }
 
   private static void checkVersion(GltfJson asset) throws ModelFormatException {

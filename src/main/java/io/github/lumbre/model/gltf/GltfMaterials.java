@@ -98,19 +98,20 @@ final class GltfMaterials {
     Optional<GltfJson> glossy =
         isUnlit ? Optional.empty() : values.extension(json, GLOSSY);
     boolean isGlossy = glossy.isPresent() && isGlossy(json, glossy.get());
+    Optional<GltfJson> core = values.object(json, CORE);
     if (isGlossy) {
       readGlossy(glossy.get(), material);
+    } else if (core.isPresent()) {
+      readParameters(core.get(), CORE, material);
     }
-    for (String name : MaterialParameter.gltfObjects()) {
-      boolean isExtension = name.startsWith("KHR_");
-      Optional<GltfJson> found =
-          isExtension ? values.extension(json, name) : values.object(json, name);
-      if (found.isPresent() && isGlossy && isExtension) {
+    for (String name : MaterialParameter.gltfExtensions()) {
+      Optional<GltfJson> found = values.extension(json, name);
+      if (found.isPresent() && isGlossy) {
         warn(
             "an extension of a material is left out",
             found.get().location(),
             "has no effect beside " + GLOSSY);
-      } else if (found.isPresent() && !isGlossy && isValid(name, found.get())) {
+      } else if (found.isPresent() && isValid(name, found.get())) {
         readParameters(found.get(), name, material);
       }
     }

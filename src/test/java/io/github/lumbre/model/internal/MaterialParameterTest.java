@@ -7,7 +7,6 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
-import com.google.gson.JsonPrimitive;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Pixels;
@@ -53,6 +52,43 @@ class MaterialParameterTest {
   private static final Rgb COLOR = new Rgb(.25, .5, .75);
   private static final SurfaceHit HIT =
       new SurfaceHit().set(Vec3.ZERO, Vec3.Z, Frame.WORLD, new TexturePoint(.5, .5), Vec3.Z, 0);
+
+  /**
+   * The members of a material by which glTF 2.0 and the texts of its extensions state a parameter:
+   * its key in scenes, the object, and the members of the object.
+   */
+  private static final String IN_GLTF =
+      """
+      baseColor pbrMetallicRoughness 'baseColorFactor': [C, 1], 'baseColorTexture': T
+      opacity pbrMetallicRoughness 'baseColorFactor': [1, 1, 1, 0.25], 'baseColorTexture': T
+      metallic pbrMetallicRoughness 'metallicFactor': 0.25, 'metallicRoughnessTexture': T
+      roughness pbrMetallicRoughness 'roughnessFactor': 0.25, 'metallicRoughnessTexture': T
+      ior KHR_materials_ior 'ior': 1.4
+      specular KHR_materials_specular 'specularFactor': 0.25, 'specularTexture': T
+      specularColor KHR_materials_specular 'specularColorFactor': [C], 'specularColorTexture': T
+      transmission KHR_materials_transmission 'transmissionFactor': 0.25, 'transmissionTexture': T
+      diffuseTransmission KHR_materials_diffuse_transmission \
+      'diffuseTransmissionFactor': 0.25, 'diffuseTransmissionTexture': T
+      diffuseTransmissionColor KHR_materials_diffuse_transmission \
+      'diffuseTransmissionColorFactor': [C], 'diffuseTransmissionColorTexture': T
+      attenuationColor KHR_materials_volume 'thicknessFactor': 1, 'attenuationColor': [C]
+      attenuationDistance KHR_materials_volume 'thicknessFactor': 1, 'attenuationDistance': 0.25
+      dispersion KHR_materials_dispersion 'dispersion': 0.25
+      clearcoat KHR_materials_clearcoat 'clearcoatFactor': 0.25, 'clearcoatTexture': T
+      clearcoatRoughness KHR_materials_clearcoat \
+      'clearcoatRoughnessFactor': 0.25, 'clearcoatRoughnessTexture': T
+      clearcoatNormal KHR_materials_clearcoat 'clearcoatNormalTexture': {'index': 0, 'scale': 0.25}
+      sheenColor KHR_materials_sheen 'sheenColorFactor': [C], 'sheenColorTexture': T
+      sheenRoughness KHR_materials_sheen 'sheenRoughnessFactor': 0.25, 'sheenRoughnessTexture': T
+      anisotropy KHR_materials_anisotropy 'anisotropyStrength': 0.25, 'anisotropyTexture': T
+      anisotropyRotation KHR_materials_anisotropy 'anisotropyRotation': 0.25
+      anisotropyDirection KHR_materials_anisotropy 'anisotropyTexture': {'index': 0, 'scale': 0.25}
+      iridescence KHR_materials_iridescence 'iridescenceFactor': 0.25, 'iridescenceTexture': T
+      iridescenceIor KHR_materials_iridescence 'iridescenceIor': 1.4
+      iridescenceThicknessMinimum KHR_materials_iridescence 'iridescenceThicknessMinimum': 0.25
+      iridescenceThicknessMaximum KHR_materials_iridescence 'iridescenceThicknessMaximum': 0.25
+      iridescenceThickness KHR_materials_iridescence 'iridescenceThicknessTexture': T
+      """;
 
   static List<MaterialParameter> all() {
     return MaterialParameter.all();
@@ -150,52 +186,19 @@ class MaterialParameterTest {
     assertThat(effect(material)).isNotEqualTo(before);
   }
 
-  private static JsonElement value(MaterialParameter parameter, Rgb value) {
-    if (parameter.kind() != Kind.COLOR) {
-      return new JsonPrimitive(value.r());
-    }
-    JsonArray array = new JsonArray();
-    array.add(value.r());
-    array.add(value.g());
-    array.add(value.b());
-    if (parameter == MaterialParameter.BASE_COLOR) {
-      array.add(1);
-    }
-    return array;
-  }
-
-  /** Returns the members of a glTF object that state a parameter and its texture. */
-  private static JsonObject stated(MaterialParameter parameter, JsonObject object) {
-    JsonElement value = value(parameter, factor(parameter));
-    if (parameter == MaterialParameter.OPACITY) {
-      value = JsonParser.parseString("[1, 1, 1, " + number(parameter) + "]");
-    }
-    JsonObject texture = JsonParser.parseString("{\"index\": 0}").getAsJsonObject();
-    if (parameter.gltfFactor().isEmpty()) {
-      texture.add("scale", value);
-    } else {
-      object.add(parameter.gltfFactor(), value);
-    }
-    if (parameter.isTextured()) {
-      object.add(parameter.gltfTexture(), texture);
-    }
-    return object;
-  }
-
   private static JsonObject gltf(MaterialParameter parameter) {
     JsonObject extensions = new JsonObject();
     JsonObject material = new JsonObject();
-    MaterialParameter strength = parameter.strengths().get(0);
-    if (strength != parameter) {
-      extensions.add(strength.gltfObject(), stated(strength, new JsonObject()));
+    for (MaterialParameter each : List.of(parameter.strengths().get(0), parameter)) {
+      String line = IN_GLTF.lines().filter(l -> l.startsWith(each + " ")).findAny().orElseThrow();
+      String[] text = line.split(" ", 3);
+      String members = text[2].replace("[C", "[0.25, 0.5, 0.75").replace(": T", ": {'index': 0}");
+      JsonObject stated = JsonParser.parseString("{" + members + "}").getAsJsonObject();
+      JsonObject parent = text[1].equals("pbrMetallicRoughness") ? material : extensions;
+      JsonObject known = parent.getAsJsonObject(text[1]);
+      parent.add(text[1], known == null ? stated : known);
+      stated.asMap().forEach(parent.getAsJsonObject(text[1])::add);
     }
-    String name = parameter.gltfObject();
-    JsonObject known = extensions.getAsJsonObject(name);
-    JsonObject object = stated(parameter, known == null ? new JsonObject() : known);
-    if (name.equals(MaterialParameter.VOLUME_EXTENSION)) {
-      object.addProperty("thicknessFactor", 1);
-    }
-    (name.startsWith("KHR_") ? extensions : material).add(name, object);
     material.add("extensions", extensions);
     material.addProperty("alphaMode", "BLEND");
     return material;
