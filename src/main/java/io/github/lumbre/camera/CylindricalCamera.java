@@ -1,5 +1,6 @@
 package io.github.lumbre.camera;
 
+import io.github.lumbre.camera.internal.LensRanges;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -10,7 +11,6 @@ import java.util.Optional;
 /** A 360° panorama on an upright cylinder. The center of the film looks along +z. */
 final class CylindricalCamera extends Camera {
   /** Above this, squares of directions overflow. */
-  private static final double MAX_HEIGHT = 1e150;
 
   private final double halfHeight;
 
@@ -25,11 +25,7 @@ final class CylindricalCamera extends Camera {
    */
   public CylindricalCamera(Vec3 position, Frame axes, double aspect, double halfHeight) {
     super(position, axes, aspect);
-    if (!(halfHeight >= 0 && halfHeight <= MAX_HEIGHT)) {
-      throw new IllegalArgumentException(
-          "halfHeight: expected in [0, " + MAX_HEIGHT + "], found " + halfHeight);
-    }
-    this.halfHeight = halfHeight;
+    this.halfHeight = LensRanges.CYLINDER_HEIGHT.require("halfHeight", halfHeight);
   }
 
   private CylindricalCamera(CylindricalCamera other, Vec3 position, Frame axes) {

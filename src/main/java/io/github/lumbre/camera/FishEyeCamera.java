@@ -1,5 +1,6 @@
 package io.github.lumbre.camera;
 
+import io.github.lumbre.camera.internal.LensRanges;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -25,11 +26,7 @@ final class FishEyeCamera extends Camera {
    */
   public FishEyeCamera(Vec3 position, Frame axes, double aspect, double angleDegrees) {
     super(position, axes, aspect);
-    if (!(angleDegrees > 0 && angleDegrees <= 360)) {
-      throw new IllegalArgumentException(
-          "angleDegrees: expected in (0, 360], found " + angleDegrees);
-    }
-    this.angleDegrees = angleDegrees;
+    this.angleDegrees = LensRanges.FISH_EYE_ANGLE.require("angleDegrees", angleDegrees);
   }
 
   @Override

@@ -3,6 +3,7 @@ package io.github.lumbre.camera;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.sampling.Sampler;
 import java.util.Optional;
 
@@ -24,10 +25,7 @@ final class OrthographicCamera extends Camera {
    */
   public OrthographicCamera(Vec3 position, Frame axes, double aspect, double height) {
     super(position, axes, aspect);
-    if (!(height > 0) || Double.isInfinite(height)) {
-      throw new IllegalArgumentException("height: expected a finite number > 0, found " + height);
-    }
-    halfHeight = .5 * height;
+    halfHeight = .5 * Range.POSITIVE.require("height", height);
   }
 
   private OrthographicCamera(OrthographicCamera other, Vec3 position, Frame axes) {

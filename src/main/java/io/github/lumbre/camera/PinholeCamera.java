@@ -1,5 +1,6 @@
 package io.github.lumbre.camera;
 
+import io.github.lumbre.camera.internal.LensRanges;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
@@ -63,9 +64,6 @@ final class PinholeCamera extends Camera {
 
   /** Returns half the height of the film at distance 1. */
   static double halfHeight(double fovDegrees) {
-    if (!(fovDegrees > 0 && fovDegrees < 180)) {
-      throw new IllegalArgumentException("fovDegrees: expected in (0, 180), found " + fovDegrees);
-    }
-    return Elementary.tanDegrees(fovDegrees / 2);
+    return Elementary.tanDegrees(LensRanges.FIELD_OF_VIEW.require("fovDegrees", fovDegrees) / 2);
   }
 }

@@ -1,8 +1,10 @@
 package io.github.lumbre.camera;
 
+import io.github.lumbre.camera.internal.LensRanges;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.sampling.Sampler;
 import java.util.Objects;
 import java.util.Optional;
@@ -44,15 +46,8 @@ public final class ThinLensCamera extends Camera {
       Aperture aperture) {
     super(position, axes, aspect);
     halfHeight = PinholeCamera.halfHeight(fovDegrees);
-    if (!(focusDistance > 0)) {
-      throw new IllegalArgumentException("focusDistance: expected > 0, found " + focusDistance);
-    }
-    if (!(apertureSize >= 0) || Double.isInfinite(apertureSize)) {
-      throw new IllegalArgumentException(
-          "apertureSize: expected a finite number >= 0, found " + apertureSize);
-    }
-    this.focusDistance = focusDistance;
-    this.apertureSize = apertureSize;
+    this.focusDistance = LensRanges.FOCUS_DISTANCE.require("focusDistance", focusDistance);
+    this.apertureSize = Range.NOT_NEGATIVE.require("apertureSize", apertureSize);
     this.aperture = Objects.requireNonNull(aperture, "aperture");
   }
 

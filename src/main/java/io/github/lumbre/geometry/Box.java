@@ -4,6 +4,7 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.TexturePoint;
 
 /**
@@ -44,9 +45,9 @@ public final class Box implements Shape {
     this.toWorld = Placement.invertible(toWorld);
     half =
         new Vec3(
-            .5 * Placement.size("width", width),
-            .5 * Placement.size("height", height),
-            .5 * Placement.size("depth", depth));
+            .5 * Range.SIZE.require("width", width),
+            .5 * Range.SIZE.require("height", height),
+            .5 * Range.SIZE.require("depth", depth));
     for (int face = 0; face < FACES; face++) {
       Vec3 axis = AXES[face >> 1];
       Vec3 u = toWorld.vector(AXES[U_AXIS[face >> 1]]);

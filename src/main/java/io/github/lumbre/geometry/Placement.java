@@ -6,9 +6,6 @@ import io.github.lumbre.math.Vec3;
 
 /** Helper functions of shapes that are defined in a local space. */
 final class Placement {
-  /** Larger sizes overflow when squared. */
-  private static final double LARGEST = 1e150;
-
   /** A distance far above all rounding errors, relative to the coordinates. */
   private static final double CLEARANCE = 1e-6;
 
@@ -46,19 +43,6 @@ final class Placement {
       throw new IllegalArgumentException(name + ": expected finite numbers, found " + point);
     }
     return point;
-  }
-
-  /**
-   * Returns a size if it is in (0, 1e150].
-   *
-   * @throws IllegalArgumentException if it is not
-   */
-  static double size(String name, double value) {
-    if (!(value > 0 && value <= LARGEST)) {
-      throw new IllegalArgumentException(
-          name + ": expected a number > 0 and <= 1e150, found " + value);
-    }
-    return value;
   }
 
   /**

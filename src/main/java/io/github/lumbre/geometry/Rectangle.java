@@ -5,6 +5,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.Optional;
 
@@ -63,8 +64,8 @@ public final class Rectangle implements Shape {
    */
   public Rectangle(Transform toWorld, double width, double height, boolean twoSided) {
     this.toWorld = Placement.invertible(toWorld);
-    this.width = Placement.size("width", width);
-    this.height = Placement.size("height", height);
+    this.width = Range.SIZE.require("width", width);
+    this.height = Range.SIZE.require("height", height);
     this.twoSided = twoSided;
     halfWidth = .5 * width;
     halfHeight = .5 * height;

@@ -6,6 +6,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.sampling.internal.Warp;
 import io.github.lumbre.texture.TexturePoint;
 
@@ -33,7 +34,7 @@ public final class Sphere implements Shape {
    */
   public Sphere(Transform toWorld, double radius) {
     this.toWorld = Placement.invertible(toWorld);
-    this.radius = Placement.size("radius", radius);
+    this.radius = Range.SIZE.require("radius", radius);
     isSkewed = toWorld.isSkewed();
   }
 
@@ -63,7 +64,7 @@ public final class Sphere implements Shape {
   public static Shape cloud(
       double[] centers, double radius, double[] uvs, MeshAttributes attributes, Kernel kernel) {
     TriangleMesh points = TriangleMesh.ofPoints(centers, uvs, attributes);
-    return SphereCloud.of(points, Placement.size("radius", radius), kernel);
+    return SphereCloud.of(points, Range.SIZE.require("radius", radius), kernel);
   }
 
   /** Returns the map from local to world space. */

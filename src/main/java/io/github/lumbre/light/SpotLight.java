@@ -5,6 +5,7 @@ import io.github.lumbre.light.internal.Directions;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.math.internal.Range;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -30,16 +31,9 @@ public final class SpotLight implements Light {
   public SpotLight(PointLight source, Vec3 axis, double halfAngleDegrees, double penumbraDegrees) {
     this.source = Objects.requireNonNull(source, "source");
     this.axis = Objects.requireNonNull(axis, "axis");
-    if (!(halfAngleDegrees > 0 && halfAngleDegrees <= 90)) {
-      throw new IllegalArgumentException(
-          "halfAngleDegrees: expected in (0, 90], found " + halfAngleDegrees);
-    }
-    if (!(penumbraDegrees >= 0 && penumbraDegrees <= halfAngleDegrees)) {
-      throw new IllegalArgumentException(
-          "penumbraDegrees: expected in [0, " + halfAngleDegrees + "], found " + penumbraDegrees);
-    }
-    this.halfAngleDegrees = halfAngleDegrees;
-    this.penumbraDegrees = penumbraDegrees;
+    this.halfAngleDegrees = Range.above(0, 90).require("halfAngleDegrees", halfAngleDegrees);
+    this.penumbraDegrees =
+        Range.closed(0, halfAngleDegrees).require("penumbraDegrees", penumbraDegrees);
     cosOuter = Elementary.cosDegrees(halfAngleDegrees);
     sinOuter = Elementary.sinDegrees(halfAngleDegrees);
   }

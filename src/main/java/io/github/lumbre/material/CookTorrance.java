@@ -2,6 +2,7 @@ package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Microfacets;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
@@ -44,7 +45,7 @@ public record CookTorrance(
     return new CookTorrance(
         Values.reflectance("diffuse", diffuse),
         Values.reflectance("specular", specular),
-        Values.number("roughness", roughness, 0, 1),
+        Values.number("roughness", roughness, Range.FRACTION),
         ScalarTexture.constant(DEFAULT_IOR),
         MicrofacetDistribution.GGX);
   }

@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.RoughDielectric;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
@@ -32,7 +33,7 @@ public record Glass(
   /**
    * Returns clear, smooth glass.
    *
-   * @param ior index of refraction, from 1e-6 to 1e6; 1.5 for window glass
+   * @param ior index of refraction, above 0, to 1e6; 1.5 for window glass
    * @throws IllegalArgumentException if the index is out of range
    */
   public static Glass of(double ior) {
@@ -49,7 +50,7 @@ public record Glass(
     return new Glass(
         Texture.constant(Rgb.WHITE),
         Values.reflectance("transmittance", transmittance),
-        Values.ior(ior),
+        Values.number("ior", ior, Dielectric.IOR),
         ScalarTexture.constant(0));
   }
 
@@ -60,7 +61,7 @@ public record Glass(
    * @throws IllegalArgumentException if the roughness is out of range
    */
   public Glass withRoughness(double alpha) {
-    ScalarTexture rough = Values.number("roughness", alpha, 0, 1);
+    ScalarTexture rough = Values.number("roughness", alpha, Range.FRACTION);
     return new Glass(reflectance, transmittance, ior, rough, multipleScattering);
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.Objects;
@@ -32,7 +33,7 @@ public record Phong(Texture<Rgb> diffuse, Texture<Rgb> specular, ScalarTexture e
     return new Phong(
         Values.reflectance("diffuse", diffuse),
         Values.reflectance("specular", specular),
-        Values.number("exponent", exponent, 0, Double.MAX_VALUE));
+        Values.number("exponent", exponent, Range.NOT_NEGATIVE));
   }
 
   public Phong {

@@ -1,6 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 
@@ -26,18 +27,9 @@ final class Values {
   /**
    * Returns a constant texture of a number.
    *
-   * @throws IllegalArgumentException if the number is not in [low, high]
+   * @throws IllegalArgumentException if the number is not in the range
    */
-  static ScalarTexture number(String name, double value, double low, double high) {
-    if (!(value >= low && value <= high)) {
-      throw new IllegalArgumentException(
-          name + ": expected a number from " + low + " to " + high + ", found " + value);
-    }
-    return ScalarTexture.constant(value);
-  }
-
-  /** Returns a constant index of refraction, from 1e-6 to 1e6. */
-  static ScalarTexture ior(double value) {
-    return number("ior", value, 1e-6, 1e6);
+  static ScalarTexture number(String name, double value, Range range) {
+    return ScalarTexture.constant(range.require(name, value));
   }
 }

@@ -3,6 +3,8 @@ package io.github.lumbre.parser;
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.camera.Lens;
+import io.github.lumbre.camera.internal.LensRanges;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import java.util.Optional;
 import java.util.function.Function;
@@ -10,10 +12,6 @@ import java.util.function.Function;
 /** Reads the main camera of a scene. */
 final class CameraReader {
   static final String DEFAULT_TYPE = "Pinhole";
-
-  private static final Range FIELD_OF_VIEW = Range.open(0, 180);
-  private static final Range CYLINDER_HEIGHT = Range.closed(0, 1e150);
-  private static final Range FISH_EYE_ANGLE = Range.above(0, 360);
 
   private final TextureReader textures;
 
@@ -61,7 +59,7 @@ final class CameraReader {
   private Lens thinLens(JsonNode camera) {
     return new Lens.ThinLens(
         fieldOfView(camera),
-        camera.number("focusDistance", 5, Range.POSITIVE),
+        camera.number("focusDistance", 5, LensRanges.FOCUS_DISTANCE),
         camera.number("aperture", .2, Range.NOT_NEGATIVE),
         textures.mask(camera, "bokehTextureId").orElse(Aperture.DISK));
   }
@@ -71,14 +69,14 @@ final class CameraReader {
   }
 
   private static Lens cylindrical(JsonNode camera) {
-    return Lens.cylindrical(camera.number("height", 2, CYLINDER_HEIGHT));
+    return Lens.cylindrical(camera.number("height", 2, LensRanges.CYLINDER_HEIGHT));
   }
 
   private static Lens fishEye(JsonNode camera) {
-    return Lens.fishEye(camera.number("angle", 180, FISH_EYE_ANGLE));
+    return Lens.fishEye(camera.number("angle", 180, LensRanges.FISH_EYE_ANGLE));
   }
 
   private static double fieldOfView(JsonNode camera) {
-    return camera.number("fieldOfView", 60, FIELD_OF_VIEW);
+    return camera.number("fieldOfView", 60, LensRanges.FIELD_OF_VIEW);
   }
 }

@@ -7,6 +7,7 @@ import io.github.lumbre.json.JsonValue;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import io.github.lumbre.parser.internal.Origin;
 import io.github.lumbre.scene.SettingType;

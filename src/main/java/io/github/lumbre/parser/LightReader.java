@@ -14,6 +14,7 @@ import io.github.lumbre.light.internal.Directions;
 import io.github.lumbre.light.internal.LightProfile;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.text.PrintableText;

@@ -16,8 +16,10 @@ import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
 import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.Texture;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -37,9 +39,6 @@ final class MaterialReader {
   private static final String TEXTURE = "TextureId";
 
   private static final String REPEATED = "multipleScattering";
-
-  private static final Range IOR = Range.above(0, MAX_IOR);
-  private static final Range ROUGHNESS = Range.closed(0, 1);
 
   private final AssetTable assets;
   private final TextureReader textures;
@@ -169,8 +168,8 @@ final class MaterialReader {
         new Glass(
             both.get(0),
             both.get(1),
-            textures.scalar(material, "ior", 1, IOR, 1, MAX_IOR),
-            textures.scalar(material, "roughness", 0, ROUGHNESS, 0, 1),
+            textures.scalar(material, "ior", 1, Dielectric.IOR, 1, MAX_IOR),
+            textures.scalar(material, "roughness", 0, Range.FRACTION, 0, 1),
             material.flag(REPEATED, false)));
   }
 
@@ -197,8 +196,9 @@ final class MaterialReader {
         new CookTorrance(
             textures.color(material, "color", color),
             textures.color(material, "specularColor", specular),
-            textures.scalar(material, "roughness", 1, ROUGHNESS, 0, 1),
-            textures.scalar(material, "ior", CookTorrance.DEFAULT_IOR, IOR, 1, MAX_IOR),
+            textures.scalar(material, "roughness", 1, Range.FRACTION, 0, 1),
+            textures.scalar(
+                material, "ior", CookTorrance.DEFAULT_IOR, Dielectric.IOR, 1, MAX_IOR),
             distribution,
             scattersRepeatedly(material, distribution)));
   }
@@ -277,10 +277,12 @@ final class MaterialReader {
         0);
   }
 
-  private static Range range(MaterialParameter parameter) {
-    return parameter == MaterialParameter.ATTENUATION_DISTANCE
-        ? Range.POSITIVE
-        : Range.closed(parameter.least(), parameter.most());
+  static Range range(MaterialParameter parameter) {
+    if (parameter == MaterialParameter.ATTENUATION_DISTANCE) {
+      return Range.POSITIVE;
+    }
+    Range closed = Range.closed(parameter.least(), parameter.most());
+    return parameter.accepts(0) && !closed.contains(0) ? closed.orZero() : closed;
   }
 
   /** Returns the surface of a material, with its normal map if it has one. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.texture.internal.CloudTexture;
 import io.github.lumbre.texture.internal.MarbleTexture;
@@ -16,7 +17,7 @@ record ProceduralReader(long seed) {
   private static final int DEFAULT_SIDE = 1000;
 
   TexelTexture wood(JsonNode texture) {
-    double rings = texture.number("rings", 10, Range.NOT_NEGATIVE);
+    double rings = texture.number("rings", 10, WoodTexture.RINGS);
     return new WoodTexture(seedOf(texture), width(texture), height(texture), rings);
   }
 

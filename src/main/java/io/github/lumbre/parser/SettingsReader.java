@@ -3,6 +3,7 @@ package io.github.lumbre.parser;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;

@@ -11,6 +11,7 @@ import io.github.lumbre.geometry.SharedMesh;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;

@@ -6,6 +6,7 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.AssetTable.Type;
 import io.github.lumbre.parser.internal.SceneOrigins.TextureUse;
 import io.github.lumbre.texture.NormalMap;

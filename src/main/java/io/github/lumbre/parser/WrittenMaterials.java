@@ -16,8 +16,10 @@ import io.github.lumbre.material.Phong;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
 import io.github.lumbre.material.internal.ColorChannel;
+import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.internal.SceneNode;
 import java.util.Optional;
 
@@ -98,7 +100,8 @@ record WrittenMaterials(WrittenAssets assets, WrittenTextures textures) {
       to.addProperty("materialType", "Phong");
       textures.color(to, "color", phong.diffuse());
       textures.color(to, "specularColor", phong.specular());
-      textures.scalar(to, "exponent", phong.exponent(), 0, Double.MAX_VALUE);
+      textures.scalar(
+          to, "exponent", phong.exponent(), Range.NOT_NEGATIVE, 0, Double.MAX_VALUE);
     } else if (material instanceof CookTorrance glossy) {
       cookTorrance(to, glossy);
     } else if (material instanceof MetallicRoughness layered) {
@@ -112,8 +115,8 @@ record WrittenMaterials(WrittenAssets assets, WrittenTextures textures) {
     to.addProperty("materialType", "Refractive");
     textures.color(to, "reflectivityColor", glass.reflectance());
     textures.color(to, "refractionColor", glass.transmittance());
-    textures.scalar(to, "ior", glass.ior(), 1, MAX_IOR);
-    textures.scalar(to, "roughness", glass.roughness(), 0, 1);
+    textures.scalar(to, "ior", glass.ior(), Dielectric.IOR, 1, MAX_IOR);
+    textures.scalar(to, "roughness", glass.roughness(), Range.FRACTION, 0, 1);
     multipleScattering(to, glass.multipleScattering());
   }
 
@@ -121,8 +124,8 @@ record WrittenMaterials(WrittenAssets assets, WrittenTextures textures) {
     to.addProperty("materialType", "CookTorrance");
     textures.color(to, "color", glossy.diffuse());
     textures.color(to, "specularColor", glossy.specular());
-    textures.scalar(to, "roughness", glossy.roughness(), 0, 1);
-    textures.scalar(to, "ior", glossy.ior(), 1, MAX_IOR);
+    textures.scalar(to, "roughness", glossy.roughness(), Range.FRACTION, 0, 1);
+    textures.scalar(to, "ior", glossy.ior(), Dielectric.IOR, 1, MAX_IOR);
     boolean isGgx = glossy.distribution() == MicrofacetDistribution.GGX;
     to.addProperty("distribution", isGgx ? "ggx" : "beckmann");
     multipleScattering(to, glossy.multipleScattering());
@@ -149,7 +152,13 @@ record WrittenMaterials(WrittenAssets assets, WrittenTextures textures) {
     if (value instanceof ColorChannel.Textured color && color.uvSet() == 0) {
       textures.color(to, key, color.texture());
     } else if (value instanceof ScalarChannel.Textured number && number.uvSet() == 0) {
-      textures.scalar(to, key, number.texture(), parameter.least(), parameter.most());
+      textures.scalar(
+          to,
+          key,
+          number.texture(),
+          MaterialReader.range(parameter),
+          parameter.least(),
+          parameter.most());
     } else if (value instanceof NormalChannel normals && normals.uvSet() == 0) {
       textures.normalMap(to, key, normals.map());
     } else {

@@ -213,7 +213,7 @@ final class WrittenObjects {
     } else if (lens instanceof Lens.ThinLens thin) {
       to.addProperty("cameraType", "ThinLens");
       to.addProperty("fieldOfView", thin.fovDegrees());
-      to.addProperty("focusDistance", thin.focusDistance());
+      to.addProperty("focusDistance", Math.min(thin.focusDistance(), Double.MAX_VALUE));
       to.addProperty("aperture", thin.apertureSize());
       mask(thin.aperture())
           .ifPresent(mask -> to.addProperty("bokehTextureId", textures.mask(mask)));

@@ -5,6 +5,7 @@ import io.github.lumbre.camera.internal.BokehCache;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
@@ -69,12 +70,14 @@ record WrittenTextures(WrittenAssets assets) {
   /**
    * Writes a scalar channel.
    *
+   * @param range of constants
    * @param low the lower limit that readers give to a product with a texture
    * @param high the upper limit
    */
-  void scalar(JsonObject to, String channel, ScalarTexture texture, double low, double high) {
+  void scalar(
+      JsonObject to, String channel, ScalarTexture texture, Range range, double low, double high) {
     if (texture instanceof ConstantScalar constant) {
-      if (!(constant.value() >= low && constant.value() <= Math.min(high, Double.MAX_VALUE))) {
+      if (!range.contains(constant.value())) {
         throw new Unwritable(channel + ": a number that scenes may state", "" + constant.value());
       }
       to.addProperty(channel, constant.value());

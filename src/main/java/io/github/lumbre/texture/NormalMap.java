@@ -3,6 +3,7 @@ package io.github.lumbre.texture;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.texture.internal.ImageTexture;
 import java.util.Objects;
 
@@ -30,10 +31,7 @@ public final class NormalMap {
   public NormalMap(Texture<Rgb> normals, UvMapping mapping, double strength) {
     this.normals = Objects.requireNonNull(normals, "normals");
     this.mapping = Objects.requireNonNull(mapping, "mapping");
-    if (!Double.isFinite(strength)) {
-      throw new IllegalArgumentException("strength: expected a finite number, found " + strength);
-    }
-    this.strength = strength;
+    this.strength = Range.ANY.require("strength", strength);
   }
 
   /** Creates a normal map without a mapping. */

@@ -328,7 +328,7 @@ class CameraTest {
     assertThat(ray(camera, .3, .5).direction().y()).isZero();
     for (double height : new double[] {-1, 1e200, Double.NaN}) {
       assertThatThrownBy(() -> new CylindricalCamera(Vec3.ZERO, Frame.WORLD, 2, height))
-          .hasMessageContaining("halfHeight: expected in [0, 1.0E150], found " + height);
+          .hasMessageContaining("halfHeight: expected a number from 0 to 1e150, found " + height);
     }
   }
 
@@ -387,7 +387,7 @@ class CameraTest {
   void anglesWithoutPictureAreRefused() {
     for (double fov : new double[] {0, 180, -5, 360, Double.NaN}) {
       assertThatThrownBy(() -> new PinholeCamera(Vec3.ZERO, Frame.WORLD, 1, fov))
-          .hasMessageContaining("fovDegrees: expected in (0, 180), found " + fov);
+          .hasMessageContaining("fovDegrees: expected a number in (0, 180), found " + fov);
     }
     assertThat(Elementary.tanDegrees(45)).isCloseTo(1, within(EPS));
   }

@@ -130,7 +130,7 @@ class FishEyeCameraTest {
   void impossibleAnglesAreRefused() {
     for (double angle : new double[] {0, -1, 360.001, Double.NaN}) {
       assertThatThrownBy(() -> camera(1, angle))
-          .hasMessageContaining("angleDegrees: expected in (0, 360], found " + angle);
+          .hasMessageContaining("angleDegrees: expected a number in (0, 360], found " + angle);
     }
   }
 }

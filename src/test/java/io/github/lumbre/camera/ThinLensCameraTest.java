@@ -207,7 +207,7 @@ class ThinLensCameraTest {
   void impossibleLensesAreRefused() {
     for (double focus : new double[] {0, -1, Double.NaN}) {
       assertThatThrownBy(() -> camera(focus, .2))
-          .hasMessageContaining("focusDistance: expected > 0, found " + focus);
+          .hasMessageContaining("focusDistance: expected a finite number > 0, found " + focus);
     }
     for (double aperture : new double[] {-1, Double.NaN, INFINITY}) {
       assertThatThrownBy(() -> camera(5, aperture))

@@ -213,8 +213,8 @@ class SphereCloudTest {
         "|1|centers: expected at least one, found none",
         "1 2|1|positions: expected a length divisible by 3, found 2",
         "1 2 NaN|1|positions[2]: expected a finite number, found NaN",
-        "1 2 3|0|radius: expected a number > 0 and <= 1e150, found 0.0",
-        "1 2 3|1e151|radius: expected a number > 0 and <= 1e150, found 1.0E151",
+        "1 2 3|0|radius: expected a finite number > 0, found 0.0",
+        "1 2 3|1e151|radius: expected a number <= 1e150, found 1.0E151",
       })
   void wrongArgumentsAreNamed(String numbers, double radius, String message) {
     double[] centers =

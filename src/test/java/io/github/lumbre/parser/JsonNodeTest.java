@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.lumbre.json.JsonTree;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.math.internal.Range;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -243,7 +243,7 @@ final class RandomScene {
       case 0 -> Matte.of(rgb(1));
       case 1 -> Matte.of(color(kind / 9));
       case 2 -> Mirror.of(rgb(1));
-      case 3 -> rough(Glass.of(1 + random.nextDouble(), rgb(1)));
+      case 3 -> rough(Glass.of(.5 + random.nextDouble(), rgb(1)));
       case 4 ->
           new Glass(
               color(kind / 9), Texture.constant(Rgb.WHITE), scalar(1, 1e6, 2.5), scalar(0, 1, .5));
@@ -285,7 +285,7 @@ final class RandomScene {
             .set(SPECULAR_COLOR, ColorChannel.of(rgb(1)))
             .set(SHEEN_COLOR, ColorChannel.of(rgb(.3)))
             .set(CLEARCOAT, random.nextDouble())
-            .set(IOR, 1 + random.nextDouble());
+            .set(IOR, random.nextInt(4) == 0 ? 0 : 1 + random.nextDouble());
     switch (random.nextInt(4)) {
       case 0 ->
           builder

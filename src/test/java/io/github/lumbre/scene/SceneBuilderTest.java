@@ -56,7 +56,7 @@ class SceneBuilderTest {
 
   @Test
   void wrongArgumentsAreNamedWithTheirRange() {
-    assertRefused(() -> Glass.of(0), "ior: expected a number from 1.0E-6 to 1000000.0, found 0.0");
+    assertRefused(() -> Glass.of(0), "ior: expected a number in (0, 1000000], found 0.0");
     assertRefused(
         () -> Matte.of(1.5, 0, 0),
         "albedo: expected components from 0 to 1, found Rgb[r=1.5, g=0.0, b=0.0]");
@@ -65,22 +65,22 @@ class SceneBuilderTest {
         "reflectance: expected components from 0 to 1, found Rgb[r=0.0, g=NaN, b=0.0]");
     assertRefused(
         () -> Glass.of(1.5).withRoughness(2),
-        "roughness: expected a number from 0.0 to 1.0, found 2.0");
+        "roughness: expected a number from 0 to 1, found 2.0");
     assertRefused(
         () -> Phong.of(Rgb.BLACK, Rgb.WHITE, -1),
-        "exponent: expected a number from 0.0 to 1.7976931348623157E308, found -1.0");
+        "exponent: expected a finite number >= 0, found -1.0");
     assertRefused(
         () -> CookTorrance.of(Rgb.BLACK, Rgb.WHITE, Double.NaN),
-        "roughness: expected a number from 0.0 to 1.0, found NaN");
+        "roughness: expected a number from 0 to 1, found NaN");
     assertRefused(
         () -> Emission.of(Rgb.grey(-1)),
         "radiance: expected finite components >= 0, found Rgb[r=-1.0, g=-1.0, b=-1.0]");
-    assertRefused(() -> Lens.pinhole(180), "fovDegrees: expected in (0, 180), found 180.0");
-    assertRefused(() -> Lens.thinLens(40, 0, 1), "focusDistance: expected > 0, found 0.0");
-    assertRefused(() -> Lens.fishEye(361), "angleDegrees: expected in (0, 360], found 361.0");
+    assertRefused(() -> Lens.pinhole(180), "fovDegrees: expected a number in (0, 180), found 180.0");
+    assertRefused(() -> Lens.thinLens(40, 0, 1), "focusDistance: expected a finite number > 0, found 0.0");
+    assertRefused(() -> Lens.fishEye(361), "angleDegrees: expected a number in (0, 360], found 361.0");
     assertRefused(() -> Lens.orthographic(0), "height: expected a finite number > 0, found 0.0");
     assertRefused(
-        () -> Sphere.of(Vec3.ZERO, -1), "radius: expected a number > 0 and <= 1e150, found -1.0");
+        () -> Sphere.of(Vec3.ZERO, -1), "radius: expected a finite number > 0, found -1.0");
     assertRefused(
         () -> Box.of(new Vec3(0, Double.NaN, 0), Vec3.X),
         "center: expected finite numbers, found Vec3[x=0.0, y=NaN, z=0.0]");

@@ -5,6 +5,7 @@ import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
 import java.util.Optional;
 
 /**
@@ -16,6 +17,9 @@ import java.util.Optional;
  * @param ior index of refraction of the inside relative to the outside, in [1e-150, 1e150]
  */
 public record Dielectric(Rgb reflectance, Rgb transmittance, double ior) implements SpecularBsdf {
+  /** The indices of refraction that materials may state. */
+  public static final Range IOR = Range.above(0, 1e6);
+
   /** Returns the BSDF of a material if it is known to be the same clear glass everywhere. */
   public static Optional<Dielectric> of(Material material) {
     // Perturbed normals refract to other places than the surface's own.

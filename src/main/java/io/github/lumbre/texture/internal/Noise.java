@@ -1,5 +1,6 @@
 package io.github.lumbre.texture.internal;
 
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.sampling.internal.Hash;
 import java.util.ArrayList;
 import java.util.List;
@@ -38,10 +39,7 @@ final class Noise {
    */
   public Noise(long seed, int width, int height, double coarsest) {
     Texels.requireSize(width, height);
-    if (!(coarsest >= 1) || Double.isInfinite(coarsest)) {
-      throw new IllegalArgumentException(
-          "coarsest: expected a finite number >= 1, found " + coarsest);
-    }
+    Range.FROM_ONE.require("coarsest", coarsest);
     this.width = width;
     this.height = height;
     List<Octave> varying = new ArrayList<>();

@@ -2,9 +2,13 @@ package io.github.lumbre.texture.internal;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.math.internal.Range;
 
 /** Wood: dark rings around the center of the texture, distorted by turbulence. */
 public final class WoodTexture implements TexelTexture {
+  /** The valid numbers of rings. */
+  public static final Range RINGS = Range.NOT_NEGATIVE;
+
   private static final double COARSEST = 32;
   private static final double BENDING = .035;
   private static final double RED = 80 / 255.0;
@@ -25,11 +29,8 @@ public final class WoodTexture implements TexelTexture {
    * @throws IllegalArgumentException if a number is out of range
    */
   public WoodTexture(long seed, int width, int height, double rings) {
-    if (!(rings >= 0) || Double.isInfinite(rings)) {
-      throw new IllegalArgumentException("rings: expected a finite number >= 0, found " + rings);
-    }
     this.seed = seed;
-    this.rings = rings;
+    this.rings = RINGS.require("rings", rings);
     noise = new Noise(seed, width, height, COARSEST);
     light = new Texels(width, height, this::light);
   }
