@@ -37,46 +37,61 @@ public final class MaterialParameter {
 
   /** Albedo of dielectrics, and reflectance of metals at normal incidence. */
   public static final MaterialParameter BASE_COLOR =
-      color("baseColor", Rgb.WHITE).gltf(CORE, "baseColorFactor", "baseColorTexture", 0);
+      color("baseColor", Rgb.WHITE)
+          .meaning("Albedo of dielectrics and reflectance of metals, linear; times the texture.")
+          .gltf(CORE, "baseColorFactor", "baseColorTexture", 0);
 
   /** Fraction of light that the surface stops; in glTF, the fourth number of the base color. */
   public static final MaterialParameter OPACITY =
-      number("opacity", 1).gltf(CORE, "baseColorFactor", "baseColorTexture", ALPHA);
+      number("opacity", 1)
+          .meaning("Fraction of light that does not pass straight through.")
+          .gltf(CORE, "baseColorFactor", "baseColorTexture", ALPHA);
 
   /** Metalness: 0 for dielectrics to 1 for metals. */
   public static final MaterialParameter METALLIC =
       number("metallic", 1)
+          .meaning("From a dielectric to a metal.")
           .gltf(CORE, "metallicFactor", "metallicRoughnessTexture", BLUE)
           .mtl("pm");
 
   /** Perceptual roughness: the square root of α. */
   public static final MaterialParameter ROUGHNESS =
       number("roughness", 1)
+          .meaning("Perceptual roughness: the square root of the distribution's parameter.")
           .gltf(CORE, "roughnessFactor", "metallicRoughnessTexture", GREEN)
           .mtl("pr");
 
   /** Index of refraction of dielectrics; 0 for one that reflects everything. */
   public static final MaterialParameter IOR =
-      number("ior", 1.5).within(1, 1e6).gltf("KHR_materials_ior", "ior");
+      number("ior", 1.5)
+          .meaning("Index of refraction of dielectrics.")
+          .within(1, 1e6)
+          .gltf("KHR_materials_ior", "ior");
 
   /** Strength of the reflection of dielectrics. */
   public static final MaterialParameter SPECULAR =
-      number("specular", 1).gltf(SPECULAR_EXTENSION, "specularFactor", "specularTexture", ALPHA);
+      number("specular", 1)
+          .meaning("Strength of the reflection of dielectrics.")
+          .gltf(SPECULAR_EXTENSION, "specularFactor", "specularTexture", ALPHA);
 
   /** Tint of the reflection of dielectrics at normal incidence. */
   public static final MaterialParameter SPECULAR_COLOR =
       color("specularColor", Rgb.WHITE)
+          .meaning("Tint of the reflection of dielectrics at normal incidence, linear.")
           .within(0, Double.MAX_VALUE)
           .gltf(SPECULAR_EXTENSION, "specularColorFactor", "specularColorTexture", 0);
 
   /** Fraction of non-reflected light that is transmitted. */
   public static final MaterialParameter TRANSMISSION =
       number("transmission", 0)
+          .meaning("Fraction of the light below the reflection that is transmitted.")
           .gltf("KHR_materials_transmission", "transmissionFactor", "transmissionTexture", RED);
 
   /** Fraction of non-reflected light that is transmitted diffusely instead of reflected so. */
   public static final MaterialParameter DIFFUSE_TRANSMISSION =
       number("diffuseTransmission", 0)
+          .meaning(
+              "Fraction of the light below the reflection that is scattered to the other side.")
           .gltf(
               TRANSLUCENCY_EXTENSION,
               "diffuseTransmissionFactor",
@@ -86,6 +101,7 @@ public final class MaterialParameter {
   /** Albedo of the diffuse transmission. */
   public static final MaterialParameter DIFFUSE_TRANSMISSION_COLOR =
       color("diffuseTransmissionColor", Rgb.WHITE)
+          .meaning("Albedo of the light scattered to the other side, linear; white if missing.")
           .gltf(
               TRANSLUCENCY_EXTENSION,
               "diffuseTransmissionColorFactor",
@@ -96,6 +112,7 @@ public final class MaterialParameter {
   /** Color of white light after the attenuation distance in the volume. */
   public static final MaterialParameter ATTENUATION_COLOR =
       color("attenuationColor", Rgb.WHITE)
+          .meaning("Color of white light after the attenuation distance, linear.")
           .gltf(VOLUME_EXTENSION, "attenuationColor")
           .of(TRANSMISSION, DIFFUSE_TRANSMISSION);
 
@@ -106,6 +123,7 @@ public final class MaterialParameter {
    */
   public static final MaterialParameter ATTENUATION_DISTANCE =
       number("attenuationDistance", Double.POSITIVE_INFINITY)
+          .meaning("In scene units; makes the surface the boundary of a volume.")
           .within(Double.MIN_VALUE, Double.POSITIVE_INFINITY)
           .gltf(VOLUME_EXTENSION, "attenuationDistance")
           .of(TRANSMISSION, DIFFUSE_TRANSMISSION);
@@ -116,6 +134,8 @@ public final class MaterialParameter {
    */
   public static final MaterialParameter DISPERSION =
       number("dispersion", 0)
+          .meaning(
+              "Spread of the index of refraction of a volume over the colors: 20 / Abbe's number.")
           .within(0, Double.MAX_VALUE)
           .gltf("KHR_materials_dispersion", "dispersion")
           .of(TRANSMISSION);
@@ -123,12 +143,14 @@ public final class MaterialParameter {
   /** Strength of the clear coat. */
   public static final MaterialParameter CLEARCOAT =
       number("clearcoat", 0)
+          .meaning("Strength of the clear coat.")
           .gltf(COAT_EXTENSION, "clearcoatFactor", "clearcoatTexture", RED)
           .mtl("pc");
 
   /** Perceptual roughness of the clear coat. */
   public static final MaterialParameter CLEARCOAT_ROUGHNESS =
       number("clearcoatRoughness", 0)
+          .meaning("Perceptual roughness of the clear coat.")
           .gltf(COAT_EXTENSION, "clearcoatRoughnessFactor", "clearcoatRoughnessTexture", GREEN)
           .mtl("pcr")
           .of(CLEARCOAT);
@@ -136,29 +158,34 @@ public final class MaterialParameter {
   /** Normals of the clear coat; without a map, the normals of the vertices. */
   public static final MaterialParameter CLEARCOAT_NORMAL =
       normals("clearcoatNormal")
+          .meaning("By which the slopes of the clear coat's map are multiplied.")
           .gltf(COAT_EXTENSION, "", "clearcoatNormalTexture", 0)
           .of(CLEARCOAT);
 
   /** Color of the sheen; black means none. */
   public static final MaterialParameter SHEEN_COLOR =
       color("sheenColor", Rgb.BLACK)
+          .meaning("Color of the sheen, linear; black if missing.")
           .gltf(SHEEN_EXTENSION, "sheenColorFactor", "sheenColorTexture", 0)
           .mtl("ps");
 
   /** Perceptual roughness of the sheen. */
   public static final MaterialParameter SHEEN_ROUGHNESS =
       number("sheenRoughness", 0)
+          .meaning("Perceptual roughness of the sheen.")
           .gltf(SHEEN_EXTENSION, "sheenRoughnessFactor", "sheenRoughnessTexture", ALPHA)
           .of(SHEEN_COLOR);
 
   /** Strength of the anisotropy: how much rougher the surface is along one direction. */
   public static final MaterialParameter ANISOTROPY =
       number("anisotropy", 0)
+          .meaning("How much rougher the surface is along one direction.")
           .gltf(ANISOTROPY_EXTENSION, "anisotropyStrength", "anisotropyTexture", BLUE);
 
   /** Angle from increasing u to the rougher direction, counterclockwise, in degrees. */
   public static final MaterialParameter ANISOTROPY_ROTATION =
       number("anisotropyRotation", 0)
+          .meaning("Degrees from increasing u to the rougher direction, counterclockwise.")
           .within(-Double.MAX_VALUE, Double.MAX_VALUE)
           .gltf(ANISOTROPY_EXTENSION, "anisotropyRotation")
           .gltfUnit(180 / Math.PI)
@@ -167,17 +194,20 @@ public final class MaterialParameter {
   /** Directions, in red and green, that the rotation turns; without a map, increasing u. */
   public static final MaterialParameter ANISOTROPY_DIRECTION =
       normals("anisotropyDirection")
+          .meaning("By which the map's components are multiplied; only the direction counts.")
           .gltf(ANISOTROPY_EXTENSION, "", "anisotropyTexture", 0)
           .of(ANISOTROPY);
 
   /** The part of the surface that a thin film covers, in which light interferes. */
   public static final MaterialParameter IRIDESCENCE =
       number("iridescence", 0)
+          .meaning("The part of the surface that a thin film covers, in which light interferes.")
           .gltf(IRIDESCENCE_EXTENSION, "iridescenceFactor", "iridescenceTexture", RED);
 
   /** Index of refraction of the thin film. */
   public static final MaterialParameter IRIDESCENCE_IOR =
       number("iridescenceIor", 1.3)
+          .meaning("Index of refraction of the thin film.")
           .within(1, 1e6)
           .gltf(IRIDESCENCE_EXTENSION, "iridescenceIor")
           .of(IRIDESCENCE);
@@ -185,6 +215,7 @@ public final class MaterialParameter {
   /** Thickness of the thin film where its texture is black, in nanometers. */
   public static final MaterialParameter IRIDESCENCE_THICKNESS_MINIMUM =
       number("iridescenceThicknessMinimum", 100)
+          .meaning("Thickness of the thin film where iridescenceThickness is 0, in nanometers.")
           .within(0, Double.MAX_VALUE)
           .gltf(IRIDESCENCE_EXTENSION, "iridescenceThicknessMinimum")
           .of(IRIDESCENCE);
@@ -192,6 +223,7 @@ public final class MaterialParameter {
   /** Thickness of the thin film without a texture, or where it is white, in nanometers. */
   public static final MaterialParameter IRIDESCENCE_THICKNESS_MAXIMUM =
       number("iridescenceThicknessMaximum", 400)
+          .meaning("Thickness of the thin film where iridescenceThickness is 1, in nanometers.")
           .within(0, Double.MAX_VALUE)
           .gltf(IRIDESCENCE_EXTENSION, "iridescenceThicknessMaximum")
           .of(IRIDESCENCE);
@@ -199,12 +231,14 @@ public final class MaterialParameter {
   /** Thickness of the thin film: 0 for the minimum to 1 for the maximum. */
   public static final MaterialParameter IRIDESCENCE_THICKNESS =
       number("iridescenceThickness", 1)
+          .meaning("Thickness of the thin film: 0 for the minimum to 1 for the maximum.")
           .gltf(IRIDESCENCE_EXTENSION, "", "iridescenceThicknessTexture", GREEN)
           .of(IRIDESCENCE);
 
   private final Kind kind;
   private final String key;
   private final Rgb missing;
+  private String meaning = "";
   private double least;
   private double most = 1;
   private String gltfObject = "";
@@ -242,6 +276,11 @@ public final class MaterialParameter {
 
   private static MaterialParameter normals(String key) {
     return new MaterialParameter(Kind.NORMALS, key, Rgb.WHITE);
+  }
+
+  private MaterialParameter meaning(String newMeaning) {
+    meaning = newMeaning;
+    return this;
   }
 
   private MaterialParameter within(double from, double to) {
@@ -303,6 +342,11 @@ public final class MaterialParameter {
   /** Returns the default: three equal components of a number. */
   public Rgb missing() {
     return missing;
+  }
+
+  /** Returns a description for the schema of scene files, without range and default. */
+  public String meaning() {
+    return meaning;
   }
 
   /** Returns the smallest number, or component of a color, except the index 0. */

@@ -34,7 +34,7 @@ import java.util.regex.Pattern;
  * below. Files outside this folder are rejected.
  */
 final class AssetData {
-  static final String FILE_KEY = "file";
+  static final String FILE_KEY = ObjectKeys.FILE.name();
 
   private static final Pattern URL = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]*:.*", Pattern.DOTALL);
 

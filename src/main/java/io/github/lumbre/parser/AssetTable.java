@@ -11,10 +11,11 @@ import java.util.TreeMap;
 
 /** The assets of a scene by type and id, not yet decoded. */
 final class AssetTable {
-  static final Set<String> COMMON_KEYS = Set.of("id", "assetType", "name");
+  static final Map<String, Type> TYPES = ordered(Type.values());
 
-  private static final Map<String, Type> TYPES = ordered(Type.MATERIAL, Type.TEXTURE, Type.MESH);
-  private static final int NONE = -1;
+  /** The id that names no asset. */
+  static final int NONE = -1;
+
   private static final int MAX_IDS_SHOWN = 20;
 
   enum Type {
@@ -41,7 +42,7 @@ final class AssetTable {
       assets.put(type, new TreeMap<>());
     }
     Map<Integer, JsonNode> all = new HashMap<>();
-    for (JsonNode asset : root.objects("assets")) {
+    for (JsonNode asset : root.objects(SceneKeys.ASSETS.name())) {
       add(asset, all);
     }
   }
@@ -60,22 +61,24 @@ final class AssetTable {
   }
 
   private void add(JsonNode asset, Map<Integer, JsonNode> all) {
-    Optional<Type> type = asset.choice("assetType", TYPES);
-    if (!asset.has("assetType")) {
+    String typeKey = ObjectKeys.ASSET_TYPE.name();
+    String idKey = ObjectKeys.ID.name();
+    Optional<Type> type = asset.choice(typeKey, TYPES);
+    if (!asset.has(typeKey)) {
       asset.error(
-          "assetType", "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
+          typeKey, "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
     }
-    if (!asset.has("id")) {
-      asset.error("id", "expected an integer, found nothing");
+    if (!asset.has(idKey)) {
+      asset.error(idKey, "expected an integer, found nothing");
     }
-    Optional<Integer> id = asset.id("id");
+    Optional<Integer> id = asset.id(idKey);
     if (id.isEmpty() || type.isEmpty()) {
       return;
     }
     JsonNode first = all.putIfAbsent(id.get(), asset);
     if (first != null) {
       asset.error(
-          "id", "expected each id once, found " + id.get() + ", also at " + first.path() + ".id");
+          idKey, "expected each id once, found " + id.get() + ", also at " + first.path() + "." + idKey);
       return;
     }
     assets.get(type.get()).put(id.get(), asset);
@@ -87,6 +90,11 @@ final class AssetTable {
   }
 
   /** Returns the asset that a key names; empty if there is none. Reports dangling ids. */
+  Optional<JsonNode> find(JsonNode from, Key<Integer> key) {
+    return find(from, key.name(), ((Value.Ids) key.type()).asset().orElseThrow());
+  }
+
+  /** Returns the asset of a type that a key of any name names. */
   Optional<JsonNode> find(JsonNode from, String key, Type type) {
     Optional<Integer> id = from.id(key).filter(i -> i != NONE);
     Optional<JsonNode> asset = id.map(assets.get(type)::get);
@@ -97,8 +105,9 @@ final class AssetTable {
   }
 
   /** Returns whether a key names an existing asset of a type; never reports an error. */
-  boolean has(JsonNode from, String key, Type type) {
-    return from.idSilently(key)
+  boolean has(JsonNode from, Key<Integer> key) {
+    Type type = ((Value.Ids) key.type()).asset().orElseThrow();
+    return from.idSilently(key.name())
         .filter(id -> id != NONE && assets.get(type).containsKey(id))
         .isPresent();
   }

@@ -94,7 +94,7 @@ record JsonNode(JsonValue value, Problems problems) {
 
   /** Returns the place of the object or asset that this node describes. */
   Origin origin() {
-    String name = find("name").flatMap(JsonNode::text).map(PrintableText::shortened).orElse("");
+    String name = find(ObjectKeys.NAME.name()).flatMap(JsonNode::text).map(PrintableText::shortened).orElse("");
     return new Origin(PrintableText.path(path()), name);
   }
 

@@ -10,8 +10,7 @@ import java.util.Optional;
 
 /** Reads the profiles of lamps that lights name, each once. Mutable. */
 final class LightProfiles {
-  /** Key of the file of a lamp's profile. */
-  static final String KEY = "profile";
+  private static final String KEY = LightKinds.PROFILE.name();
 
   private final AssetData data;
   private final Map<String, Optional<LightProfile>> known = new HashMap<>();

@@ -19,10 +19,8 @@ import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.texture.Texture;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.Optional;
-import java.util.function.BiFunction;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** Reads lights, and converts the format's intensity to the unit of each light type. */
@@ -30,11 +28,8 @@ final class LightReader {
   /** Rotates a rectangle, whose normal is +y, to the format's direction of emission, +z. */
   private static final Transform UPRIGHT = Transform.rotationDegrees(new Vec3(90, 0, 0));
 
-  private static final Map<String, Falloff> FALLOFFS = new LinkedHashMap<>();
-  private static final Map<String, Unit> UNITS = new LinkedHashMap<>();
-
   /** The unit of an area light's intensity. */
-  private enum Unit {
+  enum Unit {
     /**
      * The format's own unit: radiance for lights of local area 1 or less, and radiance times local
      * area for larger ones.
@@ -62,31 +57,13 @@ final class LightReader {
     abstract double radiance(double localArea, double worldArea);
   }
 
-  static {
-    FALLOFFS.put("none", Falloff.NONE);
-    FALLOFFS.put("inverseSquare", Falloff.INVERSE_SQUARE);
-    UNITS.put("radiance", Unit.RADIANCE);
-    UNITS.put("power", Unit.POWER);
-  }
-
   private final TextureReader textures;
   private final LightProfiles profiles;
   private final boolean hasGlass;
+  private final Set<String> keys = LightKinds.FAMILY.keys();
   private int count;
   private boolean hasDome;
   private boolean warnedOfGlass;
-
-  /** The light types and their keys. */
-  final Family<BiFunction<Placed, Rgb, Consumer<SceneAssembly>>> family =
-      new Family<BiFunction<Placed, Rgb, Consumer<SceneAssembly>>>(
-              "lightType", ObjectTree.EMITTER_KEYS)
-          .with("Directional", this::directional, "intensity", "color")
-          .with("Point", this::point, "falloff", LightProfiles.KEY)
-          .with("Spot", this::spot, "spotAngle", "penumbra", "falloff")
-          .with("Ambient", this::ambient)
-          .with("Rectangle", this::rectangle, "width", "height", "unit")
-          .with("Sphere", this::sphere, "radius", "unit")
-          .with("Dome", this::dome, "textureId", "sky", "sunAzimuth", "sunElevation");
 
   /**
    * @param hasGlass whether any object in the scene is made of glass
@@ -110,29 +87,30 @@ final class LightReader {
   /** Returns an action that adds the light to a scene; empty if the light has errors. */
   Optional<Consumer<SceneAssembly>> read(Placed light) {
     JsonNode node = light.node();
-    node.warnUnknown(family.keys());
+    node.warnUnknown(keys);
     count++;
-    int missing = node.has(LightProfiles.KEY) ? 1 : 0;
-    Rgb intensity = node.rgb("color").times(node.number("intensity", missing, Range.NOT_NEGATIVE));
+    double missing = LightKinds.PROFILE.isIn(node) ? 1 : 0;
+    String key = LightKinds.INTENSITY.name();
+    Rgb intensity = LightKinds.COLOR.in(node).times(LightKinds.INTENSITY.in(node, missing));
     if (intensity.isBlack()) {
-      node.warn("intensity", "the light emits nothing");
+      node.warn(key, "the light emits nothing");
     }
     if (!intensity.isFinite()) {
-      node.error("intensity", "expected a finite product with the color, found an infinite one");
+      node.error(key, "expected a finite product with the color, found an infinite one");
       return Optional.empty();
     }
-    return family.choose(node).map(reader -> reader.apply(light, intensity));
+    return LightKinds.FAMILY.choose(node).map(kind -> kind.read(this, light, intensity));
   }
 
-  private Consumer<SceneAssembly> directional(Placed light, Rgb irradiance) {
+  Consumer<SceneAssembly> directional(Placed light, Rgb irradiance) {
     warnOfGlass(light);
     DirectionalLight made = new DirectionalLight(axis(light), irradiance);
     return scene -> scene.add(made);
   }
 
-  private Consumer<SceneAssembly> point(Placed light, Rgb intensity) {
+  Consumer<SceneAssembly> point(Placed light, Rgb intensity) {
     warnOfGlass(light);
-    if (light.node().has(LightProfiles.KEY)) {
+    if (LightKinds.PROFILE.isIn(light.node())) {
       return profiled(light, intensity);
     }
     PointLight made = pointLight(light, intensity, Falloff.NONE);
@@ -144,86 +122,86 @@ final class LightReader {
     if (source.falloff() == Falloff.NONE) {
       light
           .node()
-          .error("falloff", "expected \"inverseSquare\", which profiles need, found \"none\"");
+          .error(LightKinds.FALLOFF.name(), "expected \"inverseSquare\", which profiles need, found \"none\"");
     }
     Optional<LightProfile> profile = profiles.of(light.node());
     return scene -> scene.add(profile.orElseThrow().light(source, light.toWorld()));
   }
 
-  private Consumer<SceneAssembly> spot(Placed light, Rgb intensity) {
+  Consumer<SceneAssembly> spot(Placed light, Rgb intensity) {
     warnOfGlass(light);
-    if (light.node().has(LightProfiles.KEY)) {
-      light.node().warn(LightProfiles.KEY, "is ignored, because only Point lights have one");
+    if (LightKinds.PROFILE.isIn(light.node())) {
+      light.node().warn(LightKinds.PROFILE.name(), "is ignored, because only Point lights have one");
     }
     double angle = spotAngle(light.node());
-    double penumbra = light.node().number("penumbra", 0, Range.closed(0, angle));
+    double penumbra = Key.within(LightKinds.PENUMBRA, Range.closed(0, angle)).in(light.node());
     PointLight source = pointLight(light, intensity, Falloff.NONE);
     SpotLight made = new SpotLight(source, axis(light), angle, penumbra);
     return scene -> scene.add(made);
   }
 
   private static double spotAngle(JsonNode light) {
-    double written = light.number("spotAngle", 60, Range.ANY);
-    if (written == 0) {
-      light.error("spotAngle", "expected an angle other than 0, found 0");
-      return 60;
-    }
+    double written = LightKinds.SPOT_ANGLE.in(light);
     double angle = Math.min(90, Math.abs(written));
     if (angle != written) {
       light.warn(
-          "spotAngle",
+          LightKinds.SPOT_ANGLE.name(),
           PrintableText.number(written) + " is treated as " + PrintableText.number(angle));
     }
     return angle;
   }
 
-  private Consumer<SceneAssembly> ambient(Placed light, Rgb irradiance) {
+  Consumer<SceneAssembly> ambient(Placed light, Rgb irradiance) {
     return scene -> scene.addAmbient(irradiance);
   }
 
-  private Consumer<SceneAssembly> rectangle(Placed light, Rgb intensity) {
-    double width = light.node().number("width", 1, Range.SIZE);
-    double height = light.node().number("height", 1, Range.SIZE);
+  Consumer<SceneAssembly> rectangle(Placed light, Rgb intensity) {
+    double width = LightKinds.WIDTH.in(light.node());
+    double height = LightKinds.HEIGHT.in(light.node());
     Shape shape = new Rectangle(light.toWorld().times(UPRIGHT), width, height, false);
     return lamp(light, intensity, shape, width * height);
   }
 
-  private Consumer<SceneAssembly> sphere(Placed light, Rgb intensity) {
-    double radius = light.node().number("radius", 1, Range.SIZE);
+  Consumer<SceneAssembly> sphere(Placed light, Rgb intensity) {
+    double radius = LightKinds.RADIUS.in(light.node());
     Shape shape = new Sphere(light.toWorld(), radius);
     return lamp(light, intensity, shape, 4 * Math.PI * radius * radius);
   }
 
   private Consumer<SceneAssembly> lamp(Placed light, Rgb intensity, Shape shape, double localArea) {
-    Unit unit = light.node().choice("unit", UNITS, Unit.FORMAT);
+    Unit unit = LightKinds.UNIT.in(light.node(), Unit.FORMAT);
     boolean measurable = ShapeReader.isMeasurable(light.node().spot(), shape);
     Rgb radiance = measurable ? intensity.times(unit.radiance(localArea, shape.area())) : Rgb.BLACK;
     if (!radiance.isFinite()) {
-      light.node().error("intensity", "expected a finite radiance, found an infinite one");
+      intensityError(light, "expected a finite radiance, found an infinite one");
     }
     Emission emission = new Emission(Texture.constant(radiance), false);
     return scene -> scene.addAreaLight(shape, emission);
   }
 
-  private Consumer<SceneAssembly> dome(Placed light, Rgb radiance) {
+  Consumer<SceneAssembly> dome(Placed light, Rgb radiance) {
     hasDome = true;
     boolean isFinite = radiance.max() <= Stage.Sky.MAX_INTENSITY;
     if (!isFinite) {
       String most = PrintableText.number(Stage.Sky.MAX_INTENSITY);
-      light.node().error("intensity", "expected a product with the color of at most " + most);
+      intensityError(light, "expected a product with the color of at most " + most);
     }
     Rgb used = isFinite ? radiance : Rgb.BLACK;
     EnvironmentLight made = textures.dome(light.node(), light.axes(), used);
     return scene -> scene.add(made);
   }
 
+  private static void intensityError(Placed light, String message) {
+    light.node().error(LightKinds.INTENSITY.name(), message);
+  }
+
   private static PointLight pointLight(Placed light, Rgb intensity, Falloff missing) {
-    Falloff falloff = light.node().choice("falloff", FALLOFFS, missing);
+    Falloff falloff = LightKinds.FALLOFF.in(light.node(), missing);
     return new PointLight(light.position(), intensity, falloff);
   }
 
   private static Vec3 axis(Placed light) {
-    return light.node().has("matrix")
+    return ObjectKeys.MATRIX.isIn(light.node())
         ? Directions.axis(light.toWorld())
         : light.toWorld().vector(Vec3.Z).normalized();
   }
@@ -233,7 +211,7 @@ final class LightReader {
       light
           .node()
           .warn(
-              "lightType",
+              LightKinds.FAMILY.typeKey().name(),
               "the scene has glass, which blocks light from Directional, Point and Spot lights");
       warnedOfGlass = true;
     }

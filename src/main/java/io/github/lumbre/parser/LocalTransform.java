@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import com.google.gson.JsonObject;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -17,8 +18,6 @@ record LocalTransform(Transform transform, Transform turn, boolean isMatrix) {
   /** The numbers of a matrix: three rows of four. */
   static final int NUMBERS = 12;
 
-  private static final Vec3 ONE = new Vec3(1, 1, 1);
-
   /** The largest error of unit and perpendicular axes that are kept as they are. */
   private static final double ROUNDING = 1e-12;
 
@@ -27,41 +26,41 @@ record LocalTransform(Transform transform, Transform turn, boolean isMatrix) {
 
   /** Returns the transform of an object; adds errors to its problems. */
   static LocalTransform of(JsonNode node) {
-    return node.has("matrix") ? ofMatrix(node) : ofParts(node);
+    return ObjectKeys.MATRIX.isIn(node) ? ofMatrix(node) : ofParts(node);
   }
 
   private static LocalTransform ofParts(JsonNode node) {
-    Vec3 position = node.vec3("localPosition", Vec3.ZERO);
+    Vec3 position = ObjectKeys.POSITION.in(node);
     Transform turn = turn(node, position);
     Transform local =
         Transform.translation(position)
             .times(turn)
-            .times(Transform.scale(node.vec3("localScale", ONE)));
+            .times(Transform.scale(ObjectKeys.SCALE.in(node)));
     return new LocalTransform(local, turn, false);
   }
 
   private static Transform turn(JsonNode node, Vec3 position) {
-    Vec3 up = node.vec3("lookAtUp", Vec3.Y);
-    if (!node.has("lookAt")) {
-      return Transform.rotationDegrees(node.vec3("localRotation", Vec3.ZERO));
+    Vec3 up = ObjectKeys.LOOK_AT_UP.in(node);
+    if (!ObjectKeys.LOOK_AT.isIn(node)) {
+      return Transform.rotationDegrees(ObjectKeys.ROTATION.in(node));
     }
-    warnOfIgnored(node, List.of("localRotation"), "lookAt");
-    Vec3 target = node.vec3("lookAt", Vec3.Z);
+    warnOfIgnored(node, List.of(ObjectKeys.ROTATION), ObjectKeys.LOOK_AT.name());
+    Vec3 target = ObjectKeys.LOOK_AT.in(node);
     try {
       return Transform.ofFrame(Frame.lookingAt(position, target, up), Vec3.ZERO);
     } catch (IllegalArgumentException e) {
       node.error(
-          "lookAt",
+          ObjectKeys.LOOK_AT.name(),
           "expected a point other than localPosition, and lookAtUp not along the view; found "
               + "a view that is not determined");
       return Transform.IDENTITY;
     }
   }
 
-  private static void warnOfIgnored(JsonNode node, List<String> keys, String by) {
-    for (String key : keys) {
-      if (node.has(key)) {
-        node.warn(key, "is ignored, because the object has " + by);
+  private static void warnOfIgnored(JsonNode node, List<Key<?>> keys, String by) {
+    for (Key<?> key : keys) {
+      if (key.isIn(node)) {
+        node.warn(key.name(), "is ignored, because the object has " + by);
       }
     }
   }
@@ -69,15 +68,22 @@ record LocalTransform(Transform transform, Transform turn, boolean isMatrix) {
   private static LocalTransform ofMatrix(JsonNode node) {
     warnOfIgnored(
         node,
-        List.of("localPosition", "localRotation", "localScale", "lookAt", "lookAtUp"),
+        List.of(
+            ObjectKeys.POSITION,
+            ObjectKeys.ROTATION,
+            ObjectKeys.SCALE,
+            ObjectKeys.LOOK_AT,
+            ObjectKeys.LOOK_AT_UP),
         "a matrix");
-    double[] m = node.numbers("matrix", List.of(NUMBERS, Transform.VALUES));
+    double[] m = ObjectKeys.MATRIX.in(node);
     if (m.length == 0) {
       return new LocalTransform(Transform.IDENTITY, Transform.IDENTITY, true);
     }
     Transform matrix = m.length == NUMBERS ? computed(m) : stated(m);
     if (m.length != NUMBERS && !isInverse(matrix)) {
-      node.error("matrix", "expected the inverse of the matrix after it, found another matrix");
+      node.error(
+          ObjectKeys.MATRIX.name(),
+          "expected the inverse of the matrix after it, found another matrix");
     }
     return new LocalTransform(matrix, rotation(matrix), true);
   }
@@ -119,7 +125,7 @@ record LocalTransform(Transform transform, Transform turn, boolean isMatrix) {
   }
 
   /** Returns the numbers that state a transform bit for bit, as few as possible. */
-  static double[] numbers(Transform t) {
+  private static double[] numbers(Transform t) {
     double[] v = t.toArray();
     double[] all = new double[Transform.VALUES];
     for (int row = 0; row < 3; row++) {
@@ -130,6 +136,27 @@ record LocalTransform(Transform transform, Transform turn, boolean isMatrix) {
     all[Transform.VALUES - 1] = v[Transform.VALUES - 1];
     double[] few = Arrays.copyOf(all, NUMBERS);
     return Arrays.equals(computed(few).toArray(), v) ? few : all;
+  }
+
+  /** Writes a transform: a position if that has the same bits, otherwise a matrix. */
+  static void place(JsonObject object, Transform transform) {
+    Vec3 position = transform.point(Vec3.ZERO);
+    Transform moved =
+        Transform.translation(position)
+            .times(Transform.rotationDegrees(Vec3.ZERO))
+            .times(Transform.scale(new Vec3(1, 1, 1)));
+    double[] values = transform.toArray();
+    if (Arrays.equals(values, moved.toArray())
+        && Arrays.equals(values, Transform.IDENTITY.times(moved).toArray())) {
+      ObjectKeys.POSITION.put(object, position);
+    } else {
+      matrix(object, transform);
+    }
+  }
+
+  /** Writes a transform as a matrix. */
+  static void matrix(JsonObject object, Transform transform) {
+    ObjectKeys.MATRIX.put(object, numbers(transform));
   }
 
   /** Returns the rotation of a map: its axes, if they are perpendicular unit vectors. */

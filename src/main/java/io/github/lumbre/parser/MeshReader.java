@@ -7,21 +7,12 @@ import io.github.lumbre.model.obj.ObjReader;
 import io.github.lumbre.parser.AssetTable.Type;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
 /** Reads each mesh at its first use. */
 final class MeshReader {
-  private static final String BASE64_KEY = "base64OBJ";
-  static final Set<String> KEYS = new LinkedHashSet<>(AssetTable.COMMON_KEYS);
-
-  static {
-    KEYS.add(BASE64_KEY);
-    KEYS.add(AssetData.FILE_KEY);
-  }
-
   private final AssetTable assets;
   private final AssetData data;
   private final Map<JsonNode, Optional<TriangleMesh>> meshes = new HashMap<>();
@@ -33,7 +24,9 @@ final class MeshReader {
 
   /** Warns of keys that no mesh has. */
   void checkAll() {
-    assets.all(Type.MESH).forEach(mesh -> mesh.warnUnknown(KEYS));
+    Set<String> known = Key.names(ObjectKeys.OF_ASSETS);
+    known.addAll(Key.names(ObjectKeys.OF_MESHES));
+    assets.all(Type.MESH).forEach(mesh -> mesh.warnUnknown(known));
   }
 
   /** Returns whether any object uses a mesh. */
@@ -48,12 +41,12 @@ final class MeshReader {
 
   /** Returns the mesh asset that an object names; empty if there is none. */
   Optional<JsonNode> asset(JsonNode object) {
-    return assets.find(object, "meshId", Type.MESH);
+    return assets.find(object, ShapeKinds.MESH);
   }
 
   /** Returns a mesh; empty, with an error added, if it cannot be used. */
   Optional<TriangleMesh> read(JsonNode asset) {
-    return meshes.computeIfAbsent(asset, a -> data.read(a, BASE64_KEY).flatMap(this::decoded));
+    return meshes.computeIfAbsent(asset, a -> data.read(a, ObjectKeys.BASE64_MESH.name()).flatMap(this::decoded));
   }
 
   private Optional<TriangleMesh> decoded(AssetData.Content content) {

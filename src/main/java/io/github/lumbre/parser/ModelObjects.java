@@ -14,7 +14,6 @@ import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,7 +39,7 @@ record ModelObjects(
     RenderSettings settings,
     String sceneName,
     boolean lenient) {
-  private static final Set<String> KEYS = new HashSet<>(ObjectTree.EMITTER_KEYS);
+  private static final Set<String> KEYS = Key.names(ObjectKeys.OF_EMITTERS);
   private static final Map<String, String> LOOKS =
       new TreeMap<>(
           Map.of(ModelOptions.CLAY, ModelOptions.CLAY, ModelOptions.WHITE, ModelOptions.WHITE));
@@ -48,7 +47,6 @@ record ModelObjects(
   static {
     KEYS.addAll(
         Set.of(
-            "file",
             "up",
             "unit",
             "pointRadius",
@@ -58,11 +56,8 @@ record ModelObjects(
             "variant",
             "hide",
             "highlight",
-            "look",
-            "useCamera",
-            "useLights",
-            "materials",
-            "shared"));
+            "look"));
+    KEYS.addAll(Key.names(ObjectKeys.OF_MODELS));
   }
 
   /** Adds the model of an object; adds an error if it cannot be used. */
@@ -94,8 +89,8 @@ record ModelObjects(
             : data.folderOf(name);
     try {
       Model model = ModelReader.read(name, content, files, options);
-      if (node.has("useCamera")) {
-        String camera = node.string("useCamera").orElse("");
+      if (ObjectKeys.USE_CAMERA.isIn(node)) {
+        String camera = ObjectKeys.USE_CAMERA.in(node);
         parts.seenBy(StageCamera.inPoses(model, camera, object.toWorld()));
       }
       parts.add(
@@ -103,9 +98,9 @@ record ModelObjects(
           new ModelParts.Placement(
               place,
               object.toWorld(),
-              node.flag("shared", false),
+              ObjectKeys.SHARED_MODEL.in(node),
               overrides(node),
-              node.flag("useLights", true),
+              ObjectKeys.USE_LIGHTS.in(node),
               object.lightGroup()));
     } catch (ModelFormatException e) {
       place.error(e);
@@ -159,7 +154,7 @@ record ModelObjects(
   /** Returns the surfaces that replace materials of the model, by the names of these. */
   private Map<String, Surface> overrides(JsonNode node) {
     Map<String, Surface> all = new LinkedHashMap<>();
-    node.object("materials")
+    node.object(ObjectKeys.MATERIALS.name())
         .ifPresent(
             named ->
                 named

@@ -12,35 +12,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** Traverses the tree of objects without recursion, and computes each world transform. */
 final class ObjectTree {
   /** The largest nesting depth of objects. */
   static final int MAX_DEPTH = 2000;
-
-  private static final String LIGHT_GROUP = "lightGroup";
-
-  /** Keys that are valid for every object. */
-  static final Set<String> COMMON_KEYS =
-      Set.of(
-          "type",
-          "name",
-          "id",
-          "children",
-          "localPosition",
-          "localRotation",
-          "localScale",
-          "lookAt",
-          "lookAtUp",
-          "matrix");
-
-  /** Keys that are valid for every object that can emit light. */
-  static final Set<String> EMITTER_KEYS =
-      Stream.concat(COMMON_KEYS.stream(), Stream.of(LIGHT_GROUP))
-          .collect(Collectors.toUnmodifiableSet());
 
   enum Type {
     NONE,
@@ -48,16 +24,6 @@ final class ObjectTree {
     SHAPE,
     MODEL,
     LIGHT
-  }
-
-  private static final Map<String, Type> TYPES = new LinkedHashMap<>();
-
-  static {
-    TYPES.put("None", Type.NONE);
-    TYPES.put("Camera", Type.CAMERA);
-    TYPES.put("Shape", Type.SHAPE);
-    TYPES.put("Model", Type.MODEL);
-    TYPES.put("Light", Type.LIGHT);
   }
 
   /**
@@ -78,9 +44,9 @@ final class ObjectTree {
 
     /** Returns the name of the light group of the object's light; empty for none. */
     String lightGroup() {
-      String name = node.string(LIGHT_GROUP).orElse("");
+      String name = ObjectKeys.LIGHT_GROUP.in(node);
       if (!LightGroups.isName(name)) {
-        node.error(LIGHT_GROUP, "expected letters, digits and underscores, found another name");
+        node.error(ObjectKeys.LIGHT_GROUP.name(), "expected letters, digits and underscores, found another name");
         return "";
       }
       return name;
@@ -105,7 +71,7 @@ final class ObjectTree {
   /** Returns the tree of all objects: parents before children, in the order of the file. */
   static ObjectTree of(JsonNode root) {
     ObjectTree tree = new ObjectTree();
-    tree.push(root.objects("objects"), 1, Transform.IDENTITY, Transform.IDENTITY);
+    tree.push(root.objects(SceneKeys.OBJECTS.name()), 1, Transform.IDENTITY, Transform.IDENTITY);
     while (!tree.stack.isEmpty()) {
       tree.visit(tree.stack.pop());
     }
@@ -148,18 +114,19 @@ final class ObjectTree {
       toWorld = visit.toWorld;
     }
     Transform rotation = isOutermost ? local.turn() : visit.rotation.times(local.turn());
-    objects.add(new Placed(node, node.choice("type", TYPES, Type.NONE), toWorld, rotation));
-    push(node.objects("children"), visit.depth + 1, toWorld, rotation);
+    objects.add(new Placed(node, ObjectKeys.TYPE.in(node), toWorld, rotation));
+    push(node.objects(ObjectKeys.CHILDREN.name()), visit.depth + 1, toWorld, rotation);
   }
 
   private void noteId(JsonNode node) {
-    node.id("id")
+    node.id(ObjectKeys.ID.name())
         .ifPresent(
             id -> {
               JsonNode first = byId.putIfAbsent(id, node);
               if (first != null) {
                 repeated.putIfAbsent(id, node);
-                node.warn("id", () -> "object id " + id + " is also at " + first.path() + ".id");
+                String key = ObjectKeys.ID.name();
+                node.warn(key, () -> "object id " + id + " is also at " + first.path() + "." + key);
               }
             });
   }

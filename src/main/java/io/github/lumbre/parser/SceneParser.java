@@ -42,10 +42,6 @@ public final class SceneParser {
   /** The largest limit that can be set: width × height in pixels. */
   public static final int MAX_PIXELS_EVER = 1 << 29;
 
-  /** Top-level keys of a scene file; {@code $schema} names the schema for editors. */
-  static final Set<String> KEYS =
-      Set.of("$schema", "mainCameraId", "renderOptions", "assets", "objects", "name");
-
   static {
     CountingParser.madeBy(SceneParser::counting);
     ModelSequence.madeBy(SceneParser::sequence);
@@ -422,8 +418,8 @@ public final class SceneParser {
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
-    root.warnUnknown(KEYS);
-    Optional<JsonNode> options = root.object("renderOptions");
+    root.warnUnknown(Key.names(SceneKeys.ALL));
+    Optional<JsonNode> options = root.object(SceneKeys.OPTIONS.name());
     RenderSettings used = settings.read(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
     SceneHash hash = new SceneHash();

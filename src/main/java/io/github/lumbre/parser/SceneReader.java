@@ -12,15 +12,17 @@ import io.github.lumbre.parser.internal.SceneContents;
 import io.github.lumbre.parser.internal.SceneOrigins;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 
 /** Reads the objects of a scene, the assets they use, and the main camera. Not reusable. */
 final class SceneReader {
-  private static final String MAIN_CAMERA = "mainCameraId";
+  private static final String MAIN_CAMERA = SceneKeys.MAIN_CAMERA.name();
 
   private final JsonNode root;
   private final RenderSettings settings;
@@ -31,7 +33,6 @@ final class SceneReader {
   private final MeshReader meshes;
   private final MaterialReader materials;
   private final ShapeReader shapes;
-  private final CameraReader cameras;
   private final ModelObjects models;
   private final SceneParts parts = new SceneParts();
   private final ModelParts modelParts;
@@ -64,7 +65,6 @@ final class SceneReader {
     meshes = new MeshReader(assets, data);
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
-    cameras = new CameraReader(textures);
     profiles = new LightProfiles(data);
     modelParts = new ModelParts(parts, data.allowance(), kernel, new DecodedPictures());
     models = new ModelObjects(data, materials, modelParts, settings, sceneName, assets.isLenient());
@@ -84,22 +84,23 @@ final class SceneReader {
     textures.checkAll();
     meshes.checkAll();
     materials.checkAll();
-    objects(ObjectTree.Type.NONE).forEach(o -> o.node().warnUnknown(ObjectTree.COMMON_KEYS));
+    Set<String> keys = Key.names(ObjectKeys.ALL);
+    objects(ObjectTree.Type.NONE).forEach(o -> o.node().warnUnknown(keys));
     readCamera(aspect);
     objects(ObjectTree.Type.SHAPE).forEach(this::readShape);
     objects(ObjectTree.Type.MODEL).forEach(this::readModel);
     readLights(background);
     backplate =
-        root.find("renderOptions").filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
+        SceneKeys.OPTIONS.find(root).filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
   }
 
   private void readCamera(double aspect) {
     List<Placed> all = objects(ObjectTree.Type.CAMERA);
-    all.forEach(cameras::check);
+    all.forEach(each -> each.node().warnUnknown(CameraKinds.FAMILY.keys()));
     Optional<Integer> wanted = root.id(MAIN_CAMERA);
     Optional<Placed> main =
         all.stream()
-            .filter(c -> wanted.isPresent() && wanted.equals(c.node().idSilently("id")))
+            .filter(c -> wanted.isPresent() && wanted.equals(c.node().idSilently(ObjectKeys.ID.name())))
             .findFirst();
     if (main.isEmpty()) {
       reportNoCamera(all);
@@ -109,9 +110,10 @@ final class SceneReader {
         .ifPresent(
             second ->
                 second.error(
-                    "id", "expected the main camera's id once, found " + wanted.get() + " again"));
-    camera = cameras.read(main.get(), aspect);
-    cameraType = main.get().node().string("cameraType").orElse(CameraReader.DEFAULT_TYPE);
+                    ObjectKeys.ID.name(),
+                    "expected the main camera's id once, found " + wanted.get() + " again"));
+    camera = CameraKinds.read(main.get(), aspect, textures);
+    cameraType = CameraKinds.FAMILY.typeKey().in(main.get().node());
   }
 
   private void reportNoCamera(List<Placed> cameras) {
@@ -119,7 +121,7 @@ final class SceneReader {
       return;
     }
     TreeSet<Integer> ids = new TreeSet<>();
-    cameras.forEach(c -> c.node().idSilently("id").ifPresent(ids::add));
+    cameras.forEach(c -> c.node().idSilently(ObjectKeys.ID.name()).ifPresent(ids::add));
     root.error(
         MAIN_CAMERA,
         "expected the id of a camera, found "
@@ -156,8 +158,8 @@ final class SceneReader {
     }
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
-      root.object("renderOptions")
-          .ifPresent(o -> o.warn("background", "is ignored, because the scene has a Dome"));
+      root.object(SceneKeys.OPTIONS.name())
+          .ifPresent(o -> o.warn(SceneKeys.BACKGROUND.name(), "is ignored, because the scene has a Dome"));
     } else {
       background.ifPresent(
           radiance ->
@@ -170,7 +172,7 @@ final class SceneReader {
   }
 
   private JsonNode backgroundNode() {
-    return root.object("renderOptions").flatMap(o -> o.find("background")).orElse(root);
+    return root.object(SceneKeys.OPTIONS.name()).flatMap(o -> SceneKeys.BACKGROUND.find(o)).orElse(root);
   }
 
   /**
@@ -185,8 +187,8 @@ final class SceneReader {
             ? List.of(camera.orElseThrow())
             : StageCamera.placed(ofModel, settings.aspect());
     if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
-      root.object("renderOptions")
-          .ifPresent(o -> o.warn("shutter", "changes nothing, because no model has a pose"));
+      root.object(SceneKeys.OPTIONS.name())
+          .ifPresent(o -> o.warn(Setting.SHUTTER.name(), "changes nothing, because no model has a pose"));
     }
     return parts.scene(cameras, settings.poses(), backplate, kernel, known);
   }

@@ -150,10 +150,14 @@ public final class SceneWriter {
                 .viewpoint()
                 .orElseThrow(() -> new Unwritable("a scene with lookingAt", "one with seenBy"))));
     String text =
-        "{\n\"mainCameraId\": 1,\n\"renderOptions\": %s,\n\"assets\": %s,\n\"objects\": %s\n}\n"
+        "{\n\"%s\": 1,\n\"%s\": %s,\n\"%s\": %s,\n\"%s\": %s\n}\n"
             .formatted(
+                SceneKeys.MAIN_CAMERA.name(),
+                SceneKeys.OPTIONS.name(),
                 GSON.toJson(options(description, settings)),
+                SceneKeys.ASSETS.name(),
                 lines(assets.assets()),
+                SceneKeys.OBJECTS.name(),
                 lines(all.asList()));
     return new Parts(text.getBytes(StandardCharsets.UTF_8), assets.files());
   }
@@ -176,7 +180,7 @@ public final class SceneWriter {
       if (settings.isSet(Setting.BACKPLATE)) {
         throw new Unwritable("a backplate of light or of a color", "both");
       }
-      options.add(Setting.BACKPLATE.name(), Written.color(description.backplate().get()));
+      options.add(Setting.BACKPLATE.name(), color(description.backplate().get()));
     }
     Optional<Rgb> background = background(description.nodes());
     if (settings.transparent()) {
@@ -184,18 +188,22 @@ public final class SceneWriter {
           color -> {
             throw new Unwritable("a background color or a transparent background", "both");
           });
-      options.addProperty("background", "transparent");
+      options.addProperty(SceneKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
     } else {
-      background.ifPresent(color -> options.add("background", Written.color(color)));
+      background.ifPresent(color -> options.add(SceneKeys.BACKGROUND.name(), color(color)));
     }
     return options;
+  }
+
+  private static JsonElement color(Rgb color) {
+    return new Value.Colors().write(color);
   }
 
   /** Writes the samples of ray mode if they are a power of four; others are for a flag. */
   private static void antialiasing(JsonObject to, int samples) {
     int exponent = Integer.numberOfTrailingZeros(samples);
-    if (Integer.bitCount(samples) == 1 && exponent % 2 == 0 && exponent <= 16) {
-      to.addProperty("antialiasing", exponent);
+    if (Integer.bitCount(samples) == 1 && exponent % 2 == 0 && exponent <= SceneKeys.MAX_ANTIALIASING) {
+      SceneKeys.ANTIALIASING.put(to, exponent);
     }
   }
 

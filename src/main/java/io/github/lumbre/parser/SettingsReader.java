@@ -26,17 +26,12 @@ import java.util.stream.Stream;
 /** Reads {@code renderOptions}. */
 final class SettingsReader {
   private static final RenderSettings DEFAULT = RenderSettings.DEFAULT;
-  private static final int DEFAULT_ANTIALIASING = 2;
-  private static final String TRANSPARENT = "transparent";
+  static final String TRANSPARENT = "transparent";
   private static final String WHITE_LIGHT = "{\"r\": 1, \"g\": 1, \"b\": 1}";
-
-  /** Valid keys that are not settings. */
-  private static final Set<String> OTHER_KEYS =
-      Set.of("antialiasing", "background", "name");
 
   static final Set<String> KEYS =
       Stream.concat(
-              OTHER_KEYS.stream(),
+              SceneKeys.OF_OPTIONS.stream().map(Key::name),
               Setting.all().stream().filter(Setting::isInScenes).map(Setting::name))
           .collect(Collectors.toUnmodifiableSet());
 
@@ -64,7 +59,7 @@ final class SettingsReader {
   /** Returns the settings of a scene without {@code renderOptions}. */
   static RenderSettings missing(Optional<Mode> mode) {
     Mode used = mode.orElse(DEFAULT.mode());
-    int samples = used == Mode.RAY ? raySamples(DEFAULT_ANTIALIASING) : DEFAULT.samples();
+    int samples = used == Mode.RAY ? raySamples(SceneKeys.DEFAULT_ANTIALIASING) : DEFAULT.samples();
     return DEFAULT.toBuilder().mode(used).samples(samples).build();
   }
 
@@ -121,8 +116,8 @@ final class SettingsReader {
   }
 
   private static int raySamples(JsonNode options) {
-    int n = options.integer("antialiasing", DEFAULT_ANTIALIASING, -1, 16);
-    return raySamples(n == -1 ? DEFAULT_ANTIALIASING : n);
+    int n = SceneKeys.ANTIALIASING.in(options);
+    return raySamples(n == -1 ? SceneKeys.DEFAULT_ANTIALIASING : n);
   }
 
   private static Exposure exposure(JsonNode options, String key, Exposure missing) {
@@ -159,7 +154,7 @@ final class SettingsReader {
   }
 
   private static boolean isTransparent(JsonNode options) {
-    return options.find("background").filter(n -> n.isText(TRANSPARENT)).isPresent();
+    return SceneKeys.BACKGROUND.find(options).filter(n -> n.isText(TRANSPARENT)).isPresent();
   }
 
   /** Returns the light that the camera sees instead of environment lights; empty for none. */
@@ -169,7 +164,7 @@ final class SettingsReader {
 
   /** Returns the radiance of the background; empty if the scene names none. */
   static Optional<Rgb> background(JsonNode options) {
-    Optional<JsonNode> node = options.find("background");
+    Optional<JsonNode> node = SceneKeys.BACKGROUND.find(options);
     if (node.isEmpty() || isTransparent(options)) {
       return Optional.empty();
     }

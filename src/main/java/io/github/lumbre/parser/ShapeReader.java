@@ -1,32 +1,26 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.Plane;
-import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SharedMesh;
-import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.parser.SceneFormatException.Kind;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.Set;
 
 /**
  * Reads shapes. A mesh with one instance is transformed to world space; a mesh with several
  * instances is shared.
  */
 final class ShapeReader {
-  private static final String MESH = "Mesh";
-
   /** The largest absolute coordinate: squares of coordinates must not overflow. */
   private static final double MAX_REACH = 1e150;
 
@@ -35,16 +29,9 @@ final class ShapeReader {
   private final Map<JsonNode, Integer> placements = new HashMap<>();
   private final Map<JsonNode, Optional<JsonNode>> meshOfObject = new HashMap<>();
   private final Map<JsonNode, SharedMesh> shared = new HashMap<>();
+  private final Set<String> keys = ShapeKinds.FAMILY.keys();
   private int count;
   private long triangles;
-
-  /** The shape types and their keys. */
-  final Family<Function<Placed, Optional<Shape>>> family =
-      new Family<Function<Placed, Optional<Shape>>>("shapeType", ObjectTree.EMITTER_KEYS)
-          .with("Sphere", this::sphere, "materialID", "radius")
-          .with("Plane", this::plane, "finite", "width", "height", "twoSided")
-          .with("Cube", this::cube, "width", "height", "depth")
-          .with(MESH, this::mesh, "meshId", "shared");
 
   /**
    * @param shapes all shape objects of the scene
@@ -59,7 +46,8 @@ final class ShapeReader {
   }
 
   private void countPlacement(JsonNode object) {
-    if (object.find("shapeType").filter(type -> type.isText(MESH)).isPresent()) {
+    String kind = ShapeKinds.FAMILY.typeKey().name();
+    if (object.find(kind).filter(type -> type.isText(ShapeKinds.MESHES)).isPresent()) {
       Optional<JsonNode> asset = meshes.asset(object);
       meshOfObject.put(object, asset);
       asset.ifPresent(a -> placements.merge(a, 1, Integer::sum));
@@ -79,11 +67,11 @@ final class ShapeReader {
   /** Returns the shape of an object; empty, with a problem added, if it cannot be rendered. */
   Optional<Shape> read(Placed object) {
     JsonNode node = object.node();
-    node.warnUnknown(family.keys());
+    node.warnUnknown(keys);
     count++;
-    return family
+    return ShapeKinds.FAMILY
         .choose(node)
-        .flatMap(reader -> reader.apply(object))
+        .flatMap(reader -> reader.apply(object, this))
         .filter(shape -> shape instanceof Plane || isMeasurable(node.spot(), shape));
   }
 
@@ -106,36 +94,11 @@ final class ShapeReader {
     return false;
   }
 
-  private Optional<Shape> sphere(Placed object) {
-    return Optional.of(new Sphere(object.toWorld(), size(object, "radius")));
-  }
-
-  private Optional<Shape> plane(Placed object) {
-    boolean twoSided = object.node().flag("twoSided", false);
-    if (!object.node().flag("finite", false)) {
-      return Optional.of(new Plane(object.toWorld(), twoSided));
-    }
-    return Optional.of(
-        new Rectangle(object.toWorld(), size(object, "width"), size(object, "height"), twoSided));
-  }
-
-  private Optional<Shape> cube(Placed object) {
-    return Optional.of(
-        new Box(
-            object.toWorld(),
-            size(object, "width"),
-            size(object, "height"),
-            size(object, "depth")));
-  }
-
-  private static double size(Placed object, String key) {
-    return object.node().number(key, 1, Range.SIZE);
-  }
-
-  private Optional<Shape> mesh(Placed object) {
+  /** Returns the mesh of an object; empty, with a problem added, if there is none. */
+  Optional<Shape> mesh(Placed object) {
     Optional<JsonNode> asset = meshOfObject.get(object.node());
     if (asset.isEmpty()) {
-      object.node().warn("meshId", "names no mesh; the object is not rendered");
+      object.node().warn(ShapeKinds.MESH.name(), "names no mesh; the object is not rendered");
       return Optional.empty();
     }
     return meshes.read(asset.get()).map(mesh -> placed(object, asset.get(), mesh));
@@ -143,7 +106,7 @@ final class ShapeReader {
 
   private Shape placed(Placed object, JsonNode asset, TriangleMesh mesh) {
     triangles += mesh.triangleCount();
-    boolean isShared = object.node().flag("shared", false);
+    boolean isShared = ShapeKinds.SHARED.in(object.node());
     if (placements.get(asset) == 1 && !isShared) {
       return Mesh.baked(mesh, object.toWorld());
     }

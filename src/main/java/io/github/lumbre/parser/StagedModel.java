@@ -62,7 +62,7 @@ final class StagedModel {
   static final String GROUND = "ground";
 
   /** The reflectance of the ground. */
-  static final double GROUND_GRAY = .6;
+  private static final double GROUND_GRAY = .6;
 
   private static final String NOTHING = "nothing of the model is visible in this frame";
 
@@ -396,10 +396,15 @@ final class StagedModel {
 
   private void addGround(SceneParts parts) {
     Plane plane = new Plane(Transform.translation(new Vec3(0, framing.min().y(), 0)), false);
-    Texture<Rgb> gray = Texture.constant(Rgb.grey(GROUND_GRAY));
-    Material material = stage.transparent() ? new ShadowCatcher(gray) : new Matte(gray);
+    Material material = groundMaterial(stage);
     Origin origin = new Origin(GROUND, GROUND);
     parts.add(origin, origin, "", scene -> scene.add(plane, material));
+  }
+
+  /** Returns the material of the ground. */
+  static Material groundMaterial(Stage stage) {
+    Texture<Rgb> gray = Texture.constant(Rgb.grey(GROUND_GRAY));
+    return stage.transparent() ? new ShadowCatcher(gray) : new Matte(gray);
   }
 
   private void addSky(SceneParts parts, SceneParser parser) {

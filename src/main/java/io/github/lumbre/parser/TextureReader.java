@@ -6,9 +6,10 @@ import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.parser.AssetTable.Type;
+import io.github.lumbre.parser.LightKinds.Sky;
 import io.github.lumbre.parser.internal.SceneOrigins.TextureUse;
+import io.github.lumbre.sampling.internal.Hash;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
@@ -24,55 +25,19 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BiFunction;
-import java.util.function.Function;
 
 /** Reads each texture at its first use, and the material channels that use textures. */
 final class TextureReader {
-  private static final String BASE64_KEY = "base64PNG";
-
-  private static final Point2 NO_OFFSET = new Point2(0, 0);
-  private static final Point2 NO_SCALE = new Point2(1, 1);
-
-  /** The keys of the sun's place: its azimuth and its elevation. */
-  private static final List<String> SUN_KEYS = List.of("sunAzimuth", "sunElevation");
-
-  private enum Sky {
-    STUDIO,
-    CLEAR,
-    SUN
-  }
+  private static final List<Key<Double>> SUN_KEYS =
+      List.of(LightKinds.SUN_AZIMUTH, LightKinds.SUN_ELEVATION);
 
   private final AssetTable assets;
   private final AssetData data;
   private final TextureChange change;
-  private final ProceduralReader procedurals;
+  private final long seed;
   private final Map<JsonNode, Optional<Picture>> pictures = new HashMap<>();
   private final Map<Point2, ClearSky> clearSkies = new HashMap<>();
   private final List<TextureUse> uses = new ArrayList<>();
-
-  /** The texture types and their keys. */
-  final Family<Function<JsonNode, Optional<Picture>>> family =
-      new Family<Function<JsonNode, Optional<Picture>>>("textureType", AssetTable.COMMON_KEYS)
-          .with("Image", this::image, BASE64_KEY, AssetData.FILE_KEY, "filter")
-          .with(
-              "Wood", t -> computed(t, ProceduralReader::wood), "width", "height", "rings", "seed")
-          .with("Marble", t -> computed(t, ProceduralReader::marble), "width", "height", "seed")
-          .with(
-              "Cloud",
-              t -> computed(t, ProceduralReader::cloud),
-              "width",
-              "height",
-              "density",
-              "seed")
-          .with(
-              "Voronoi",
-              t -> computed(t, ProceduralReader::voronoi),
-              "width",
-              "height",
-              "samples",
-              "blackAndWhite",
-              "seed");
 
   /**
    * @param seed seed of the scene; with their ids, it determines procedural textures
@@ -81,12 +46,12 @@ final class TextureReader {
     this.assets = assets;
     this.data = data;
     this.change = change;
-    procedurals = new ProceduralReader(seed);
+    this.seed = seed;
   }
 
   /** Warns of keys that no texture type has. */
   void checkAll() {
-    assets.all(Type.TEXTURE).forEach(t -> t.warnUnknown(family.keys()));
+    assets.all(Type.TEXTURE).forEach(t -> t.warnUnknown(TextureKinds.FAMILY.keys()));
   }
 
   /** Returns the number of textures in use. */
@@ -105,18 +70,17 @@ final class TextureReader {
   }
 
   /** Finds the texture of a material's channel, and records the use. */
-  private Optional<Picture> find(JsonNode material, String channel, UvMapping mapping) {
-    String key = channel + "TextureId";
-    Optional<Picture> picture = find(material, key);
+  private Optional<Picture> find(JsonNode material, ChannelKeys<?> channel, UvMapping mapping) {
+    Optional<Picture> picture = find(material, channel.texture());
     if (picture.isPresent() && picture.get() instanceof Picture.Decoded decoded) {
       assets
-          .find(material, key, Type.TEXTURE)
+          .find(material, channel.texture())
           .ifPresent(
               texture ->
                   uses.add(
                       new TextureUse(
                           material.origin(),
-                          channel,
+                          channel.name(),
                           texture.origin(),
                           decoded.width(),
                           decoded.height(),
@@ -126,33 +90,39 @@ final class TextureReader {
     return picture;
   }
 
-  private Optional<Picture> find(JsonNode from, String key) {
+  private Optional<Picture> find(JsonNode from, Key<Integer> key) {
     return assets
-        .find(from, key, Type.TEXTURE)
+        .find(from, key)
         .flatMap(asset -> pictures.computeIfAbsent(asset, this::read));
   }
 
   private Optional<Picture> read(JsonNode texture) {
     Interrupts.check();
-    return family.choose(texture, "Image").flatMap(reader -> reader.apply(texture));
+    return TextureKinds.FAMILY.choose(texture).flatMap(reader -> reader.apply(this, texture));
   }
 
-  private Optional<Picture> image(JsonNode texture) {
+  /** Returns the picture of an asset; empty, with an error added, if it cannot be decoded. */
+  Optional<Picture> image(JsonNode texture) {
     Filter filter = filter(texture);
-    return data.read(texture, BASE64_KEY)
+    return data.read(texture, TextureKinds.BASE64.name())
         .flatMap(
             content ->
                 new PictureDecoder(data.allowance(), assets.isLenient()).read(content, filter));
   }
 
-  private Optional<Picture> computed(
-      JsonNode texture, BiFunction<ProceduralReader, JsonNode, TexelTexture> reader) {
-    TexelTexture texels = reader.apply(procedurals, texture);
+  /** Returns a texture that is computed. */
+  Optional<Picture> computed(JsonNode texture, TexelTexture texels) {
     return Optional.of(new Picture.Computed(texels, filter(texture)));
   }
 
+  /** Returns the texture's own seed; without one, it depends on the scene's and on the id. */
+  long seedOf(JsonNode texture) {
+    long derived = Hash.of(Hash.mix(seed), ObjectKeys.ID.in(texture, AssetTable.NONE));
+    return TextureKinds.SEED.in(texture, derived);
+  }
+
   private Filter filter(JsonNode texture) {
-    return change.filter(texture.choice("filter", Filter.NEAREST));
+    return change.filter(TextureKinds.FILTER.in(texture));
   }
 
   private Texture<Rgb> watched(Picture picture, Role role) {
@@ -164,7 +134,7 @@ final class TextureReader {
    *
    * @param constant the channel's constant color
    */
-  Texture<Rgb> color(JsonNode material, String channel, Rgb constant) {
+  Texture<Rgb> color(JsonNode material, ChannelKeys<Rgb> channel, Rgb constant) {
     UvMapping mapping = mapping(material, channel);
     return find(material, channel, mapping)
         .map(picture -> mapping.over(TintedTexture.of(constant, watched(picture, Role.COLOR))))
@@ -172,52 +142,49 @@ final class TextureReader {
   }
 
   /** Returns a color channel clamped to 1: a constant here, a texture at each lookup. */
-  Texture<Rgb> reflectance(JsonNode material, String channel, Rgb constant) {
-    boolean textured = assets.has(material, channel + "TextureId", Type.TEXTURE);
+  Texture<Rgb> reflectance(JsonNode material, ChannelKeys<Rgb> channel, Rgb constant) {
+    boolean textured = assets.has(material, channel.texture());
     return color(material, channel, textured ? constant : constant.clampedToOne());
   }
 
   /**
    * Returns a scalar channel: a constant, multiplied by a texture's red channel if there is one.
-   *
-   * @param missing constant if the key is missing
-   * @param range valid range of the constant
-   * @param low lower limit of the product with the texture
-   * @param high upper limit of the product with the texture
    */
-  ScalarTexture scalar(
-      JsonNode material, String channel, double missing, Range range, double low, double high) {
-    double constant = material.number(channel, missing, range);
+  ScalarTexture scalar(JsonNode material, ChannelKeys<Double> channel) {
+    double constant = channel.constant().in(material);
     UvMapping mapping = mapping(material, channel);
     Optional<Picture> picture = find(material, channel, mapping);
     if (picture.isEmpty()) {
       return ScalarTexture.constant(constant);
     }
+    double low = channel.low();
+    double high = channel.high();
     return new RedChannel(mapping.over(watched(picture.get(), Role.DATA)), constant, low, high);
   }
 
   /** Returns the normal map of a channel, or empty if it has none. */
-  Optional<NormalMap> normalMap(JsonNode material, String channel) {
-    double strength = material.number(channel + "Strength", 1, Range.ANY);
+  Optional<NormalMap> normalMap(JsonNode material, ChannelKeys<Double> channel) {
+    double strength = channel.constant().in(material);
     UvMapping mapping = mapping(material, channel);
     return find(material, channel, mapping)
         .map(picture -> new NormalMap(watched(picture, Role.NORMAL), mapping, strength));
   }
 
-  private static UvMapping mapping(JsonNode material, String channel) {
-    Point2 offset = material.vec2(channel + "Offset", NO_OFFSET);
-    Point2 scale = material.vec2(channel + "Scale", NO_SCALE);
+  private static UvMapping mapping(JsonNode material, ChannelKeys<?> channel) {
+    Point2 offset = channel.offset().in(material);
+    Point2 scale = channel.scale().in(material);
     return new UvMapping(offset.x(), offset.y(), scale.x(), scale.y());
   }
 
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
+    boolean isComputed = LightKinds.SKY.isIn(light);
     Optional<Sky> sky =
-        light.has("sky") ? Optional.of(light.choice("sky", Sky.STUDIO)) : Optional.empty();
+        isComputed ? Optional.of(LightKinds.SKY.in(light, Sky.STUDIO)) : Optional.empty();
     if (sky.isEmpty() || sky.get() == Sky.STUDIO) {
       SUN_KEYS.stream()
-          .filter(light::has)
-          .forEach(key -> light.warn(key, "is ignored, because only clear and sun have a sun"));
+          .filter(key -> key.isIn(light))
+          .forEach(key -> light.warn(key.name(), "is ignored, because only clear and sun have a sun"));
     }
     if (sky.isPresent()) {
       return switch (sky.get()) {
@@ -226,23 +193,22 @@ final class TextureReader {
         case SUN -> change.sun(axes, radiance, clearSky(light));
       };
     }
-    return find(light, "textureId")
+    return find(light, LightKinds.TEXTURE)
         .map(picture -> change.dome(axes, radiance, picture))
         .orElse(EnvironmentLight.uniform(radiance));
   }
 
   /** Returns the sky of a place of the sun; lights with the same place share it. */
   private ClearSky clearSky(JsonNode light) {
-    double azimuth = light.number(SUN_KEYS.get(0), Stage.Sky.SUN.azimuth(), Range.ANY);
-    double elevation =
-        light.number(SUN_KEYS.get(1), Stage.Sky.SUN.elevation(), Range.closed(ClearSky.LOWEST, 90));
+    double azimuth = LightKinds.SUN_AZIMUTH.in(light);
+    double elevation = LightKinds.SUN_ELEVATION.in(light);
     return clearSkies.computeIfAbsent(
         new Point2(azimuth, elevation), sun -> new ClearSky(sun.x(), sun.y()));
   }
 
   /** Returns the aperture that a mask describes: white is open. Empty if there is no mask. */
-  Optional<Aperture> mask(JsonNode camera, String key) {
-    return find(camera, key).flatMap(picture -> mask(camera, key, picture));
+  Optional<Aperture> mask(JsonNode camera, Key<Integer> key) {
+    return find(camera, key).flatMap(picture -> mask(camera, key.name(), picture));
   }
 
   private static Optional<Aperture> mask(JsonNode camera, String key, Picture picture) {

@@ -2,8 +2,6 @@ package io.github.lumbre.parser;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelOptions;
 import java.util.List;
 import java.util.Locale;
@@ -11,27 +9,6 @@ import java.util.Locale;
 /** Values of scene files that are written. */
 final class Written {
   private Written() {}
-
-  static JsonObject color(Rgb color) {
-    JsonObject object = new JsonObject();
-    object.addProperty("r", color.r());
-    object.addProperty("g", color.g());
-    object.addProperty("b", color.b());
-    return object;
-  }
-
-  static JsonObject vector(Vec3 vector) {
-    JsonObject object = point(vector.x(), vector.y());
-    object.addProperty("z", vector.z());
-    return object;
-  }
-
-  static JsonObject point(double x, double y) {
-    JsonObject object = new JsonObject();
-    object.addProperty("x", x);
-    object.addProperty("y", y);
-    return object;
-  }
 
   /** Adds what a model object reads of its file; defaults are left out. */
   static void options(JsonObject object, ModelOptions options) {

@@ -41,7 +41,7 @@ final class WrittenAssets {
    * @param type its assetType
    * @param maker adds its other keys
    */
-  int id(Object source, String variant, String type, Consumer<JsonObject> maker) {
+  int id(Object source, String variant, AssetTable.Type type, Consumer<JsonObject> maker) {
     Map<String, Integer> ofSource = ids.computeIfAbsent(source, key -> new TreeMap<>());
     Integer known = ofSource.get(variant);
     if (known != null) {
@@ -52,8 +52,8 @@ final class WrittenAssets {
     JsonObject keys = new JsonObject();
     maker.accept(keys);
     int id = assets.size() + 1;
-    asset.addProperty("id", id);
-    asset.addProperty("assetType", type);
+    ObjectKeys.ID.put(asset, id);
+    ObjectKeys.ASSET_TYPE.put(asset, type);
     keys.entrySet().forEach(key -> asset.add(key.getKey(), key.getValue()));
     assets.add(asset);
     ofSource.put(variant, id);

@@ -2,12 +2,12 @@ package io.github.lumbre.parser;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import io.github.lumbre.camera.Lens;
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -30,14 +30,14 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
    */
   JsonObject scene(Path folder, Path model, RenderSettings settings) {
     JsonObject scene = new JsonObject();
-    scene.addProperty("mainCameraId", 1);
-    scene.add("renderOptions", renderOptions(settings));
+    SceneKeys.MAIN_CAMERA.put(scene, 1);
+    scene.add(SceneKeys.OPTIONS.name(), renderOptions(settings));
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
     objects.add(cameraObject());
     if (stage.sky().hasSun()) {
-      objects.add(ofSun(StagedModel.SKY, "clear"));
-      objects.add(ofSun(StagedModel.SUN, "sun"));
+      objects.add(ofSun(StagedModel.SKY, LightKinds.Sky.CLEAR));
+      objects.add(ofSun(StagedModel.SUN, LightKinds.Sky.SUN));
     } else {
       objects.add(dome(assets, folder));
     }
@@ -46,16 +46,16 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
       assets.add(groundMaterial());
       objects.add(groundPlane());
     }
-    scene.add("assets", assets);
-    scene.add("objects", objects);
+    scene.add(SceneKeys.ASSETS.name(), assets);
+    scene.add(SceneKeys.OBJECTS.name(), objects);
     return scene;
   }
 
   private JsonObject renderOptions(RenderSettings settings) {
     JsonObject render = new JsonObject();
-    render.addProperty("width", settings.width());
-    render.addProperty("height", settings.height());
-    render.addProperty("maxTraceDepth", settings.maxTraceDepth());
+    render.addProperty(Setting.WIDTH.name(), settings.width());
+    render.addProperty(Setting.HEIGHT.name(), settings.height());
+    render.addProperty(Setting.MAX_TRACE_DEPTH.name(), settings.maxTraceDepth());
     render.addProperty(Setting.TONE_MAP.name(), settings.text(Setting.TONE_MAP));
     for (Setting<Double> setting : List.of(Setting.LINE_WIDTH, Setting.CREASE_ANGLE)) {
       if (settings.isSet(setting)) {
@@ -63,7 +63,7 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
       }
     }
     if (stage.transparent()) {
-      render.addProperty("background", "transparent");
+      render.addProperty(SceneKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
     }
     stage
         .background()
@@ -74,41 +74,36 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
 
   private JsonObject cameraObject() {
     JsonObject object = WrittenObjects.object("Camera", "");
-    object.addProperty("id", 1);
+    ObjectKeys.ID.put(object, 1);
     if (!camera.name().isEmpty()) {
-      object.addProperty("name", camera.name());
+      object.addProperty(ObjectKeys.NAME.name(), camera.name());
     }
-    object.addProperty("cameraType", camera.type());
-    if (camera.lens() instanceof Lens.Orthographic parallel) {
-      object.addProperty("height", parallel.height());
-    } else {
-      object.addProperty("fieldOfView", ((Lens.Pinhole) camera.lens()).fovDegrees());
-    }
-    object.add("localPosition", Written.vector(camera.pose().position()));
-    object.add("localRotation", Written.vector(camera.pose().rotation()));
+    CameraKinds.FAMILY.write(camera.lens(), object, new WrittenTextures(new WrittenAssets()));
+    ObjectKeys.POSITION.put(object, camera.pose().position());
+    ObjectKeys.ROTATION.put(object, camera.pose().rotation());
     return object;
   }
 
   private JsonObject dome(String name) {
     JsonObject dome = WrittenObjects.object("Light", name);
-    dome.addProperty("lightType", "Dome");
-    dome.addProperty("intensity", stage.sky().intensity());
-    dome.add("localRotation", Written.vector(new Vec3(0, stage.sky().rotation(), 0)));
+    LightKinds.FAMILY.typeKey().put(dome, LightKinds.DOME);
+    LightKinds.INTENSITY.put(dome, stage.sky().intensity());
+    ObjectKeys.ROTATION.put(dome, new Vec3(0, stage.sky().rotation(), 0));
     return dome;
   }
 
-  private JsonObject ofSun(String name, String sky) {
+  private JsonObject ofSun(String name, LightKinds.Sky sky) {
     JsonObject dome = dome(name);
-    dome.addProperty("sky", sky);
-    dome.addProperty("sunAzimuth", stage.sky().sun().azimuth());
-    dome.addProperty("sunElevation", stage.sky().sun().elevation());
+    LightKinds.SKY.put(dome, sky);
+    LightKinds.SUN_AZIMUTH.put(dome, stage.sky().sun().azimuth());
+    LightKinds.SUN_ELEVATION.put(dome, stage.sky().sun().elevation());
     return dome;
   }
 
   private JsonObject dome(JsonArray assets, Path folder) {
     JsonObject dome = dome(StagedModel.SKY);
     if (stage.sky().name().equals("studio")) {
-      dome.addProperty("sky", "studio");
+      LightKinds.SKY.put(dome, LightKinds.Sky.STUDIO);
     }
     stage
         .sky()
@@ -116,39 +111,39 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
         .ifPresent(
             picture -> {
               JsonObject texture = new JsonObject();
-              texture.addProperty("assetType", "Texture");
-              texture.addProperty("id", 1);
-              texture.addProperty(AssetData.FILE_KEY, slashed(folder.relativize(picture)));
-              texture.addProperty("filter", "bilinear");
+              ObjectKeys.ASSET_TYPE.put(texture, AssetTable.Type.TEXTURE);
+              ObjectKeys.ID.put(texture, 1);
+              ObjectKeys.FILE.put(texture, slashed(folder.relativize(picture)));
+              TextureKinds.FILTER.put(texture, Filter.BILINEAR);
               assets.add(texture);
-              dome.addProperty("textureId", 1);
+              LightKinds.TEXTURE.put(dome, 1);
             });
     return dome;
   }
 
   private JsonObject modelObject(String name) {
     JsonObject object = WrittenObjects.object("Model", "");
-    object.addProperty(AssetData.FILE_KEY, name);
+    ObjectKeys.FILE.put(object, name);
     Written.options(object, stage.options());
-    moving.ifPresent(own -> object.addProperty("useCamera", own));
+    moving.ifPresent(own -> ObjectKeys.USE_CAMERA.put(object, own));
     return object;
   }
 
   private JsonObject groundMaterial() {
     JsonObject material = new JsonObject();
-    material.addProperty("assetType", "Material");
-    material.addProperty("id", 2);
-    material.addProperty("name", StagedModel.GROUND);
-    material.addProperty("materialType", stage.transparent() ? "ShadowCatcher" : "Diffuse");
-    material.add("color", Written.color(Rgb.grey(StagedModel.GROUND_GRAY)));
+    ObjectKeys.ASSET_TYPE.put(material, AssetTable.Type.MATERIAL);
+    ObjectKeys.ID.put(material, 2);
+    material.addProperty(ObjectKeys.NAME.name(), StagedModel.GROUND);
+    Material ground = StagedModel.groundMaterial(stage);
+    MaterialKinds.FAMILY.write(ground, material, new WrittenTextures(new WrittenAssets()));
     return material;
   }
 
   private JsonObject groundPlane() {
     JsonObject plane = WrittenObjects.object("Shape", StagedModel.GROUND);
-    plane.addProperty("shapeType", "Plane");
-    plane.addProperty("materialID", 2);
-    plane.add("localPosition", Written.vector(new Vec3(0, floor, 0)));
+    ShapeKinds.FAMILY.typeKey().put(plane, ShapeKinds.PLANE);
+    ShapeKinds.MATERIAL.put(plane, 2);
+    ObjectKeys.POSITION.put(plane, new Vec3(0, floor, 0));
     return plane;
   }
 

@@ -2,16 +2,16 @@ package io.github.lumbre.parser;
 
 import com.google.gson.JsonObject;
 import io.github.lumbre.camera.internal.BokehCache;
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.internal.Range;
+import io.github.lumbre.math.Point2;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.UvMapping;
 import io.github.lumbre.texture.internal.BilinearTexture;
-import io.github.lumbre.texture.internal.CloudTexture;
 import io.github.lumbre.texture.internal.Constant;
 import io.github.lumbre.texture.internal.ConstantScalar;
 import io.github.lumbre.texture.internal.ImageTexture;
@@ -19,13 +19,10 @@ import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import io.github.lumbre.texture.internal.ImageTexture.Role;
 import io.github.lumbre.texture.internal.LinearTexture;
 import io.github.lumbre.texture.internal.MappedTexture;
-import io.github.lumbre.texture.internal.MarbleTexture;
 import io.github.lumbre.texture.internal.RedChannel;
 import io.github.lumbre.texture.internal.StudioSky;
 import io.github.lumbre.texture.internal.TexelTexture;
 import io.github.lumbre.texture.internal.TintedTexture;
-import io.github.lumbre.texture.internal.VoronoiTexture;
-import io.github.lumbre.texture.internal.WoodTexture;
 
 /** Writes textures, and the channels of materials that use them. */
 record WrittenTextures(WrittenAssets assets) {
@@ -61,56 +58,49 @@ record WrittenTextures(WrittenAssets assets) {
     return new Parts(tint, UvMapping.IDENTITY, texture);
   }
 
-  void color(JsonObject to, String channel, Texture<Rgb> texture) {
+  void color(JsonObject to, ChannelKeys<Rgb> channel, Texture<Rgb> texture) {
     Parts parts = parts(texture);
-    to.add(channel, Written.color(parts.tint()));
+    channel.constant().put(to, parts.tint());
     picture(to, channel, parts, Role.COLOR);
   }
 
-  /**
-   * Writes a scalar channel.
-   *
-   * @param range of constants
-   * @param low the lower limit that readers give to a product with a texture
-   * @param high the upper limit
-   */
-  void scalar(
-      JsonObject to, String channel, ScalarTexture texture, Range range, double low, double high) {
+  /** Writes a scalar channel. */
+  void scalar(JsonObject to, ChannelKeys<Double> channel, ScalarTexture texture) {
     if (texture instanceof ConstantScalar constant) {
-      if (!range.contains(constant.value())) {
-        throw new Unwritable(channel + ": a number that scenes may state", "" + constant.value());
-      }
-      to.addProperty(channel, constant.value());
+      channel.constant().put(to, constant.value());
       return;
     }
+    double low = channel.low();
+    double high = channel.high();
     if (!(texture instanceof RedChannel red) || red.min() != low || red.max() != high) {
       throw new Unwritable(
-          channel + ": a constant, or a RedChannel from " + low + " to " + high,
+          channel.name() + ": a constant, or a RedChannel from " + low + " to " + high,
           Written.name(texture));
     }
     Parts parts = parts(red.texture());
     if (!parts.tint().equals(Rgb.WHITE) || parts.picture() instanceof Constant) {
-      throw new Unwritable(channel + ": the red of a picture without tint", "another texture");
+      throw new Unwritable(
+          channel.name() + ": the red of a picture without tint", "another texture");
     }
-    to.addProperty(channel, red.factor());
+    channel.constant().put(to, red.factor());
     picture(to, channel, parts, Role.DATA);
   }
 
-  void normalMap(JsonObject to, String channel, NormalMap map) {
+  void normalMap(JsonObject to, ChannelKeys<Double> channel, NormalMap map) {
     Parts parts = parts(map.normals());
-    to.addProperty(channel + "Strength", map.strength());
+    channel.constant().put(to, map.strength());
     picture(to, channel, new Parts(Rgb.WHITE, map.mapping(), parts.picture()), Role.NORMAL);
   }
 
-  private void picture(JsonObject to, String channel, Parts parts, Role role) {
+  private void picture(JsonObject to, ChannelKeys<?> channel, Parts parts, Role role) {
     if (parts.picture() instanceof Constant) {
       return;
     }
-    to.addProperty(channel + "TextureId", id(parts.picture(), role));
+    channel.texture().put(to, id(parts.picture(), role));
     UvMapping mapping = parts.mapping();
     if (!mapping.equals(UvMapping.IDENTITY)) {
-      to.add(channel + "Offset", Written.point(mapping.offsetX(), mapping.offsetY()));
-      to.add(channel + "Scale", Written.point(mapping.scaleX(), mapping.scaleY()));
+      channel.offset().put(to, new Point2(mapping.offsetX(), mapping.offsetY()));
+      channel.scale().put(to, new Point2(mapping.scaleX(), mapping.scaleY()));
     }
   }
 
@@ -121,9 +111,9 @@ record WrittenTextures(WrittenAssets assets) {
       throw new Unwritable("an environment without a mapping", "one with a mapping");
     }
     if (parts.picture() == StudioSky.INSTANCE) {
-      to.addProperty("sky", "studio");
+      LightKinds.SKY.put(to, LightKinds.Sky.STUDIO);
     } else if (!(parts.picture() instanceof Constant)) {
-      to.addProperty("textureId", id(parts.picture(), Role.COLOR));
+      LightKinds.TEXTURE.put(to, id(parts.picture(), Role.COLOR));
     }
     return parts.tint();
   }
@@ -138,7 +128,7 @@ record WrittenTextures(WrittenAssets assets) {
       gray[i] = (byte) (white[row][i % white[0].length] ? 255 : 0);
     }
     Pixels pixels = Pixels.of(white[0].length, white.length, 1, gray);
-    return assets.id(mask, "", "Texture", to -> image(to, pixels, Filter.NEAREST));
+    return assets.id(mask, "", AssetTable.Type.TEXTURE, to -> image(to, pixels, Filter.NEAREST));
   }
 
   private int id(Texture<Rgb> picture, Role role) {
@@ -149,31 +139,27 @@ record WrittenTextures(WrittenAssets assets) {
       }
       Filter filter = image.filter();
       return assets.id(
-          image.pixels(), filter.name(), "Texture", to -> image(to, image.pixels(), filter));
+          image.pixels(), filter.name(), AssetTable.Type.TEXTURE, to -> image(to, image.pixels(), filter));
     }
     if (picture instanceof LinearTexture linear) {
-      return assets.id(linear.image(), "", "Texture", to -> linear(to, linear.image()));
+      return assets.id(linear.image(), "", AssetTable.Type.TEXTURE, to -> linear(to, linear.image()));
     }
     if (role == Role.NORMAL) {
       throw new Unwritable("a normal map that is a picture", Written.name(picture));
     }
     if (picture instanceof BilinearTexture smooth) {
       return assets.id(
-          smooth.texels(), "smooth", "Texture", to -> texels(to, smooth.texels(), Filter.BILINEAR));
+          smooth.texels(), "smooth", AssetTable.Type.TEXTURE, to -> texels(to, smooth.texels(), Filter.BILINEAR));
     }
     if (picture instanceof TexelTexture texels) {
-      return assets.id(texels, "", "Texture", to -> texels(to, texels, Filter.NEAREST));
+      return assets.id(texels, "", AssetTable.Type.TEXTURE, to -> texels(to, texels, Filter.NEAREST));
     }
     throw new Unwritable("a constant, a picture or a texture of the format", Written.name(picture));
   }
 
   private void image(JsonObject to, Pixels pixels, Filter filter) {
-    to.addProperty("file", assets.file("texture", pixels.toPng(), "png"));
-    filter(to, filter);
-  }
-
-  private static void filter(JsonObject to, Filter filter) {
-    to.addProperty("filter", filter == Filter.NEAREST ? "nearest" : "bilinear");
+    ObjectKeys.FILE.put(to, assets.file("texture", pixels.toPng(), "png"));
+    TextureKinds.FILTER.put(to, filter);
   }
 
   private void linear(JsonObject to, Image image) {
@@ -182,31 +168,30 @@ record WrittenTextures(WrittenAssets assets) {
         throw new Unwritable("finite colors >= 0 in a picture of linear light", "" + value);
       }
     }
-    to.addProperty("file", assets.file("texture", image.toPfm(), "pfm"));
+    ObjectKeys.FILE.put(to, assets.file("texture", image.toPfm(), "pfm"));
   }
 
-  private static void texels(JsonObject to, TexelTexture texels, Filter filter) {
-    if (texels instanceof WoodTexture wood) {
-      to.addProperty("textureType", "Wood");
-      to.addProperty("rings", wood.rings());
-      to.addProperty("seed", wood.seed());
-    } else if (texels instanceof MarbleTexture marble) {
-      to.addProperty("textureType", "Marble");
-      to.addProperty("seed", marble.seed());
-    } else if (texels instanceof CloudTexture cloud) {
-      to.addProperty("textureType", "Cloud");
-      to.addProperty("density", cloud.density());
-      to.addProperty("seed", cloud.seed());
-    } else if (texels instanceof VoronoiTexture voronoi) {
-      to.addProperty("textureType", "Voronoi");
-      to.addProperty("samples", voronoi.samples());
-      to.addProperty("blackAndWhite", voronoi.isBlackAndWhite());
-      to.addProperty("seed", voronoi.seed());
-    } else {
-      throw new Unwritable("Wood, Marble, Cloud or Voronoi", Written.name(texels));
-    }
-    to.addProperty("width", texels.width());
-    to.addProperty("height", texels.height());
-    filter(to, filter);
+  private void texels(JsonObject to, TexelTexture texels, Filter filter) {
+    TextureKinds.FAMILY.write(texels, to, this);
+    TextureKinds.FILTER.put(to, filter);
+  }
+
+  /**
+   * Writes a mesh and returns its id.
+   *
+   * @param source the object that has the mesh, by identity
+   * @param variant distinguishes assets of one object
+   */
+  int mesh(Object source, String variant, TriangleMesh mesh) {
+    return assets.id(
+        source,
+        variant,
+        AssetTable.Type.MESH,
+        to -> ObjectKeys.FILE.put(to, assets.file("mesh", ObjText.of(mesh), "obj")));
+  }
+
+  /** Returns a variant that no asset has. */
+  String unique() {
+    return "" + assets.assets().size();
   }
 }

@@ -3,8 +3,6 @@ package io.github.lumbre.model.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.geometry.Sphere;
@@ -32,12 +30,10 @@ import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.TexturePoint;
 import io.github.lumbre.texture.internal.ImageTexture;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -298,50 +294,5 @@ class MaterialParameterTest {
       MetallicRoughness material = (MetallicRoughness) each.scene().primitives().get(0).material();
       assertValue(material.stated(parameter).orElseThrow(), expected);
     }
-  }
-
-  private static JsonObject schema() throws Exception {
-    String schema = Files.readString(Path.of("docs", "scene.schema.json"));
-    for (JsonElement each : JsonParser.parseString(schema).getAsJsonObject().asMap().values()) {
-      Optional<JsonObject> found = properties(each);
-      if (found.isPresent()) {
-        return found.get();
-      }
-    }
-    throw new AssertionError("no MetallicRoughness");
-  }
-
-  /** Returns the properties of the part of the schema that has the key baseColor. */
-  private static Optional<JsonObject> properties(JsonElement element) {
-    Stream<JsonElement> members = Stream.empty();
-    if (element instanceof JsonObject object) {
-      JsonElement properties = object.get("properties");
-      if (properties instanceof JsonObject found && found.get("baseColor") instanceof JsonObject) {
-        return Optional.of(found);
-      }
-      members = object.asMap().values().stream();
-    } else if (element instanceof JsonArray array) {
-      members = array.asList().stream();
-    }
-    return members.flatMap(member -> properties(member).stream()).findFirst();
-  }
-
-  @ParameterizedTest
-  @MethodSource("inScenes")
-  void schemaHasRangeAndDefault(MaterialParameter parameter) throws Exception {
-    JsonObject schema = schema();
-    String key = parameter.key();
-    if (parameter.kind() == Kind.NUMBER) {
-      JsonObject found = schema.getAsJsonObject(key);
-      if (Double.isFinite(parameter.missing().r())) {
-        assertThat(found.get("default").getAsDouble()).isEqualTo(parameter.missing().r());
-      }
-      if (parameter != MaterialParameter.IOR && Math.abs(parameter.most()) < Double.MAX_VALUE) {
-        assertThat(found.get("minimum").getAsDouble()).isEqualTo(parameter.least());
-        assertThat(found.get("maximum").getAsDouble()).isEqualTo(parameter.most());
-      }
-    }
-    assertThat(schema.has(key)).isEqualTo(parameter.kind() != Kind.NORMALS);
-    assertThat(schema.has(key + "TextureId")).isEqualTo(parameter.isTextured());
   }
 }
