@@ -34,8 +34,6 @@ import java.util.regex.Pattern;
  * below. Files outside this folder are rejected.
  */
 final class AssetData {
-  static final String FILE_KEY = ObjectKeys.FILE.name();
-
   private static final Pattern URL = Pattern.compile("^[A-Za-z][A-Za-z0-9+.-]*:.*", Pattern.DOTALL);
 
   /** The largest file, in bytes, that fits into a Java array. */
@@ -98,11 +96,12 @@ final class AssetData {
    * @param base64Key key of the base64 text; ignored with a warning if the asset names a file
    */
   Optional<Content> read(JsonNode asset, String base64Key) {
-    if (asset.has(FILE_KEY)) {
+    if (ObjectKeys.FILE.isIn(asset)) {
       if (asset.has(base64Key)) {
         asset.warn(base64Key, "is ignored, because the asset names a file");
       }
-      return asset.string(FILE_KEY).flatMap(name -> file(asset.spot(FILE_KEY), name));
+      String key = ObjectKeys.FILE.name();
+      return asset.string(key).flatMap(name -> file(asset.spot(key), name));
     }
     if (!asset.has(base64Key)) {
       asset.error(base64Key, "expected " + base64Key + " or file, found neither");
@@ -214,7 +213,7 @@ final class AssetData {
 
   /** Returns the model files that objects name, and the files that these name, if they exist. */
   Set<Path> modelFiles(List<JsonNode> models) throws IOException {
-    Set<Path> all = new LinkedHashSet<>(files(models, FILE_KEY));
+    Set<Path> all = new LinkedHashSet<>(files(models, ObjectKeys.FILE.name()));
     for (Path model : List.copyOf(all)) {
       Path folder = model.getParent();
       ModelFolder recording =

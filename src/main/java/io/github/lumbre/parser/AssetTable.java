@@ -90,11 +90,11 @@ final class AssetTable {
   }
 
   /** Returns the asset that a key names; empty if there is none. Reports dangling ids. */
-  Optional<JsonNode> find(JsonNode from, Key<Integer> key) {
-    return find(from, key.name(), ((Value.Ids) key.type()).asset().orElseThrow());
+  Optional<JsonNode> find(JsonNode from, Key<Integer> key, Type type) {
+    return find(from, key.name(), type);
   }
 
-  /** Returns the asset of a type that a key of any name names. */
+  /** Returns the same as the other method, for a key that scenes name. */
   Optional<JsonNode> find(JsonNode from, String key, Type type) {
     Optional<Integer> id = from.id(key).filter(i -> i != NONE);
     Optional<JsonNode> asset = id.map(assets.get(type)::get);
@@ -105,8 +105,7 @@ final class AssetTable {
   }
 
   /** Returns whether a key names an existing asset of a type; never reports an error. */
-  boolean has(JsonNode from, Key<Integer> key) {
-    Type type = ((Value.Ids) key.type()).asset().orElseThrow();
+  boolean has(JsonNode from, Key<Integer> key, Type type) {
     return from.idSilently(key.name())
         .filter(id -> id != NONE && assets.get(type).containsKey(id))
         .isPresent();

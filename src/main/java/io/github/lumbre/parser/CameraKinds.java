@@ -69,7 +69,7 @@ final class CameraKinds {
             Range.NOT_NEGATIVE,
             .2,
             "In scene units: the radius of the lens, or the width of its mask.");
-    Key<Integer> mask = Key.id("bokehTextureId", AssetTable.Type.TEXTURE).omitted();
+    Key<Integer> mask = Key.id("bokehTextureId").omitted();
     FAMILY
         .kind(
             "ThinLens",

@@ -21,15 +21,13 @@ record ChannelKeys<T>(
     Key<Point2> scale,
     double low,
     double high) {
-  private static final Value.Points POINTS = new Value.Points();
-
   private static <T> ChannelKeys<T> of(String name, Key<T> constant, double low, double high) {
     return new ChannelKeys<>(
         name,
         constant,
-        Key.id(name + "TextureId", AssetTable.Type.TEXTURE),
-        Key.of(name + "Offset", POINTS, new Point2(0, 0), ""),
-        Key.of(name + "Scale", POINTS, new Point2(1, 1), ""),
+        Key.id(name + "TextureId"),
+        Key.of(name + "Offset", Value.POINT, new Point2(0, 0), ""),
+        Key.of(name + "Scale", Value.POINT, new Point2(1, 1), ""),
         low,
         high);
   }
@@ -39,7 +37,7 @@ record ChannelKeys<T>(
   }
 
   static ChannelKeys<Rgb> color(String name, Rgb missing, String meaning) {
-    return of(name, Key.of(name, new Value.Colors(), missing, meaning), 0, 1);
+    return of(name, Key.of(name, Value.COLOR, missing, meaning), 0, 1);
   }
 
   /** Returns the channel of a number. */

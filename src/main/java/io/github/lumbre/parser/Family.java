@@ -31,7 +31,7 @@ final class Family<F> {
    * @param common keys that are valid for every kind
    */
   Family(String typeKey, Optional<String> missing, String thing, List<Key<?>> common) {
-    this.typeKey = new Key<>(typeKey, new Value.Texts(""), missing, false, "");
+    this.typeKey = new Key<>(typeKey, Value.TEXT, missing, false, "");
     this.thing = thing;
     this.common = common;
   }

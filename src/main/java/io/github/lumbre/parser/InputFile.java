@@ -70,7 +70,9 @@ final class InputFile {
     }
     AssetData data =
         new AssetData(file, new SceneHash(), Allowance.unlimited(), Map.of(), List.of());
-    Set<Path> files = new LinkedHashSet<>(data.files(root.objects(SceneKeys.ASSETS.name()), AssetData.FILE_KEY));
+    Set<Path> files =
+        new LinkedHashSet<>(
+            data.files(root.objects(SceneKeys.ASSETS.name()), ObjectKeys.FILE.name()));
     ObjectTree tree = ObjectTree.of(root);
     files.addAll(data.modelFiles(tree.nodes(ObjectTree.Type.MODEL)));
     files.addAll(data.files(tree.nodes(ObjectTree.Type.LIGHT), LightKinds.PROFILE.name()));

@@ -26,24 +26,29 @@ record Key<T>(
     return new Key<>(name, type, Optional.of(missing), false, meaning);
   }
 
+  /** Returns a key without a default. */
+  static <T> Key<T> of(String name, Value<T> type, String meaning) {
+    return new Key<>(name, type, Optional.empty(), false, meaning);
+  }
+
   static Key<Double> number(String name, Range range, double missing, String meaning) {
-    return of(name, new Value.Numbers(range), missing, meaning);
+    return of(name, Value.number(range), missing, meaning);
   }
 
   static Key<Integer> integer(String name, int low, int high, int missing, String meaning) {
-    return of(name, new Value.Integers(low, high), missing, meaning);
+    return of(name, Value.integer(low, high), missing, meaning);
   }
 
   static Key<Boolean> flag(String name, boolean missing, String meaning) {
-    return of(name, new Value.Flags(), missing, meaning);
+    return of(name, Value.FLAG, missing, meaning);
   }
 
   static Key<Rgb> color(String name, String meaning) {
-    return of(name, new Value.Colors(), Rgb.WHITE, meaning);
+    return of(name, Value.COLOR, Rgb.WHITE, meaning);
   }
 
   static <T> Key<T> choice(String name, Map<String, T> choices, T missing, String meaning) {
-    return of(name, new Value.Choices<>(choices), missing, meaning);
+    return of(name, Value.choice(choices), missing, meaning);
   }
 
   /** Returns a key whose values are the names of enum constants. */
@@ -56,13 +61,8 @@ record Key<T>(
   }
 
   /** Returns a key that names an asset by its id. */
-  static Key<Integer> id(String name, AssetTable.Type type) {
-    return of(name, new Value.Ids(Optional.of(type)), AssetTable.NONE, "");
-  }
-
-  /** Returns a key whose values have a structure of their own. */
-  static Key<JsonNode> other(String name, String meaning) {
-    return new Key<>(name, new Value.Others(), Optional.empty(), false, meaning);
+  static Key<Integer> id(String name) {
+    return of(name, Value.ID, AssetTable.NONE, "");
   }
 
   /** Returns the names of keys. */
@@ -78,18 +78,13 @@ record Key<T>(
     return new Key<>(name, type, missing, true, meaning);
   }
 
-  /** Returns this key with a range that depends on other keys. */
-  static Key<Double> within(Key<Double> key, Range range) {
-    return new Key<>(key.name, new Value.Numbers(range), key.missing, false, key.meaning);
-  }
-
   /** Returns the value in an object; the default, with an error added, if it is wrong. */
   T in(JsonNode node) {
     return in(node, missing.orElseThrow());
   }
 
   T in(JsonNode node, T otherwise) {
-    return type.read(node, name, otherwise);
+    return type.reader().read(node, name, otherwise);
   }
 
   Optional<JsonNode> find(JsonNode node) {
@@ -106,13 +101,13 @@ record Key<T>(
    * @throws Unwritable if scenes may not state it
    */
   void put(JsonObject to, T value) {
-    type.excess(value)
-        .ifPresent(
-            expected -> {
-              throw new Unwritable(name + ": " + expected, "" + value);
-            });
-    if (!(isOmitted && missing.equals(Optional.of(value)))) {
-      to.add(name, type.write(value));
+    if (isOmitted && missing.equals(Optional.of(value))) {
+      return;
+    }
+    try {
+      to.add(name, type.writer().apply(value));
+    } catch (Unwritable e) {
+      throw e.at(name);
     }
   }
 }

@@ -54,11 +54,7 @@ final class LightKinds {
   static final Key<Falloff> FALLOFF = Key.choice("falloff", falloffs(), Falloff.NONE, "");
   static final Key<String> PROFILE =
       Key.of(
-              "profile",
-              new Value.Texts(""),
-              "",
-              "IES file of a lamp (LM-63), relative to the scene's folder.")
-          .withoutDefault();
+          "profile", Value.TEXT, "IES file of a lamp (LM-63), relative to the scene's folder.");
   static final Key<Double> SPOT_ANGLE =
       Key.number(
           "spotAngle",
@@ -77,7 +73,7 @@ final class LightKinds {
   static final Key<Double> RADIUS = ShapeKinds.size("radius", "In scene units.");
   static final Key<Double> WIDTH = ShapeKinds.size("width", "Along x.");
   static final Key<Double> HEIGHT = ShapeKinds.size("height", "Along y.");
-  static final Key<Integer> TEXTURE = Key.id("textureId", AssetTable.Type.TEXTURE);
+  static final Key<Integer> TEXTURE = Key.id("textureId");
   static final Key<Sky> SKY =
       Key.choice(
               "sky",

@@ -10,8 +10,6 @@ import java.util.Optional;
 
 /** Reads the profiles of lamps that lights name, each once. Mutable. */
 final class LightProfiles {
-  private static final String KEY = LightKinds.PROFILE.name();
-
   private final AssetData data;
   private final Map<String, Optional<LightProfile>> known = new HashMap<>();
 
@@ -21,7 +19,7 @@ final class LightProfiles {
 
   /** Returns the profile that a light names; empty, with an error added, if it cannot be used. */
   Optional<LightProfile> of(JsonNode light) {
-    Optional<String> name = light.string(KEY);
+    Optional<String> name = light.string(LightKinds.PROFILE.name());
     if (name.isPresent() && !known.containsKey(name.get())) {
       known.put(name.get(), read(light, name.get()));
     }
@@ -29,11 +27,11 @@ final class LightProfiles {
   }
 
   private Optional<LightProfile> read(JsonNode light, String name) {
-    Optional<AssetData.Content> content = data.file(light.spot(KEY), name);
+    Optional<AssetData.Content> content = data.file(light.spot(LightKinds.PROFILE.name()), name);
     if (content.isEmpty()) {
       return Optional.empty();
     }
-    ModelPlace place = new ModelPlace.OfObject(light, KEY, name);
+    ModelPlace place = new ModelPlace.OfObject(light, LightKinds.PROFILE.name(), name);
     try {
       Warnings warnings = new Warnings();
       LightProfile profile = IesReader.read(content.get().bytes(), warnings);

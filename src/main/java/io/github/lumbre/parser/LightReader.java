@@ -134,7 +134,7 @@ final class LightReader {
       light.node().warn(LightKinds.PROFILE.name(), "is ignored, because only Point lights have one");
     }
     double angle = spotAngle(light.node());
-    double penumbra = Key.within(LightKinds.PENUMBRA, Range.closed(0, angle)).in(light.node());
+    double penumbra = light.node().number(LightKinds.PENUMBRA.name(), 0, Range.closed(0, angle));
     PointLight source = pointLight(light, intensity, Falloff.NONE);
     SpotLight made = new SpotLight(source, axis(light), angle, penumbra);
     return scene -> scene.add(made);

@@ -44,14 +44,14 @@ final class MaterialReader {
 
   /** Returns the surface for an object's {@code materialID}; the default if it names none. */
   Surface of(JsonNode object) {
-    Optional<JsonNode> asset = assets.find(object, ShapeKinds.MATERIAL);
+    Optional<JsonNode> asset = assets.find(object, ShapeKinds.MATERIAL, AssetTable.Type.MATERIAL);
     return asset.map(a -> surfaces.computeIfAbsent(a, this::read)).orElse(Surface.DEFAULT);
   }
 
   /** Returns the material asset of an object; empty if it has none. */
   Optional<JsonNode> asset(JsonNode object) {
-    return assets.has(object, ShapeKinds.MATERIAL)
-        ? assets.find(object, ShapeKinds.MATERIAL)
+    return assets.has(object, ShapeKinds.MATERIAL, AssetTable.Type.MATERIAL)
+        ? assets.find(object, ShapeKinds.MATERIAL, AssetTable.Type.MATERIAL)
         : Optional.empty();
   }
 

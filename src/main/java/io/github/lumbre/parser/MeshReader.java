@@ -41,7 +41,7 @@ final class MeshReader {
 
   /** Returns the mesh asset that an object names; empty if there is none. */
   Optional<JsonNode> asset(JsonNode object) {
-    return assets.find(object, ShapeKinds.MESH);
+    return assets.find(object, ShapeKinds.MESH, Type.MESH);
   }
 
   /** Returns a mesh; empty, with an error added, if it cannot be used. */

@@ -64,14 +64,14 @@ record ModelObjects(
   void read(Placed object) {
     JsonNode node = object.node();
     node.warnUnknown(KEYS);
-    Optional<String> name = node.string(AssetData.FILE_KEY);
+    Optional<String> name = node.string(ObjectKeys.FILE.name());
     if (name.isEmpty()) {
-      if (!node.has(AssetData.FILE_KEY)) {
-        node.error(AssetData.FILE_KEY, "expected the name of a model file, found nothing");
+      if (!node.has(ObjectKeys.FILE.name())) {
+        node.error(ObjectKeys.FILE.name(), "expected the name of a model file, found nothing");
       }
       return;
     }
-    data.file(node.spot(AssetData.FILE_KEY), name.get())
+    data.file(node.spot(ObjectKeys.FILE.name()), name.get())
         .ifPresent(content -> read(object, name.get(), content.bytes()));
   }
 
@@ -81,7 +81,7 @@ record ModelObjects(
     ModelPlace place =
         isTheScene
             ? new ModelPlace.OfFile(node.problems())
-            : new ModelPlace.OfObject(node, AssetData.FILE_KEY, name);
+            : new ModelPlace.OfObject(node, ObjectKeys.FILE.name(), name);
     ModelOptions options = options(node, lenient || isTheScene);
     ModelFolder files =
         isTheScene

@@ -6,37 +6,45 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** The keys of all objects and assets. */
 final class ObjectKeys {
-  private static final Value.Vectors VECTORS = new Value.Vectors();
+  /** Lists of objects. */
+  static final Value<JsonNode> LIST =
+      Value.other("{'type': ['array', 'null'], 'items': {'$ref': '#/$defs/object'}}");
 
-  static final Key<JsonNode> NAME = Key.other("name", "");
-  static final Key<Integer> ID =
-      new Key<>("id", new Value.Ids(Optional.empty()), Optional.empty(), false, "");
+  static final Key<JsonNode> NAME = Key.of("name", Value.other("{}"), "");
+  static final Key<Integer> ID = Key.of("id", Value.ID, "");
   static final Key<ObjectTree.Type> TYPE =
       Key.choice("type", types(), ObjectTree.Type.NONE, "");
-  static final Key<JsonNode> CHILDREN = Key.other("children", "");
-  static final Key<Vec3> POSITION = Key.of("localPosition", VECTORS, Vec3.ZERO, "");
+  static final Key<JsonNode> CHILDREN = Key.of("children", LIST, "");
+  static final Key<Vec3> POSITION = Key.of("localPosition", Value.VECTOR, Vec3.ZERO, "");
   static final Key<Vec3> ROTATION =
-      Key.of("localRotation", VECTORS, Vec3.ZERO, "Degrees, about z first, then x, then y.");
+      Key.of("localRotation", Value.VECTOR, Vec3.ZERO, "Degrees, about z first, then x, then y.");
   static final Key<Vec3> SCALE =
-      Key.of("localScale", VECTORS, new Vec3(1, 1, 1), "1 where missing.");
+      Key.of("localScale", Value.VECTOR, new Vec3(1, 1, 1), "1 where missing.");
   static final Key<Vec3> LOOK_AT =
-      Key.of("lookAt", VECTORS, Vec3.Z, "The point, in the parent's space, that +z points to.");
+      Key.of(
+          "lookAt",
+          Value.VECTOR,
+          Vec3.Z,
+          "The point, in the parent's space, that local +z points to.");
   static final Key<Vec3> LOOK_AT_UP =
-      Key.of("lookAtUp", VECTORS, Vec3.Y, "The direction nearest to +y; the parent's +y if missing.");
+      Key.of(
+          "lookAtUp",
+          Value.VECTOR,
+          Vec3.Y,
+          "The direction nearest to local +y; the parent's +y where missing.");
   static final Key<double[]> MATRIX =
       Key.of(
           "matrix",
-          new Value.Lists(List.of(LocalTransform.NUMBERS, Transform.VALUES)),
+          Value.list(LocalTransform.NUMBERS, Transform.VALUES),
           new double[0],
           "Three rows of four numbers, instead of position, rotation and scale.");
   static final Key<String> LIGHT_GROUP =
       Key.of(
               "lightGroup",
-              new Value.Texts("^[A-Za-z0-9_]*$"),
+              Value.text("{'type': ['string', 'null'], 'pattern': '^[A-Za-z0-9_]*$'}"),
               "",
               "The light group of the light that this object emits.")
           .omitted();
@@ -68,11 +76,15 @@ final class ObjectKeys {
   static final Key<String> USE_CAMERA =
       Key.of(
           "useCamera",
-          new Value.Texts(""),
+          Value.TEXT,
           "",
           "Name of a camera of the file that replaces the main camera, and moves with the pose.");
   static final Key<JsonNode> MATERIALS =
-      Key.other("materials", "Ids of materials of the scene, by the names of the model's materials.");
+      Key.of(
+          "materials",
+          Value.other(
+              "{'type': ['object', 'null'], 'additionalProperties': {'$ref': '#/$defs/id'}}"),
+          "Ids of materials of the scene, by the names of the model's materials.");
 
   /** The keys of models besides their options and those of every emitter. */
   static final List<Key<?>> OF_MODELS =
@@ -82,7 +94,7 @@ final class ObjectKeys {
 
   /** Returns a key of the content of an asset, or of its file. */
   static Key<String> content(String name) {
-    return Key.of(name, new Value.Texts(""), "", "").withoutDefault();
+    return Key.of(name, Value.TEXT, "");
   }
 
   private static List<Key<?>> withGroup() {

@@ -6,13 +6,11 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SceneDescription;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.SceneNode;
@@ -180,7 +178,8 @@ public final class SceneWriter {
       if (settings.isSet(Setting.BACKPLATE)) {
         throw new Unwritable("a backplate of light or of a color", "both");
       }
-      options.add(Setting.BACKPLATE.name(), color(description.backplate().get()));
+      options.add(
+          Setting.BACKPLATE.name(), Value.COLOR.writer().apply(description.backplate().get()));
     }
     Optional<Rgb> background = background(description.nodes());
     if (settings.transparent()) {
@@ -190,13 +189,11 @@ public final class SceneWriter {
           });
       options.addProperty(SceneKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
     } else {
-      background.ifPresent(color -> options.add(SceneKeys.BACKGROUND.name(), color(color)));
+      background.ifPresent(
+          color ->
+              options.add(SceneKeys.BACKGROUND.name(), Value.COLOR.writer().apply(color)));
     }
     return options;
-  }
-
-  private static JsonElement color(Rgb color) {
-    return new Value.Colors().write(color);
   }
 
   /** Writes the samples of ray mode if they are a power of four; others are for a flag. */
@@ -208,25 +205,7 @@ public final class SceneWriter {
   }
 
   private static <T> void add(JsonObject to, Setting<T> setting, RenderSettings settings) {
-    T value = settings.get(setting);
-    if (value instanceof Boolean flag) {
-      to.addProperty(setting.name(), flag);
-    } else if (value instanceof Number number) {
-      to.addProperty(setting.name(), number);
-    } else if (value instanceof Exposure exposure) {
-      exposure(to, setting.name(), exposure);
-    } else {
-      SettingType<T> type = setting.type();
-      to.addProperty(setting.name(), type.format(value));
-    }
-  }
-
-  private static void exposure(JsonObject to, String name, Exposure exposure) {
-    if (exposure.equals(Exposure.AUTO)) {
-      to.addProperty(name, "auto");
-    } else {
-      to.addProperty(name, exposure.stops().getAsDouble());
-    }
+    SettingsReader.key(setting).put(to, settings.get(setting));
   }
 
   private static Optional<Rgb> background(List<SceneNode> nodes) {

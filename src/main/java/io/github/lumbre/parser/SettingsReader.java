@@ -1,5 +1,6 @@
 package io.github.lumbre.parser;
 
+import com.google.gson.JsonPrimitive;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
@@ -11,7 +12,6 @@ import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.ChoiceType;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.IntegerType;
-import io.github.lumbre.scene.internal.SettingTypes.LimitType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scene.internal.SettingTypes.PowerType;
@@ -21,6 +21,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** Reads {@code renderOptions}. */
@@ -65,37 +66,61 @@ final class SettingsReader {
 
   private static <T> void read(
       Setting<T> setting, JsonNode options, RenderSettings.Builder builder) {
-    builder.set(setting, value(setting.type(), setting.name(), setting.missing(), options));
+    builder.set(setting, key(setting).in(options));
+  }
+
+  /** Returns the key of a setting. */
+  static <T> Key<T> key(Setting<T> setting) {
+    return Key.of(setting.name(), value(setting.type()), setting.missing(), setting.meaning());
   }
 
   @SuppressWarnings("unchecked") // The setting's type has the type of the values.
-  private static <T> T value(SettingType<T> type, String key, T missing, JsonNode options) {
+  private static <T> Value<T> value(SettingType<T> type) {
     if (type instanceof IntegerType range) {
-      return (T) (Integer) options.integer(key, (Integer) missing, range.low(), range.high());
+      return (Value<T>) Value.integer(range.low(), range.high());
     }
     if (type instanceof PowerType power) {
-      return (T) power(key, (Integer) missing, power, options);
+      return (Value<T>) power(power);
     }
     if (type instanceof LongType) {
-      return (T) (Long) options.integer(key, (Long) missing, Long.MIN_VALUE, Long.MAX_VALUE);
-    }
-    if (type instanceof LimitType) {
-      return (T) (Double) options.number(key, (Double) missing, Range.POSITIVE);
+      return (Value<T>) Value.LONG;
     }
     if (type instanceof NumberType range) {
-      return (T)
-          (Double) options.number(key, (Double) missing, Range.closed(range.low(), range.high()));
+      return (Value<T>) Value.number(Range.closed(range.low(), range.high()));
     }
     if (type instanceof FlagType) {
-      return (T) (Boolean) options.flag(key, (Boolean) missing);
+      return (Value<T>) Value.FLAG;
     }
     if (type instanceof ChoiceType<?> choice) {
-      return options.choice(key, (Map<String, T>) choice.choices(), missing);
+      return Value.choice((Map<String, T>) choice.choices());
     }
-    if (type instanceof ScreenColorType) {
-      return (T) screenColor(options, key);
+    if (type instanceof ScreenColorType screen) {
+      return (Value<T>)
+          new Value<Optional<Rgb>>(
+              (options, key, missing) -> screenColor(options, key),
+              color -> new JsonPrimitive(screen.format(color)),
+              "{'anyOf': [{'$ref': '#/$defs/color'}, {'$ref': '#/$defs/screenColor'}]}");
     }
-    return (T) exposure(options, key, (Exposure) missing);
+    return (Value<T>)
+        new Value<Exposure>(
+            SettingsReader::exposure,
+            exposure ->
+                exposure.equals(Exposure.AUTO)
+                    ? new JsonPrimitive(SettingType.AUTO)
+                    : new JsonPrimitive(exposure.stops().getAsDouble()),
+            "{'anyOf': [{'type': ['number', 'null']}, {'const': 'auto'}]}");
+  }
+
+  private static Value<Integer> power(PowerType type) {
+    String powers =
+        IntStream.rangeClosed(1, type.high())
+            .filter(type::accepts)
+            .mapToObj(Integer::toString)
+            .collect(Collectors.joining(", "));
+    return new Value<>(
+        (options, key, missing) -> power(key, missing, type, options),
+        JsonPrimitive::new,
+        "{'enum': [" + powers + ", null]}");
   }
 
   private static Integer power(String key, int missing, PowerType type, JsonNode options) {

@@ -17,8 +17,8 @@ final class ShapeKinds {
   static final Family<BiFunction<Placed, ShapeReader, Optional<Shape>>> FAMILY =
       new Family<>("shapeType", Optional.empty(), "a shape", ObjectKeys.OF_EMITTERS);
 
-  static final Key<Integer> MATERIAL = Key.id("materialID", AssetTable.Type.MATERIAL);
-  static final Key<Integer> MESH = Key.id("meshId", AssetTable.Type.MESH);
+  static final Key<Integer> MATERIAL = Key.id("materialID");
+  static final Key<Integer> MESH = Key.id("meshId");
   static final Key<Boolean> SHARED =
       Key.flag("shared", false, "Whether the mesh keeps a hierarchy in its own space.").omitted();
 

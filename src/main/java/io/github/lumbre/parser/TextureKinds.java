@@ -20,11 +20,9 @@ final class TextureKinds {
   static final Key<Filter> FILTER = Key.choice("filter", Filter.NEAREST, "");
   static final Key<Long> SEED =
       Key.of(
-              "seed",
-              new Value.Longs(),
-              0L,
-              "Of the random numbers; derived from the scene's seed where missing.")
-          .withoutDefault();
+          "seed",
+          Value.LONG,
+          "Of the random numbers; derived from the scene's seed where missing.");
 
   private static final Key<Integer> WIDTH = side("width");
   private static final Key<Integer> HEIGHT = side("height");

@@ -74,7 +74,7 @@ final class TextureReader {
     Optional<Picture> picture = find(material, channel.texture());
     if (picture.isPresent() && picture.get() instanceof Picture.Decoded decoded) {
       assets
-          .find(material, channel.texture())
+          .find(material, channel.texture(), Type.TEXTURE)
           .ifPresent(
               texture ->
                   uses.add(
@@ -92,7 +92,7 @@ final class TextureReader {
 
   private Optional<Picture> find(JsonNode from, Key<Integer> key) {
     return assets
-        .find(from, key)
+        .find(from, key, Type.TEXTURE)
         .flatMap(asset -> pictures.computeIfAbsent(asset, this::read));
   }
 
@@ -143,7 +143,7 @@ final class TextureReader {
 
   /** Returns a color channel clamped to 1: a constant here, a texture at each lookup. */
   Texture<Rgb> reflectance(JsonNode material, ChannelKeys<Rgb> channel, Rgb constant) {
-    boolean textured = assets.has(material, channel.texture());
+    boolean textured = assets.has(material, channel.texture(), Type.TEXTURE);
     return color(material, channel, textured ? constant : constant.clampedToOne());
   }
 
