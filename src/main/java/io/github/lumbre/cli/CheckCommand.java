@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PlanReport;
@@ -32,6 +33,7 @@ import picocli.CommandLine.Option;
 /** {@code lumbre check}: reads a scene as a render would, and prints its contents. */
 @Command(
     name = "check",
+    modelTransformer = SettingFlags.Adder.class,
     header = "Validate a scene and print its contents without rendering it.",
     footer = {"", "Example:", "  lumbre check --strict scene.json"})
 @Exits({

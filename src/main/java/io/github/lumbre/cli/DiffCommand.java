@@ -5,6 +5,7 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.diff.ChangePage;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
@@ -58,6 +59,7 @@ import picocli.CommandLine.Parameters;
 /** {@code lumbre diff}: says what changed between two models. */
 @Command(
     name = "diff",
+    modelTransformer = SettingFlags.Adder.class,
     header = "Say what changed between two models.",
     description =
         "Pair the parts of two models by name and by shape, and list those that were added,"

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
+import io.github.lumbre.cli.option.Headings;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
@@ -20,6 +21,9 @@ import picocli.CommandLine.Model.UsageMessageSpec;
  * columns without one.
  */
 final class HelpLayout {
+  /** The headings that come first; the empty one is that of flags without a heading. */
+  private static final List<String> FIRST = List.of("", Headings.SCENE, Headings.MODEL);
+
   private HelpLayout() {}
 
   static void applyTo(CommandLine program) {
@@ -77,13 +81,14 @@ final class HelpLayout {
     Map<OptionSpec, String> headings = new IdentityHashMap<>();
     addHeadings(command, headings);
     Map<String, List<OptionSpec>> divided = new LinkedHashMap<>();
-    divided.put("", new ArrayList<>());
+    FIRST.forEach(heading -> divided.put(heading, new ArrayList<>()));
     for (OptionSpec flag : command.options()) {
       if (!flag.hidden()) {
         String heading = headings.getOrDefault(flag, "");
         divided.computeIfAbsent(heading, key -> new ArrayList<>()).add(flag);
       }
     }
+    divided.entrySet().removeIf(e -> !e.getKey().isEmpty() && e.getValue().isEmpty());
     return divided;
   }
 

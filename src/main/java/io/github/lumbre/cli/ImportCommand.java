@@ -5,6 +5,7 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.TextFile;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.model.Models;
@@ -28,6 +29,7 @@ import picocli.CommandLine.Parameters;
 /** {@code lumbre import}: writes the scene that a model file gets when rendered by itself. */
 @Command(
     name = "import",
+    modelTransformer = SettingFlags.Adder.class,
     header = "Write a scene file for a model, to edit.",
     description =
         "The scene is the one that 'lumbre render MODEL' renders with the same flags. It names the"

@@ -5,6 +5,7 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SceneOptions;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -36,6 +37,7 @@ import picocli.CommandLine.Option;
 /** {@code lumbre trade}: measures the time and error of each setting, for one scene. */
 @Command(
     name = "trade",
+    modelTransformer = SettingFlags.Adder.class,
     header = "Measure the time and error of render settings, for one scene.",
     description =
         "Render a reference, then vary one setting at a time (see --knobs) with several seeds and"

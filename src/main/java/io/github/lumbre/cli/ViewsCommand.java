@@ -5,6 +5,7 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.DenoisingFlags;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.LaterStep;
@@ -65,6 +66,7 @@ import picocli.CommandLine.Parameters;
 /** {@code lumbre views}: renders a model from all standard views. */
 @Command(
     name = "views",
+    modelTransformer = SettingFlags.Adder.class,
     header = "Render a model from all sides, and a contact sheet.",
     description =
         "Writes front.png, back.png, left.png, right.png, top.png, bottom.png, iso.png and"

@@ -3,10 +3,10 @@ package io.github.lumbre.model;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.model.section.Section;
+import io.github.lumbre.model.internal.OptionTypes.PoseType;
+import io.github.lumbre.model.internal.OptionValues;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -14,49 +14,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
-/**
- * What to read from a model file, and how.
- *
- * @param pose the animation and time whose pose is used; empty for the rest pose
- * @param variant the name of the material variant; empty for the default materials
- * @param up the axis of the file that points up; empty for the one that its format states: +Y in
- *     glTF, +Z in 3MF, and +Y in STL, PLY, OBJ and OFF, which state none
- * @param unit length of the file's unit in world units, &gt; 0; empty for the one that the file
- *     states in meters (glTF, 3MF), and 1 for formats that state none
- * @param pointRadius radius of the spheres that show points, in the file's unit, &gt; 0; empty for
- *     half the median distance of a point to the nearest other one
- * @param hidden names of parts to leave out; {@code *} stands for any text. A part is a node or an
- *     object with all below it, a group or a solid; in a file without them, a connected piece, such
- *     as {@code piece 2}
- * @param highlighted names of parts, as above, beside which all others are pale; empty for none
- * @param sections planes that cut the model: what is in front of all of them is removed, and closed
- *     parts get a hatched surface there. {@code x=0.5} is a plane across an axis of the file, in
- *     its unit, {@code y=50%} in percent of the model's bounds, and {@code 0,0,1/1,1,0} a point and
- *     a normal, which points to the front. In front of an axis is the viewer from the right, the
- *     top or the front; {@code +x=0.5} and {@code -x=0.5} name the removed side
- * @param look {@link #CLAY} or {@link #WHITE}, which replaces all materials; empty for the
- *     materials of the file
- * @param limits for the model, its textures and its other files
- * @param lenient whether pictures and meshes of a glTF file whose data cannot be read are left out
- *     with a warning, instead of an error; missing pictures of OBJ files always are, and missing
- *     pictures of a model that is rendered by itself
- * @param assets folders, besides that of the model, from which files that it names may come; see
- *     {@link ModelFolder#of(Path, List)}. They have no effect if the bytes of the
- *     limits are limited, as those of uploads are, or if the caller passes a {@link ModelFolder}
- */
-public record ModelOptions(
-    Optional<Pose> pose,
-    Optional<String> variant,
-    Optional<Up> up,
-    OptionalDouble unit,
-    OptionalDouble pointRadius,
-    List<String> hidden,
-    List<String> highlighted,
-    List<String> sections,
-    String look,
-    Limits limits,
-    boolean lenient,
-    List<Path> assets) {
+/** What to read from a model file, and how: values of {@link ModelOption}s. Immutable. */
+public final class ModelOptions {
   /** The look of matte, light gray surfaces. Cut-outs stay cut out; glass is opaque, too. */
   public static final String CLAY = "clay";
 
@@ -65,19 +24,7 @@ public record ModelOptions(
 
   /** The rest pose, default materials, and the up axis and unit of the file. */
   public static final ModelOptions DEFAULT =
-      new ModelOptions(
-          Optional.empty(),
-          Optional.empty(),
-          Optional.empty(),
-          OptionalDouble.empty(),
-          OptionalDouble.empty(),
-          List.of(),
-          List.of(),
-          List.of(),
-          "",
-          Limits.NONE,
-          false,
-          List.of());
+      new ModelOptions(OptionValues.NONE, Limits.NONE, false);
 
   private static final double QUARTER_TURN_DEGREES = 90;
 
@@ -92,7 +39,7 @@ public record ModelOptions(
   /**
    * A point in time of an animation, or the time during which it moves for one picture.
    *
-   * @param seconds at least 0; after the end, the last pose holds
+   * @param seconds finite, at least 0; after the end, the last pose holds
    * @param shutter the time of the motion in seconds, from {@code seconds} on, 0 to {@link
    *     RenderSettings#MAX_SHUTTER}
    * @param poses number of poses that stand for the motion, in the middle of as many equal parts of
@@ -101,15 +48,9 @@ public record ModelOptions(
   public record Pose(String animation, double seconds, double shutter, int poses) {
     public Pose {
       Objects.requireNonNull(animation, "animation");
-      require("shutter", Setting.SHUTTER.type(), shutter);
-      require("poses", Setting.POSES.type(), poses);
-    }
-
-    private static <T> void require(String name, SettingType<T> type, T value) {
-      if (!type.accepts(value)) {
-        throw new IllegalArgumentException(
-            name + ": expected " + type.expected() + ", found " + value);
-      }
+      PoseType.SECONDS.require("seconds", seconds);
+      Setting.SHUTTER.type().require("shutter", shutter);
+      Setting.POSES.type().require("poses", poses);
     }
 
     /** Creates a pose that stands still. */
@@ -130,133 +71,167 @@ public record ModelOptions(
     }
   }
 
-  public ModelOptions {
-    Objects.requireNonNull(pose, "pose");
-    Objects.requireNonNull(variant, "variant");
-    Objects.requireNonNull(up, "up");
-    Objects.requireNonNull(unit, "unit");
-    Objects.requireNonNull(pointRadius, "pointRadius");
-    hidden = List.copyOf(hidden);
-    highlighted = List.copyOf(highlighted);
-    sections = List.copyOf(sections);
-    sections.forEach(Section::of);
-    Objects.requireNonNull(limits, "limits");
-    assets = List.copyOf(assets);
-    if (!List.of("", CLAY, WHITE).contains(look)) {
-      throw new IllegalArgumentException("look: expected clay or white, found " + look);
-    }
-    requireLength("unit", unit.orElse(1));
-    requireLength("pointRadius", pointRadius.orElse(1));
-  }
+  private final OptionValues values;
+  private final Limits limits;
+  private final boolean lenient;
 
-  private static void requireLength(String name, double length) {
-    if (!(length > 0 && Double.isFinite(length))) {
-      throw new IllegalArgumentException(name + ": expected a finite number > 0, found " + length);
-    }
+  private ModelOptions(OptionValues values, Limits limits, boolean lenient) {
+    this.values = values;
+    this.limits = Objects.requireNonNull(limits, "limits");
+    this.lenient = lenient;
   }
 
   /** Creates options without limits of their own, which correct what a file states. */
   public ModelOptions(Optional<Pose> pose, Optional<String> variant, Up up, double unit) {
     this(
-        pose,
-        variant,
-        Optional.of(up),
-        OptionalDouble.of(unit),
-        OptionalDouble.empty(),
-        List.of(),
-        List.of(),
-        List.of(),
-        "",
+        OptionValues.NONE
+            .with(ModelOption.POSE, pose)
+            .with(ModelOption.VARIANT, variant)
+            .with(ModelOption.UP, up)
+            .with(ModelOption.UNIT, unit),
         Limits.NONE,
-        false,
-        List.of());
+        false);
+  }
+
+  /**
+   * Returns these options with another value.
+   *
+   * @throws IllegalArgumentException if it is out of range; the message names the option
+   */
+  public <T> ModelOptions with(ModelOption<T> option, T value) {
+    return new ModelOptions(values.with(option, value), limits, lenient);
+  }
+
+  /** Returns the value of an option, or its default; empty if it has none. */
+  public <T> Optional<T> find(ModelOption<T> option) {
+    return values.find(option);
+  }
+
+  private <T> T get(ModelOption<T> option) {
+    return find(option).orElseThrow();
+  }
+
+  /** Returns the animation and time whose pose is used; empty for the rest pose. */
+  public Optional<Pose> pose() {
+    return find(ModelOption.POSE);
+  }
+
+  /** Returns the name of the material variant; empty for the default materials. */
+  public Optional<String> variant() {
+    return find(ModelOption.VARIANT);
+  }
+
+  /**
+   * Returns the axis of the file that points up; empty for the one that its format states: +Y in
+   * glTF, +Z in 3MF, and +Y in STL, PLY, OBJ and OFF, which state none.
+   */
+  public Optional<Up> up() {
+    return find(ModelOption.UP);
+  }
+
+  /**
+   * Returns the length of the file's unit in world units; empty for the one that the file states in
+   * meters (glTF, 3MF), and 1 for formats that state none.
+   */
+  public Optional<Double> unit() {
+    return find(ModelOption.UNIT);
+  }
+
+  /**
+   * Returns the radius of the spheres that show points, in the file's unit; empty for half the
+   * median distance of a point to the nearest other one.
+   */
+  public Optional<Double> pointRadius() {
+    return find(ModelOption.POINT_RADIUS);
+  }
+
+  /**
+   * Returns names of parts to leave out; {@code *} stands for any text. A part is a node or an
+   * object with all below it, a group or a solid; in a file without them, a connected piece, such
+   * as {@code piece 2}.
+   */
+  public List<String> hidden() {
+    return get(ModelOption.HIDE);
+  }
+
+  /** Returns names of parts, as of {@link #hidden}, beside which all others are pale. */
+  public List<String> highlighted() {
+    return get(ModelOption.HIGHLIGHT);
+  }
+
+  /**
+   * Returns planes that cut the model: what is in front of all of them is removed, and closed parts
+   * get a hatched surface there. {@code x=0.5} is a plane across an axis of the file, in its unit,
+   * {@code y=50%} in percent of the model's bounds, and {@code 0,0,1/1,1,0} a point and a normal,
+   * which points to the front. In front of an axis is the viewer from the right, the top or the
+   * front; {@code +x=0.5} and {@code -x=0.5} name the removed side.
+   */
+  public List<String> sections() {
+    return get(ModelOption.SECTION);
+  }
+
+  /**
+   * Returns {@link #CLAY} or {@link #WHITE}, which replaces all materials; an empty text for the
+   * materials of the file.
+   */
+  public String look() {
+    return find(ModelOption.LOOK).orElse("");
+  }
+
+  /** Returns limits for the model, its textures and its other files. */
+  public Limits limits() {
+    return limits;
+  }
+
+  /**
+   * Returns whether pictures and meshes of a glTF file whose data cannot be read are left out with
+   * a warning, instead of an error; missing pictures of OBJ files always are, and missing pictures
+   * of a model that is rendered by itself.
+   */
+  public boolean lenient() {
+    return lenient;
+  }
+
+  /**
+   * Returns folders, besides that of the model, from which files that it names may come; see {@link
+   * ModelFolder#of(Path, List)}. They have no effect if the bytes of the limits are limited, as
+   * those of uploads are, or if the caller passes a {@link ModelFolder}.
+   */
+  public List<Path> assets() {
+    return get(ModelOption.ASSETS);
   }
 
   /** Returns these options with the motion of their pose by the shutter and poses of settings. */
   public ModelOptions during(RenderSettings settings) {
-    return pose.map(start -> posed(start.during(settings))).orElse(this);
+    return pose().map(start -> posed(start.during(settings))).orElse(this);
   }
 
   /** Returns these options with a pose. */
   public ModelOptions posed(Pose newPose) {
-    return new ModelOptions(
-        Optional.of(newPose),
-        variant,
-        up,
-        unit,
-        pointRadius,
-        hidden,
-        highlighted,
-        sections,
-        look,
-        limits,
-        lenient,
-        assets);
-  }
-
-  private ModelOptions with(OptionalDouble radius, Limits newLimits, boolean isLenient) {
-    return new ModelOptions(
-        pose,
-        variant,
-        up,
-        unit,
-        radius,
-        hidden,
-        highlighted,
-        sections,
-        look,
-        newLimits,
-        isLenient,
-        assets);
-  }
-
-  private ModelOptions showing(
-      List<String> hide, List<String> highlight, List<String> cut, String newLook) {
-    return new ModelOptions(
-        pose,
-        variant,
-        up,
-        unit,
-        pointRadius,
-        hide,
-        highlight,
-        cut,
-        newLook,
-        limits,
-        lenient,
-        assets);
+    return with(ModelOption.POSE, newPose);
   }
 
   /** Returns these options with another up axis and unit; empty for those of the file. */
   public ModelOptions oriented(Optional<Up> newUp, OptionalDouble newUnit) {
+    Optional<Double> length =
+        newUnit.isPresent() ? Optional.of(newUnit.getAsDouble()) : Optional.empty();
     return new ModelOptions(
-        pose,
-        variant,
-        newUp,
-        newUnit,
-        pointRadius,
-        hidden,
-        highlighted,
-        sections,
-        look,
-        limits,
-        lenient,
-        assets);
+        values.with(ModelOption.UP, newUp).with(ModelOption.UNIT, length), limits, lenient);
   }
 
-  /** Returns these options with a radius of points, in the file's unit, &gt; 0. */
+  /** Returns these options with a radius of points, in the file's unit. */
   public ModelOptions withPointRadius(double radius) {
-    return with(OptionalDouble.of(radius), limits, lenient);
+    return with(ModelOption.POINT_RADIUS, radius);
   }
 
   /** Returns these options with hidden parts; see {@link #hidden}. */
   public ModelOptions hiding(List<String> parts) {
-    return showing(parts, highlighted, sections, look);
+    return with(ModelOption.HIDE, List.copyOf(parts));
   }
 
   /** Returns these options with highlighted parts; see {@link #highlighted}. */
   public ModelOptions highlighting(List<String> parts) {
-    return showing(hidden, parts, sections, look);
+    return with(ModelOption.HIGHLIGHT, List.copyOf(parts));
   }
 
   /**
@@ -265,39 +240,46 @@ public record ModelOptions(
    * @throws IllegalArgumentException if a text is not a section
    */
   public ModelOptions cutBy(List<String> planes) {
-    return showing(hidden, highlighted, planes, look);
+    return with(ModelOption.SECTION, List.copyOf(planes));
   }
 
   /** Returns these options with a look; see {@link #look}. */
   public ModelOptions looking(String newLook) {
-    return showing(hidden, highlighted, sections, newLook);
+    Optional<String> look = Optional.of(newLook).filter(name -> !name.isEmpty());
+    return new ModelOptions(values.with(ModelOption.LOOK, look), limits, lenient);
   }
 
   /** Returns these options with limits. */
   public ModelOptions limitedTo(Limits newLimits) {
-    return with(pointRadius, newLimits, lenient);
+    return new ModelOptions(values, newLimits, lenient);
   }
 
   /** Returns these options, lenient or not. */
   public ModelOptions lenient(boolean isLenient) {
-    return with(pointRadius, limits, isLenient);
+    return new ModelOptions(values, limits, isLenient);
   }
 
   /** Returns these options with further folders of files; see {@link #assets}. */
   public ModelOptions withAssets(List<Path> folders) {
-    return new ModelOptions(
-        pose,
-        variant,
-        up,
-        unit,
-        pointRadius,
-        hidden,
-        highlighted,
-        sections,
-        look,
-        limits,
-        lenient,
-        folders);
+    return with(ModelOption.ASSETS, List.copyOf(folders));
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof ModelOptions that
+        && values.equals(that.values)
+        && limits.equals(that.limits)
+        && lenient == that.lenient;
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(values, limits, lenient);
+  }
+
+  @Override
+  public String toString() {
+    return "ModelOptions" + values + (lenient ? ", lenient" : "");
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */
@@ -312,9 +294,9 @@ public record ModelOptions(
    * @param unitOfFile the unit that the file states, which {@link #unit} corrects
    */
   public Transform toWorld(Up upOfFile, double unitOfFile) {
-    double length = unit.orElse(unitOfFile);
+    double length = unit().orElse(unitOfFile);
     Transform scale = Transform.scale(new Vec3(length, length, length));
-    return up.orElse(upOfFile) == Up.Y
+    return up().orElse(upOfFile) == Up.Y
         ? scale
         : Transform.rotationDegrees(new Vec3(-QUARTER_TURN_DEGREES, 0, 0)).times(scale);
   }

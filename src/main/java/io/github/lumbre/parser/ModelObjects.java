@@ -1,26 +1,18 @@
 package io.github.lumbre.parser;
 
-import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.ModelOptions.Pose;
-import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
-import io.github.lumbre.model.section.Section;
 import io.github.lumbre.parser.ObjectTree.Placed;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP.
@@ -40,23 +32,9 @@ record ModelObjects(
     String sceneName,
     boolean lenient) {
   private static final Set<String> KEYS = Key.names(ObjectKeys.OF_EMITTERS);
-  private static final Map<String, String> LOOKS =
-      new TreeMap<>(
-          Map.of(ModelOptions.CLAY, ModelOptions.CLAY, ModelOptions.WHITE, ModelOptions.WHITE));
 
   static {
-    KEYS.addAll(
-        Set.of(
-            "up",
-            "unit",
-            "pointRadius",
-            "section",
-            "pose",
-            "seconds",
-            "variant",
-            "hide",
-            "highlight",
-            "look"));
+    KEYS.addAll(ModelKeys.NAMES);
     KEYS.addAll(Key.names(ObjectKeys.OF_MODELS));
   }
 
@@ -110,45 +88,10 @@ record ModelObjects(
   }
 
   private ModelOptions options(JsonNode node, boolean mayLackPictures) {
-    Optional<Pose> pose =
-        node.has("pose")
-            ? node.string("pose")
-                .map(name -> new Pose(name, node.number("seconds", 0, Range.NOT_NEGATIVE)))
-            : Optional.empty();
-    Optional<String> variant = node.has("variant") ? node.string("variant") : Optional.empty();
-    return new ModelOptions(
-            pose,
-            variant,
-            node.has("up") ? Optional.of(node.choice("up", Up.Y)) : Optional.empty(),
-            length(node, "unit"),
-            length(node, "pointRadius"),
-            node.strings("hide"),
-            node.strings("highlight"),
-            sections(node),
-            node.choice("look", LOOKS, ""),
-            data.allowance().left(),
-            mayLackPictures,
-            List.of())
+    return ModelKeys.read(node)
+        .limitedTo(data.allowance().left())
+        .lenient(mayLackPictures)
         .during(settings);
-  }
-
-  private static OptionalDouble length(JsonNode node, String key) {
-    return node.has(key)
-        ? OptionalDouble.of(node.number(key, 1, Range.POSITIVE))
-        : OptionalDouble.empty();
-  }
-
-  /** Returns the planes that cut the model; adds an error for a text that is none. */
-  private static List<String> sections(JsonNode node) {
-    List<String> sections = new ArrayList<>();
-    for (String text : node.strings("section")) {
-      try {
-        sections.add(Section.of(text).text());
-      } catch (IllegalArgumentException e) {
-        node.error("section", e.getMessage());
-      }
-    }
-    return sections;
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */

@@ -86,7 +86,7 @@ final class SettingsReader {
       return (Value<T>) Value.LONG;
     }
     if (type instanceof NumberType range) {
-      return (Value<T>) Value.number(Range.closed(range.low(), range.high()));
+      return (Value<T>) Value.number(range.range());
     }
     if (type instanceof FlagType) {
       return (Value<T>) Value.FLAG;

@@ -153,7 +153,7 @@ final class WrittenObjects {
     LocalTransform.place(object, part.transform());
     ObjectKeys.LIGHT_GROUP.put(object, part.lightGroup());
     ObjectKeys.FILE.put(object, file(model));
-    Written.options(object, model.options());
+    ModelKeys.write(model.options(), object);
     ObjectKeys.USE_LIGHTS.put(object, model.usesLights());
     ObjectKeys.SHARED_MODEL.put(object, model.isMovable());
     return object;

@@ -124,7 +124,7 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
   private JsonObject modelObject(String name) {
     JsonObject object = WrittenObjects.object("Model", "");
     ObjectKeys.FILE.put(object, name);
-    Written.options(object, stage.options());
+    ModelKeys.write(stage.options(), object);
     moving.ifPresent(own -> ObjectKeys.USE_CAMERA.put(object, own));
     return object;
   }

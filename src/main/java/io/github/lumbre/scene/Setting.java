@@ -16,7 +16,6 @@ import io.github.lumbre.scene.internal.SettingTypes.PowerType;
 import io.github.lumbre.scene.internal.SettingTypes.ScreenColorType;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -153,7 +152,7 @@ public final class Setting<T> {
               new LimitType(),
               Double.POSITIVE_INFINITY,
               "Scale brighter samples down to this largest component: fewer fireflies, but light is"
-                  + " lost; the summary reports how much. Not with --checkpoint.")
+                  + " lost; the summary reports how much. Not with a checkpoint file.")
           .withFlag("--clamp", "VALUE")
           .changingSamples();
 
@@ -424,11 +423,7 @@ public final class Setting<T> {
    *     range and the value
    */
   T require(T value) {
-    if (!type.accepts(Objects.requireNonNull(value, name))) {
-      throw new IllegalArgumentException(
-          name + ": expected " + type.expected() + ", found " + type.format(value));
-    }
-    return value;
+    return type.require(name, value);
   }
 
   @Override

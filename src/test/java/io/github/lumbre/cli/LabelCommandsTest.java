@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Tests labels on pictures of models. */
 class LabelCommandsTest extends CommandFixture {
   /** Shows nothing but labels. */
-  private static final String WHITE = " -s 1 --no-denoise --look lines --line-width 0";
+  private static final String WHITE = " -s 1 --no-denoise --look lines --line-width 0.001";
 
   private static final String FAST = " -s 1 --no-denoise --background white";
 

@@ -131,7 +131,8 @@ class LookCommandsTest extends CommandFixture {
         "--look lines, | --look: expected clay, lines or clay,lines, found lines,",
         "--line-width 2 | --line-width: requires --look lines or clay,lines",
         "--crease 2 --look clay | --crease: requires --look lines or clay,lines",
-        "--look lines --line-width 101 | --line-width: expected a number from 0 to 100, found 101",
+        "--look lines --line-width 101 | --line-width: expected a number in (0, 100], found 101",
+        "--look lines --line-width 0 | --line-width: expected a number in (0, 100], found 0.0",
         "--look lines --crease -1 | --crease: expected a number from 0 to 180, found -1",
         "--look lines --ground | --ground: cannot be combined with --look lines, which has no"
             + " shadows"

@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.mcp.Mcp;
 import io.github.lumbre.cli.mcp.McpClient;
 import io.github.lumbre.cli.option.ModelFlags;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.Stage;
@@ -51,7 +52,7 @@ final class SheetRun implements AutoCloseable {
   }
 
   /** Flags of a stage, without a command. */
-  @Command
+  @Command(modelTransformer = SettingFlags.Adder.class)
   static final class Staged {
     @Mixin private ModelFlags model;
   }

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.parser.internal.ParsedScene;
 import java.util.List;
 
@@ -24,7 +25,7 @@ record DescribeTool(Studio studio) implements Tool {
 
   @Override
   public List<Input<?>> inputs() {
-    return List.of(ModelInputs.MODEL, ModelInputs.Z_UP);
+    return List.of(ModelInputs.MODEL, ModelInputs.of(ModelOption.UP));
   }
 
   @Override

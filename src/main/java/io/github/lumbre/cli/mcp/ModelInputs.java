@@ -1,16 +1,15 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.ModelOptions.Up;
+import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.parser.Stage;
-import io.github.lumbre.parser.Stage.Sky;
 import io.github.lumbre.parser.Stage.View;
-import io.github.lumbre.parser.internal.Look;
-import io.github.lumbre.scene.Setting;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.Set;
 
 /** The arguments that several tools take. Stateless. */
 final class ModelInputs {
@@ -18,81 +17,70 @@ final class ModelInputs {
       Input.requiredText(
           "model", "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model.");
 
-  static final Input<Boolean> Z_UP =
-      Input.flag("z_up", "Whether the z axis of the file points up, whatever it states.");
+  private static final Map<ModelOption<?>, Input<?>> INPUTS = new LinkedHashMap<>();
 
-  static final Input<List<String>> HIDE =
-      Input.texts(
-          "hide", "Names of parts to leave out, as 'describe' lists them; * stands for any text.");
-
-  static final Input<List<String>> HIGHLIGHT =
-      Input.texts("highlight", "Names of parts to show in color, and all others pale.");
-
-  static final Input<List<String>> PLANES =
-      Input.texts(
-          "planes",
-          "Planes that cut the model, in the file's axes and unit, or in percent of its bounds:"
-              + " x=0.5 or y=50% removes what is in front of the plane, seen from the right, the"
-              + " top or the front; +z=2 removes larger z, -z=2 smaller z; 0,0,1/1,1,0 is a plane"
-              + " by a point and a normal to the removed side. Two planes remove a quarter.");
-
-  static final Input<List<String>> LABELS =
-      Input.texts(
-          "labels",
-          "Labels to draw, some of: "
-              + String.join(", ", Stage.LABELS)
-              + ". Axes and dimensions are in the file's axes and unit; parts are names.");
-
-  static final Input<Optional<String>> LOOK =
-      Input.text(
-          "look",
-          "Shows the shape alone: clay (matte, light gray), lines (black on white: silhouettes,"
-              + " creases and borders), or clay,lines. Without it, as the file says.");
+  static {
+    Stage.all().stream()
+        .filter(option -> !option.tool().isEmpty())
+        .sorted(Comparator.comparing(ModelOption::tool))
+        .forEach(option -> INPUTS.put(option, input(option)));
+  }
 
   private ModelInputs() {}
 
+  private static Input<?> input(ModelOption<?> option) {
+    if (option.toolValue().isPresent()) {
+      return Input.flag(option.tool(), option.toolHelp());
+    }
+    return option.type() instanceof TextsType
+        ? Input.texts(option.tool(), option.toolHelp())
+        : Input.text(option.tool(), option.toolHelp());
+  }
+
+  /** Returns the argument of an option. */
+  static Input<?> of(ModelOption<?> option) {
+    return INPUTS.get(option);
+  }
+
+  /** Returns the arguments of all options but some, by their names. */
+  static List<Input<?>> allBut(ModelOption<?>... others) {
+    List<ModelOption<?>> left = new ArrayList<>(INPUTS.keySet());
+    left.removeAll(List.of(others));
+    return left.stream().<Input<?>>map(INPUTS::get).toList();
+  }
+
   /** Returns the model that the arguments name. */
   static Studio.Staged model(Studio studio, Arguments arguments) throws ToolException {
-    return studio.model(arguments.get(MODEL), stage(arguments));
+    Stage stage = Stage.DEFAULT;
+    for (ModelOption<?> option : INPUTS.keySet()) {
+      stage = with(option, arguments, stage);
+    }
+    return studio.model(arguments.get(MODEL), stage);
   }
 
-  private static Stage stage(Arguments arguments) throws ToolException {
-    Look look = look(arguments.get(LOOK));
-    Optional<Up> up = arguments.get(Z_UP) ? Optional.of(Up.Z) : Optional.empty();
-    ModelOptions options =
-        ModelOptions.DEFAULT
-            .oriented(up, OptionalDouble.empty())
-            .hiding(arguments.get(HIDE))
-            .highlighting(arguments.get(HIGHLIGHT))
-            .looking(look.materials());
-    List<String> labels = arguments.get(LABELS);
-    if (!Stage.LABELS.containsAll(labels)) {
-      throw new ToolException("labels: expected some of " + Stage.LABELS + ", found " + labels);
-    }
+  private static <T> Stage with(ModelOption<T> option, Arguments arguments, Stage stage)
+      throws ToolException {
     try {
-      return new Stage(
-          Optional.empty(),
-          Optional.empty(),
-          Stage.DEFAULT_FOV,
-          new Sky(look.sky()),
-          false,
-          look.background(),
-          false,
-          look.lineWidth(),
-          Setting.CREASE_ANGLE.missing(),
-          Set.copyOf(labels),
-          options.cutBy(arguments.get(PLANES)));
+      Optional<T> value = value(option, arguments.get(INPUTS.get(option)));
+      value.filter(v -> !option.type().accepts(v)).ifPresent(v -> refuse(option, v));
+      return value.map(v -> stage.with(option, v)).orElse(stage);
     } catch (IllegalArgumentException e) {
-      throw new ToolException("planes: " + e.getMessage(), e);
+      throw new ToolException(option.tool() + ": " + e.getMessage(), e);
     }
   }
 
-  private static Look look(Optional<String> text) throws ToolException {
-    try {
-      return text.map(Look::of).orElse(Look.OF_FILE);
-    } catch (IllegalArgumentException e) {
-      throw new ToolException("look: " + e.getMessage(), e);
+  private static <T> void refuse(ModelOption<T> option, T value) {
+    throw new IllegalArgumentException(option.type().refusal(value));
+  }
+
+  @SuppressWarnings("unchecked") // Lists of texts are values of such options.
+  private static <T> Optional<T> value(ModelOption<T> option, Object given) {
+    if (given instanceof Boolean isSet) {
+      return option.toolValue().filter(value -> isSet);
     }
+    return given instanceof List<?> texts
+        ? Optional.of((T) texts)
+        : ((Optional<String>) given).map(option.type()::parse);
   }
 
   /** Returns the direction in a text. */

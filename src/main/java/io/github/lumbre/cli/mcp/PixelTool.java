@@ -4,7 +4,9 @@ import io.github.lumbre.cli.output.PixelJson;
 import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.cli.output.PixelReport;
 import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.parser.Stage;
 import io.github.lumbre.render.PixelReplay;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
@@ -37,19 +39,18 @@ record PixelTool(Studio studio) implements Tool {
 
   @Override
   public List<Input<?>> inputs() {
-    return List.of(
-        ModelInputs.MODEL,
-        X,
-        Y,
-        RenderTool.VIEW,
-        RenderTool.WIDTH,
-        RenderTool.HEIGHT,
-        RenderTool.SAMPLES,
-        ModelInputs.HIDE,
-        ModelInputs.HIGHLIGHT,
-        ModelInputs.PLANES,
-        ModelInputs.LOOK,
-        ModelInputs.Z_UP);
+    List<Input<?>> inputs =
+        new ArrayList<>(
+            List.of(
+                ModelInputs.MODEL,
+                X,
+                Y,
+                RenderTool.VIEW,
+                RenderTool.WIDTH,
+                RenderTool.HEIGHT,
+                RenderTool.SAMPLES));
+    inputs.addAll(ModelInputs.allBut(Stage.LABEL));
+    return inputs;
   }
 
   @Override

@@ -5,6 +5,7 @@ import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.parser.SceneFile;
 import java.util.ArrayList;
 import java.util.List;
@@ -62,21 +63,11 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
   @Override
   public List<Input<?>> inputs() {
     List<Input<?>> inputs =
-        new ArrayList<>(
-            List.of(
-                ModelInputs.MODEL,
-                VIEW,
-                WIDTH,
-                HEIGHT,
-                SAMPLES,
-                ModelInputs.HIDE,
-                ModelInputs.HIGHLIGHT,
-                ModelInputs.LABELS,
-                ModelInputs.LOOK,
-                ModelInputs.Z_UP));
+        new ArrayList<>(List.of(ModelInputs.MODEL, VIEW, WIDTH, HEIGHT, SAMPLES));
     if (isCut) {
-      inputs.add(1, ModelInputs.PLANES);
+      inputs.add(1, ModelInputs.of(ModelOption.SECTION));
     }
+    inputs.addAll(ModelInputs.allBut(ModelOption.SECTION));
     return inputs;
   }
 

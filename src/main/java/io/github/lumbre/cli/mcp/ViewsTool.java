@@ -6,6 +6,7 @@ import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
 import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.parser.Stage.View;
 import java.util.ArrayList;
@@ -63,16 +64,9 @@ record ViewsTool(Studio studio) implements Tool {
 
   @Override
   public List<Input<?>> inputs() {
-    return List.of(
-        ModelInputs.MODEL,
-        WIDTH,
-        HEIGHT,
-        SAMPLES,
-        ModelInputs.HIDE,
-        ModelInputs.HIGHLIGHT,
-        ModelInputs.LABELS,
-        ModelInputs.LOOK,
-        ModelInputs.Z_UP);
+    List<Input<?>> inputs = new ArrayList<>(List.of(ModelInputs.MODEL, WIDTH, HEIGHT, SAMPLES));
+    inputs.addAll(ModelInputs.allBut(ModelOption.SECTION));
+    return inputs;
   }
 
   @Override

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.option;
 
 /** The headings of flags in help texts. */
-final class Headings {
-  static final String SCENE = "Scene";
-  static final String MODEL = "Model";
+public final class Headings {
+  public static final String SCENE = "Scene";
+  public static final String MODEL = "Model";
   static final String SEQUENCE = "Frames of a turntable or an animation";
   static final String FRAME = "Frame";
   static final String TRANSPORT = "Light transport";

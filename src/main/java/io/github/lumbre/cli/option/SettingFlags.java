@@ -13,8 +13,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.IModelTransformer;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.IGetter;
-import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
@@ -53,6 +51,8 @@ public final class SettingFlags {
       for (CommandSpec mixin : List.copyOf(mixed.mixins().values())) {
         if (mixin.userObject() instanceof SettingFlags flags) {
           flags.groups.forEach(group -> command.addMixin(group.name(), flags.mixin(group)));
+        } else if (mixin.userObject() instanceof ModelFlags flags) {
+          command.addMixin(Headings.MODEL, flags.flags());
         }
         addFrom(mixin, command);
       }
@@ -80,42 +80,16 @@ public final class SettingFlags {
   }
 
   private <T> OptionSpec option(Setting<T> setting) {
-    ISetter setter =
-        new ISetter() {
-          @Override
-          public <V> V set(V value) {
-            if (value == null) {
-              given.remove(setting);
-            } else {
-              given.put(setting, value);
-            }
-            return null;
-          }
-        };
+    Given<Setting<?>> kept = new Given<>(given, setting);
     return OptionSpec.builder(setting.flag())
         .paramLabel(setting.label())
         .arity("1")
         .type(Object.class)
         .converters(new Converter<>(setting))
-        .setter(setter)
-        .getter(new Getter(setting))
+        .setter(kept)
+        .getter(kept)
         .description(description(setting).replace("%", "%%"))
         .build();
-  }
-
-  /** Gets the value given for a setting. */
-  private final class Getter implements IGetter {
-    private final Setting<?> setting;
-
-    Getter(Setting<?> setting) {
-      this.setting = setting;
-    }
-
-    @Override
-    @SuppressWarnings("unchecked") // Only picocli calls this, with the type that it has set.
-    public <V> V get() {
-      return (V) given.get(setting);
-    }
   }
 
   private <T> String description(Setting<T> setting) {

@@ -34,9 +34,9 @@ final class ModelCorrection {
       return read;
     }
     Transform toWorld = options.toWorld();
-    return new ModelCorrection(toWorld, options.unit().orElse(1))
+    return new ModelCorrection(toWorld, options.unit().orElse(1.))
         .corrected(read)
-        .from(toWorld, LengthUnit.nameOf(options.unit().orElse(1)));
+        .from(toWorld, LengthUnit.nameOf(options.unit().orElse(1.)));
   }
 
   private Model corrected(Model read) {

@@ -118,7 +118,7 @@ public final class ModelReader {
     Model placed = placed(read, format, options);
     double radius =
         options.pointRadius().isPresent()
-            ? options.pointRadius().getAsDouble() * options.unit().orElse(1)
+            ? options.pointRadius().get() * options.unit().orElse(1.)
             : PointSpacing.radius(checked(placed, options));
     List<Model> poses = new ArrayList<>();
     for (Model pose : read.poses()) {

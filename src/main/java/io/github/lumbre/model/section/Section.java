@@ -19,8 +19,9 @@ import java.util.Locale;
  * @param facesViewer whether the removed side is in front, whatever the normal's direction
  */
 public record Section(String text, List<Coordinate> point, Vec3 normal, boolean facesViewer) {
-  private static final String EXPECTED =
-      "expected a plane such as x=0.5, y=50%, -z=2 or a point and a normal 0,0,1/1,1,0, found ";
+  /** The texts of sections, for messages. */
+  public static final String EXPECTED =
+      "a plane such as x=0.5, y=50%, -z=2 or a point and a normal 0,0,1/1,1,0";
 
   /** A length in the file's unit, or a percentage of the model's bounds. */
   record Coordinate(double value, boolean isPercent) {
@@ -79,18 +80,29 @@ public record Section(String text, List<Coordinate> point, Vec3 normal, boolean 
   }
 
   private static double number(String text, String part) {
+    double number = Double.NaN;
     try {
-      double number = Double.parseDouble(part);
-      require(Double.isFinite(number), text);
-      return number;
+      number = Double.parseDouble(part);
     } catch (NumberFormatException e) {
-      throw new IllegalArgumentException(EXPECTED + text, e);
+      require(false, text);
+    }
+    require(Double.isFinite(number), text);
+    return number;
+  }
+
+  /** Returns whether a text is a section. */
+  public static boolean isValid(String text) {
+    try {
+      of(text);
+      return true;
+    } catch (IllegalArgumentException e) {
+      return false;
     }
   }
 
   private static void require(boolean condition, String text) {
     if (!condition) {
-      throw new IllegalArgumentException(EXPECTED + text);
+      throw new IllegalArgumentException("expected " + EXPECTED + ", found " + text);
     }
   }
 

@@ -18,7 +18,7 @@ public record Look(boolean isClay, boolean hasLines) {
   private static final String LINES = "lines";
 
   /** The default width of lines, in pixels. */
-  private static final double LINE_WIDTH = 1.5;
+  public static final double LINE_WIDTH = 1.5;
 
   /**
    * Returns a look of the shape alone.
@@ -32,6 +32,11 @@ public record Look(boolean isClay, boolean hasLines) {
       throw new IllegalArgumentException("expected clay, lines or clay,lines, found " + text);
     }
     return new Look(names.contains(ModelOptions.CLAY), names.contains(LINES));
+  }
+
+  /** Returns the look in a text; as the file says without one. */
+  public static Look of(Optional<String> text) {
+    return text.map(Look::of).orElse(OF_FILE);
   }
 
   /** Returns whether it is a drawing: lines on white paper, without shadows. */

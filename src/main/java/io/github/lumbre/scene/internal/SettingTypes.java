@@ -3,6 +3,7 @@ package io.github.lumbre.scene.internal;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.text.PrintableText;
@@ -90,8 +91,19 @@ public final class SettingTypes {
     }
   }
 
-  /** Numbers in a range, with both ends included. */
-  public record NumberType(double low, double high) implements SettingType<Double> {
+  /**
+   * Numbers in a range.
+   *
+   * @param openLow whether {@code low} itself is excluded
+   * @param openHigh whether {@code high} itself is excluded
+   */
+  public record NumberType(double low, boolean openLow, double high, boolean openHigh)
+      implements SettingType<Double> {
+    /** Creates a range with both ends included. */
+    public NumberType(double low, double high) {
+      this(low, false, high, false);
+    }
+
     @Override
     public Double parse(String text) {
       return number(text, Double::valueOf, expected());
@@ -99,12 +111,26 @@ public final class SettingTypes {
 
     @Override
     public boolean accepts(Double value) {
-      return value >= low && value <= high;
+      return (openLow ? value > low : value >= low) && (openHigh ? value < high : value <= high);
     }
 
+    /** Returns the numbers of this type. */
+    public Range range() {
+      return new Range(low, high, this::accepts, expected(), expected());
+    }
+
+    /** Returns the range; bounds of the largest doubles are not mentioned. */
     @Override
     public String expected() {
-      return "a number from " + PrintableText.number(low) + " to " + PrintableText.number(high);
+      if (high == Double.MAX_VALUE) {
+        String above = (openLow ? " > " : " >= ") + PrintableText.number(low);
+        return "a finite number" + (low == -high ? "" : above);
+      }
+      String both = PrintableText.number(low) + (openLow || openHigh ? ", " : " to ");
+      String range = both + PrintableText.number(high);
+      return openLow || openHigh
+          ? "a number in " + (openLow ? "(" : "[") + range + (openHigh ? ")" : "]")
+          : "a number from " + range;
     }
   }
 

@@ -30,13 +30,13 @@ class ModelReachTest {
       delimiter = '|',
       value = {
         "1e-101 | 1 | expected a model of at least 1e-100 in size, found 1",
-        "1 | 1e-101 | expected a model of at least 1e-100 in size, found 1",
+        "1e-2 | 1e-99 | expected a model of at least 1e-100 in size, found 1",
         "1e-60 | 1e-60 | expected a model of at least 1e-100 in size, found 1",
         "1.1e100 | 1 | expected a part within 1e100 of the origin",
         "1e60 | 1e60 | expected a part within 1e100 of the origin",
-        "1 | 1e-160 | expected an invertible transform, found one with the",
-        "1 | 1e-320 | expected an invertible transform, found one with the",
-        "1 | 1e308 | expected an invertible transform, found one with the"
+        "1e-160 | 1 | expected a model of at least 1e-100 in size, found 1",
+        "1e-310 | 1e-10 | expected a model of at least 1e-100 in size, found 1",
+        "1e150 | 1e-10 | expected a part within 1e100 of the origin"
       })
   void otherSizesAreRefused(String size, double unit, String message) {
     assertThat(triangle(size, unit).refusal()).startsWith("MALFORMED ").contains(message);
@@ -44,11 +44,11 @@ class ModelReachTest {
 
   /** The section is computed only if the model can be. */
   @ParameterizedTest
-  @CsvSource({"1e-320", "1e-160", "1e160", "1e308"})
-  void sectionsOfSuchModelsAreRefused(double unit) {
+  @CsvSource({"1e-320, 1", "1e-60, 1e-100", "1e150, 1", "1e60, 1e60"})
+  void sectionsOfSuchModelsAreRefused(String size, double unit) {
     ModelOptions options = new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, unit);
-    assertThat(triangle("1", unit).with(options.cutBy(List.of("x=0"))).refusal())
+    assertThat(triangle(size, unit).with(options.cutBy(List.of("x=0"))).refusal())
         .startsWith("MALFORMED ")
-        .containsPattern("expected (an invertible transform|a part within 1e100|a model of at)");
+        .containsPattern("expected (a part within 1e100|a model of at)");
   }
 }

@@ -166,11 +166,10 @@ class PointsTest {
     assertThat(model.pointRadius()).isEqualTo(5);
     assertBounds(model, new Vec3(-5, -5, -25), new Vec3(15, 35, 5));
     assertThatThrownBy(() -> options.withPointRadius(0))
-        .hasMessage("pointRadius: expected a finite number > 0, found 0.0");
-    Model tiny =
-        ply(XYZ, "0 0 0").with(ModelOptions.DEFAULT.withPointRadius(Double.MIN_VALUE)).read();
+        .hasMessage("pointRadius: expected a number from 1e-100 to 1e100, found 0.0");
+    Model tiny = ply(XYZ, "0 0 0").with(ModelOptions.DEFAULT.withPointRadius(1e-100)).read();
     assertThat(surfaces(tiny)).hasSize(1);
-    ModelFixture huge = ply(XYZ, "0 0 0").with(ModelOptions.DEFAULT.withPointRadius(1e300));
+    ModelFixture huge = ply(XYZ, "1e100 0 0").with(ModelOptions.DEFAULT.withPointRadius(1e99));
     assertThatThrownBy(huge::read)
         .hasMessageContaining("expected a part within 1e100 of the origin, found one that extends");
   }
