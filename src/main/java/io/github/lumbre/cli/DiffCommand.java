@@ -23,6 +23,7 @@ import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.Model;
@@ -167,7 +168,7 @@ final class DiffCommand extends Subcommand {
   private Stage beside(Path other, Path model, Stage stage) throws TaskException, IOException {
     ModelOptions options = stage.options();
     Stage own = stage.reading(options.oriented(Optional.empty(), OptionalDouble.empty()));
-    boolean isCorrected = options.up().isPresent() || options.unit().isPresent();
+    boolean isCorrected = !own.equals(stage);
     return isCorrected && statesUnit(model, own) && !statesUnit(other, own) ? own : stage;
   }
 
@@ -181,7 +182,8 @@ final class DiffCommand extends Subcommand {
     try {
       byte[] content = Files.readAllBytes(path);
       ModelFolder folder =
-          ModelFolder.of(path.toAbsolutePath().getParent(), stage.options().assets());
+          ModelFolder.of(
+              path.toAbsolutePath().getParent(), stage.options().get(ModelOption.ASSETS));
       Model model = ModelReader.read(name, content, folder, options);
       return new ModelDifference.Side(model, ModelReader.motions(name, content, folder, options));
     } catch (ModelFormatException e) {

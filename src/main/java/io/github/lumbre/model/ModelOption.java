@@ -15,20 +15,43 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * An option of a model, with its name, values, default and meaning. This is the only declaration:
- * flags, tools for agents, scene files and Java all use it. The constants of this class say what is
- * read from a file; those of a stage say how it is shown. Immutable.
+ * An option of a model. This is the only declaration: flags, tools for agents, scene files and Java
+ * all use it. The constants of this class say what is read from a file; those of a stage say how it
+ * is shown. Immutable.
  *
  * @param <T> the type of its values
+ * @param name is the key of model objects if {@code isInScenes}
+ * @param type defines the allowed values and their text form
+ * @param help what it does, for help texts; {@code {default}} stands for the default
+ * @param missing the default; empty if it depends on the file or on other options
+ * @param isInScenes whether model objects of scenes have it
+ * @param flag of the command line; an empty text if there is none
+ * @param label stands for the flag's value in help texts; empty for a flag without a value
+ * @param tool name of the argument of tools for agents; an empty text if there is none
+ * @param toolHelp what the argument does
+ * @param toolValue the value that a true argument sets; empty if the argument has values
  */
-public final class ModelOption<T> {
+public record ModelOption<T>(
+    String name,
+    SettingType<T> type,
+    String help,
+    Optional<T> missing,
+    boolean isInScenes,
+    String flag,
+    String label,
+    String tool,
+    String toolHelp,
+    Optional<T> toolValue) {
   private static final String CLAY = ModelOptions.CLAY;
   private static final String WHITE = ModelOptions.WHITE;
 
   private static final NumberType LENGTH =
       new NumberType(ModelReach.SMALLEST, ModelReach.LARGEST);
 
-  /** See {@link ModelOptions#up}. */
+  /**
+   * The axis of the file that points up; without it, the one that its format states: +Y in glTF, +Z
+   * in 3MF, and +Y in STL, PLY, OBJ and OFF, which state none.
+   */
   public static final ModelOption<ModelOptions.Up> UP =
       new ModelOption<>(
               "up",
@@ -41,7 +64,10 @@ public final class ModelOption<T> {
               "Whether the z axis of the file points up, whatever it states.",
               Optional.of(ModelOptions.Up.Z));
 
-  /** See {@link ModelOptions#unit}. */
+  /**
+   * The length of the file's unit in world units; without it, the one that the file states in
+   * meters (glTF, 3MF), and 1 for formats that state none.
+   */
   public static final ModelOption<Double> UNIT =
       new ModelOption<>(
               "unit",
@@ -50,14 +76,23 @@ public final class ModelOption<T> {
           .inScenes()
           .withFlag("unit", "LENGTH");
 
-  /** See {@link ModelOptions#pointRadius}. */
+  /**
+   * The radius of the spheres that show points, in the file's unit; without it, half the median
+   * distance of a point to the nearest other one.
+   */
   public static final ModelOption<Double> POINT_RADIUS =
       new ModelOption<>(
               "pointRadius", LENGTH, "Radius of points, in the file's unit (by their density).")
           .inScenes()
           .withFlag("points", "RADIUS");
 
-  /** See {@link ModelOptions#sections}. */
+  /**
+   * Planes that cut the model: what is in front of all of them is removed, and closed parts get a
+   * hatched surface there. {@code x=0.5} is a plane across an axis of the file, in its unit, {@code
+   * y=50%} in percent of the model's bounds, and {@code 0,0,1/1,1,0} a point and a normal, which
+   * points to the front. In front of an axis is the viewer from the right, the top or the front;
+   * {@code +x=0.5} and {@code -x=0.5} name the removed side.
+   */
   public static final ModelOption<List<String>> SECTION =
       new ModelOption<>(
               "section",
@@ -75,13 +110,13 @@ public final class ModelOption<T> {
                   + " plane by a point and a normal to the removed side. Two planes remove a"
                   + " quarter.");
 
-  /** See {@link ModelOptions#pose}. */
+  /** The animation and time whose pose is used; without it, the rest pose. */
   public static final ModelOption<ModelOptions.Pose> POSE =
       new ModelOption<>("pose", new PoseType(), "Pose of an animation at a time (the rest pose).")
           .inScenes()
           .withFlag("pose", "NAME@SECONDS");
 
-  /** See {@link ModelOptions#variant}. */
+  /** The name of the material variant; without it, the default materials. */
   public static final ModelOption<String> VARIANT =
       new ModelOption<>(
               "variant",
@@ -90,7 +125,10 @@ public final class ModelOption<T> {
           .inScenes()
           .withFlag("variant", "NAME");
 
-  /** See {@link ModelOptions#look}. */
+  /**
+   * {@link ModelOptions#CLAY} or {@link ModelOptions#WHITE}, which replaces all materials; without
+   * it, the materials of the file.
+   */
   public static final ModelOption<String> LOOK =
       new ModelOption<>(
               "look",
@@ -98,7 +136,11 @@ public final class ModelOption<T> {
               "Material that replaces all others.")
           .inScenes();
 
-  /** See {@link ModelOptions#hidden}. */
+  /**
+   * Names of parts to leave out; {@code *} stands for any text. A part is a node or an object with
+   * all below it, a group or a solid; in a file without them, a connected piece, such as {@code
+   * piece 2}.
+   */
   public static final ModelOption<List<String>> HIDE =
       new ModelOption<>(
               "hide",
@@ -112,7 +154,7 @@ public final class ModelOption<T> {
               "hide",
               "Names of parts to leave out, as 'describe' lists them; * stands for any text.");
 
-  /** See {@link ModelOptions#highlighted}. */
+  /** Names of parts, as of {@link #HIDE}, beside which all others are pale. */
   public static final ModelOption<List<String>> HIGHLIGHT =
       new ModelOption<>(
               "highlight",
@@ -123,7 +165,11 @@ public final class ModelOption<T> {
           .withFlag("highlight", "PART")
           .inTools("highlight", "Names of parts to show in color, and all others pale.");
 
-  /** See {@link ModelOptions#assets}. */
+  /**
+   * Folders, besides that of the model, from which files that it names may come; see {@link
+   * ModelFolder#of(Path, List)}. They have no effect if the bytes of the limits are limited, as
+   * those of uploads are, or if the caller passes a {@link ModelFolder}.
+   */
   public static final ModelOption<List<Path>> ASSETS =
       new ModelOption<>(
               "assets",
@@ -136,139 +182,51 @@ public final class ModelOption<T> {
   private static final List<ModelOption<?>> ALL =
       List.of(UP, UNIT, POINT_RADIUS, SECTION, POSE, VARIANT, LOOK, HIDE, HIGHLIGHT, ASSETS);
 
-  private final String name;
-  private final SettingType<T> type;
-  private final String help;
-  private final Optional<T> missing;
-  private final boolean inScenes;
-  private final Usage<T> usage;
-
-  /**
-   * Where an option is used besides Java and scenes; empty texts where it is not.
-   *
-   * @param toolValue the value that a true argument of a tool has; empty if the tool takes values
-   */
-  private record Usage<T>(
-      String flag, String label, String tool, String toolHelp, Optional<T> toolValue) {}
-
-  private ModelOption(
-      String name,
-      SettingType<T> type,
-      String help,
-      Optional<T> missing,
-      boolean inScenes,
-      Usage<T> usage) {
-    this.name = name;
-    this.type = type;
-    this.help = help;
-    this.missing = missing;
-    this.inScenes = inScenes;
-    this.usage = usage;
-  }
-
-  /**
-   * Declares an option without a default, which only Java has.
-   *
-   * @param help what it does, for help texts; {@code {default}} stands for the default
-   */
+  /** Declares an option without a default, which only Java has. */
   public ModelOption(String name, SettingType<T> type, String help) {
-    this(name, type, help, Optional.empty(), false, new Usage<>("", "", "", "", Optional.empty()));
+    this(name, type, help, Optional.empty(), false, "", "", "", "", Optional.empty());
   }
 
   /** Returns this option with a default. */
   public ModelOption<T> withDefault(T value) {
-    return new ModelOption<>(name, type, help, Optional.of(value), inScenes, usage);
+    String text = help.replace("{default}", type.shown(value));
+    return new ModelOption<>(
+        name, type, text, Optional.of(value), isInScenes, flag, label, tool, toolHelp, toolValue);
   }
 
-  /** Returns this option as a key of a model object in scenes. */
   private ModelOption<T> inScenes() {
-    return new ModelOption<>(name, type, help, missing, true, usage);
+    return new ModelOption<>(
+        name, type, help, missing, true, flag, label, tool, toolHelp, toolValue);
   }
 
-  /**
-   * Returns this option with a flag of the command line.
-   *
-   * @param flag without hyphens before it
-   * @param label stands for the value in help texts; empty for a flag without a value
-   */
-  public ModelOption<T> withFlag(String flag, String label) {
-    Usage<T> used = new Usage<>(flag, label, usage.tool, usage.toolHelp, usage.toolValue);
-    return new ModelOption<>(name, type, help, missing, inScenes, used);
+  /** Returns this option with a flag, whose name is given without hyphens before it. */
+  public ModelOption<T> withFlag(String newFlag, String newLabel) {
+    return new ModelOption<>(
+        name,
+        type,
+        help,
+        missing,
+        isInScenes,
+        "--" + newFlag,
+        newLabel,
+        tool,
+        toolHelp,
+        toolValue);
   }
 
   /** Returns this option as an argument of the tools for agents, with a description for them. */
-  public ModelOption<T> inTools(String tool, String toolHelp) {
-    return inTools(tool, toolHelp, Optional.empty());
+  public ModelOption<T> inTools(String newTool, String newHelp) {
+    return inTools(newTool, newHelp, Optional.empty());
   }
 
-  private ModelOption<T> inTools(String tool, String toolHelp, Optional<T> ifTrue) {
-    Usage<T> used = new Usage<>(usage.flag, usage.label, tool, toolHelp, ifTrue);
-    return new ModelOption<>(name, type, help, missing, inScenes, used);
+  private ModelOption<T> inTools(String newTool, String newHelp, Optional<T> ifTrue) {
+    return new ModelOption<>(
+        name, type, help, missing, isInScenes, flag, label, newTool, newHelp, ifTrue);
   }
 
   /** Returns the options of this class, in the order of scene files. */
   public static List<ModelOption<?>> all() {
     return ALL;
-  }
-
-  /** Returns the name, which is the key in scenes if {@link #isInScenes}. */
-  public String name() {
-    return name;
-  }
-
-  /** Returns the type, which defines the allowed values and their text form. */
-  public SettingType<T> type() {
-    return type;
-  }
-
-  /** Returns the default; empty if it depends on the file or on other options. */
-  public Optional<T> missing() {
-    return missing;
-  }
-
-  /** Returns a description for help texts, with the default. */
-  public String help() {
-    return help.replace("{default}", missing.map(type::shown).orElse(""));
-  }
-
-  /** Returns whether model objects of scenes have it as a key. */
-  public boolean isInScenes() {
-    return inScenes;
-  }
-
-  /** Returns the command line flag; an empty text if there is none. */
-  public String flag() {
-    return usage.flag.isEmpty() ? "" : "--" + usage.flag;
-  }
-
-  /** Returns the placeholder of the flag's value; empty for a flag without a value. */
-  public String label() {
-    return usage.label;
-  }
-
-  /** Returns the name of the argument of tools; an empty text if there is none. */
-  public String tool() {
-    return usage.tool;
-  }
-
-  /** Returns the description of the argument of tools. */
-  public String toolHelp() {
-    return usage.toolHelp;
-  }
-
-  /** Returns the value that the argument of tools sets if it is true; empty if it has values. */
-  public Optional<T> toolValue() {
-    return usage.toolValue;
-  }
-
-  /**
-   * Returns the value if it is in range.
-   *
-   * @throws IllegalArgumentException if it is not; the message names the option, the expected
-   *     values and the value
-   */
-  public T require(T value) {
-    return type.require(name, value);
   }
 
   @Override

@@ -7,7 +7,6 @@ import io.github.lumbre.model.internal.OptionTypes.PoseType;
 import io.github.lumbre.model.internal.OptionValues;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -102,80 +101,19 @@ public final class ModelOptions {
     return new ModelOptions(values.with(option, value), limits, lenient);
   }
 
+  /** Returns these options with another value; with the default if it is empty. */
+  public <T> ModelOptions with(ModelOption<T> option, Optional<T> value) {
+    return new ModelOptions(values.with(option, value), limits, lenient);
+  }
+
   /** Returns the value of an option, or its default; empty if it has none. */
   public <T> Optional<T> find(ModelOption<T> option) {
     return values.find(option);
   }
 
-  private <T> T get(ModelOption<T> option) {
+  /** Returns the value of an option that has a default. */
+  public <T> T get(ModelOption<T> option) {
     return find(option).orElseThrow();
-  }
-
-  /** Returns the animation and time whose pose is used; empty for the rest pose. */
-  public Optional<Pose> pose() {
-    return find(ModelOption.POSE);
-  }
-
-  /** Returns the name of the material variant; empty for the default materials. */
-  public Optional<String> variant() {
-    return find(ModelOption.VARIANT);
-  }
-
-  /**
-   * Returns the axis of the file that points up; empty for the one that its format states: +Y in
-   * glTF, +Z in 3MF, and +Y in STL, PLY, OBJ and OFF, which state none.
-   */
-  public Optional<Up> up() {
-    return find(ModelOption.UP);
-  }
-
-  /**
-   * Returns the length of the file's unit in world units; empty for the one that the file states in
-   * meters (glTF, 3MF), and 1 for formats that state none.
-   */
-  public Optional<Double> unit() {
-    return find(ModelOption.UNIT);
-  }
-
-  /**
-   * Returns the radius of the spheres that show points, in the file's unit; empty for half the
-   * median distance of a point to the nearest other one.
-   */
-  public Optional<Double> pointRadius() {
-    return find(ModelOption.POINT_RADIUS);
-  }
-
-  /**
-   * Returns names of parts to leave out; {@code *} stands for any text. A part is a node or an
-   * object with all below it, a group or a solid; in a file without them, a connected piece, such
-   * as {@code piece 2}.
-   */
-  public List<String> hidden() {
-    return get(ModelOption.HIDE);
-  }
-
-  /** Returns names of parts, as of {@link #hidden}, beside which all others are pale. */
-  public List<String> highlighted() {
-    return get(ModelOption.HIGHLIGHT);
-  }
-
-  /**
-   * Returns planes that cut the model: what is in front of all of them is removed, and closed parts
-   * get a hatched surface there. {@code x=0.5} is a plane across an axis of the file, in its unit,
-   * {@code y=50%} in percent of the model's bounds, and {@code 0,0,1/1,1,0} a point and a normal,
-   * which points to the front. In front of an axis is the viewer from the right, the top or the
-   * front; {@code +x=0.5} and {@code -x=0.5} name the removed side.
-   */
-  public List<String> sections() {
-    return get(ModelOption.SECTION);
-  }
-
-  /**
-   * Returns {@link #CLAY} or {@link #WHITE}, which replaces all materials; an empty text for the
-   * materials of the file.
-   */
-  public String look() {
-    return find(ModelOption.LOOK).orElse("");
   }
 
   /** Returns limits for the model, its textures and its other files. */
@@ -192,61 +130,18 @@ public final class ModelOptions {
     return lenient;
   }
 
-  /**
-   * Returns folders, besides that of the model, from which files that it names may come; see {@link
-   * ModelFolder#of(Path, List)}. They have no effect if the bytes of the limits are limited, as
-   * those of uploads are, or if the caller passes a {@link ModelFolder}.
-   */
-  public List<Path> assets() {
-    return get(ModelOption.ASSETS);
-  }
-
   /** Returns these options with the motion of their pose by the shutter and poses of settings. */
   public ModelOptions during(RenderSettings settings) {
-    return pose().map(start -> posed(start.during(settings))).orElse(this);
-  }
-
-  /** Returns these options with a pose. */
-  public ModelOptions posed(Pose newPose) {
-    return with(ModelOption.POSE, newPose);
+    return find(ModelOption.POSE)
+        .map(start -> with(ModelOption.POSE, start.during(settings)))
+        .orElse(this);
   }
 
   /** Returns these options with another up axis and unit; empty for those of the file. */
   public ModelOptions oriented(Optional<Up> newUp, OptionalDouble newUnit) {
     Optional<Double> length =
         newUnit.isPresent() ? Optional.of(newUnit.getAsDouble()) : Optional.empty();
-    return new ModelOptions(
-        values.with(ModelOption.UP, newUp).with(ModelOption.UNIT, length), limits, lenient);
-  }
-
-  /** Returns these options with a radius of points, in the file's unit. */
-  public ModelOptions withPointRadius(double radius) {
-    return with(ModelOption.POINT_RADIUS, radius);
-  }
-
-  /** Returns these options with hidden parts; see {@link #hidden}. */
-  public ModelOptions hiding(List<String> parts) {
-    return with(ModelOption.HIDE, List.copyOf(parts));
-  }
-
-  /** Returns these options with highlighted parts; see {@link #highlighted}. */
-  public ModelOptions highlighting(List<String> parts) {
-    return with(ModelOption.HIGHLIGHT, List.copyOf(parts));
-  }
-
-  /**
-   * Returns these options with other {@link #sections}; none for the whole model.
-   *
-   * @throws IllegalArgumentException if a text is not a section
-   */
-  public ModelOptions cutBy(List<String> planes) {
-    return with(ModelOption.SECTION, List.copyOf(planes));
-  }
-
-  /** Returns these options with a look; see {@link #look}. */
-  public ModelOptions looking(String newLook) {
-    Optional<String> look = Optional.of(newLook).filter(name -> !name.isEmpty());
-    return new ModelOptions(values.with(ModelOption.LOOK, look), limits, lenient);
+    return with(ModelOption.UP, newUp).with(ModelOption.UNIT, length);
   }
 
   /** Returns these options with limits. */
@@ -257,11 +152,6 @@ public final class ModelOptions {
   /** Returns these options, lenient or not. */
   public ModelOptions lenient(boolean isLenient) {
     return new ModelOptions(values, limits, isLenient);
-  }
-
-  /** Returns these options with further folders of files; see {@link #assets}. */
-  public ModelOptions withAssets(List<Path> folders) {
-    return with(ModelOption.ASSETS, List.copyOf(folders));
   }
 
   @Override
@@ -290,13 +180,13 @@ public final class ModelOptions {
   /**
    * Returns the map from the space of a file to +Y up.
    *
-   * @param upOfFile the axis that the file states, which {@link #up} corrects
-   * @param unitOfFile the unit that the file states, which {@link #unit} corrects
+   * @param upOfFile the axis that the file states, which {@link ModelOption#UP} corrects
+   * @param unitOfFile the unit that the file states, which {@link ModelOption#UNIT} corrects
    */
   public Transform toWorld(Up upOfFile, double unitOfFile) {
-    double length = unit().orElse(unitOfFile);
+    double length = find(ModelOption.UNIT).orElse(unitOfFile);
     Transform scale = Transform.scale(new Vec3(length, length, length));
-    return up().orElse(upOfFile) == Up.Y
+    return find(ModelOption.UP).orElse(upOfFile) == Up.Y
         ? scale
         : Transform.rotationDegrees(new Vec3(-QUARTER_TURN_DEGREES, 0, 0)).times(scale);
   }

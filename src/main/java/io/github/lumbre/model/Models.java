@@ -93,7 +93,7 @@ public final class Models {
   public static ModelFile read(
       String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
-    if (options.pose().filter(pose -> pose.poses() > 1).isPresent()) {
+    if (options.find(ModelOption.POSE).filter(pose -> pose.poses() > 1).isPresent()) {
       throw new IllegalArgumentException("pose: expected one that stands still, found motion");
     }
     ModelLimits.require("", "bytes", options.limits().bytes(), content.length);

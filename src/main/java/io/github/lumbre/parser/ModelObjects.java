@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
@@ -63,7 +64,7 @@ record ModelObjects(
     ModelOptions options = options(node, lenient || isTheScene);
     ModelFolder files =
         isTheScene
-            ? data.ownFolderOf(name, options.withAssets(data.modelAssets()))
+            ? data.ownFolderOf(name, options.with(ModelOption.ASSETS, data.modelAssets()))
             : data.folderOf(name);
     try {
       Model model = ModelReader.read(name, content, files, options);

@@ -6,7 +6,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
-import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.outline.LineDrawing;
 import io.github.lumbre.parser.SceneFormatException.Kind;
@@ -136,7 +136,7 @@ public final class SceneParser {
 
   /**
    * Returns a parser for the text of a scene around a model that was read with further folders of
-   * files, see {@link ModelOptions#assets}: that model gets them again. Scenes that name models
+   * files, see {@link ModelOption#ASSETS}: that model gets them again. Scenes that name models
    * among other objects get none.
    */
   public SceneParser withAssets(List<Path> folders) {
@@ -306,7 +306,7 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     Path file = model.toAbsolutePath().normalize();
     // In the scene, the model may use files of the scene's folder.
-    Stage inScene = stage.reading(stage.options().withAssets(List.of(folder)));
+    Stage inScene = stage.reading(stage.options().with(ModelOption.ASSETS, List.of(folder)));
     return TimedReading.of(
         limits(), problemsOf(file), () -> staged(file, inScene, folder, false).scene(this));
   }

@@ -363,7 +363,7 @@ public final class Stage {
     OptionValues changed = values.with(option, value);
     return new Stage(
         changed,
-        option == LOOK ? options.looking(Look.of((String) value).materials()) : options);
+        option == LOOK ? options.with(ModelOption.LOOK, look(changed).materials()) : options);
   }
 
   /** Returns the value of an option, or its default; empty if it has none. */
@@ -375,7 +375,7 @@ public final class Stage {
     return values.find(option).orElseThrow();
   }
 
-  private Look look() {
+  private static Look look(OptionValues values) {
     return Look.of(values.find(LOOK));
   }
 
@@ -396,7 +396,7 @@ public final class Stage {
 
   /** Returns the environment light. */
   public Sky sky() {
-    String name = values.find(SKY).orElse(look().sky());
+    String name = values.find(SKY).orElse(look(values).sky());
     return new Sky(name, get(SKY_INTENSITY), get(SKY_ROTATION), get(SUN));
   }
 
@@ -408,7 +408,7 @@ public final class Stage {
   /** Returns the linear color that pictures show instead of the sky; empty for the sky. */
   public Optional<Rgb> background() {
     Optional<String> named = values.find(BACKGROUND);
-    return named.isPresent() ? named.flatMap(BackgroundType::color) : look().background();
+    return named.isPresent() ? named.flatMap(BackgroundType::color) : look(values).background();
   }
 
   /** Returns whether the background is transparent. */
@@ -418,7 +418,7 @@ public final class Stage {
 
   /** Returns the width of lines in pixels; 0 for no lines. */
   public double lineWidth() {
-    return values.find(LINE_WIDTH).orElse(look().lineWidth());
+    return values.find(LINE_WIDTH).orElse(look(values).lineWidth());
   }
 
   /** Returns the angle between two triangles from which on their edge is a crease, in degrees. */

@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.limit.Limits;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.ModelAnimation;
@@ -122,7 +123,7 @@ final class StagedAnimation extends StagedFrames {
   }
 
   private Stage at(double time) {
-    return stage.reading(stage.options().posed(new Pose(animation, time)));
+    return stage.reading(stage.options().with(ModelOption.POSE, new Pose(animation, time)));
   }
 
   @Override

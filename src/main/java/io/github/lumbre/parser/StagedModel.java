@@ -15,6 +15,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
@@ -153,7 +154,8 @@ final class StagedModel {
       throws SceneFormatException, IOException {
     try {
       ModelOptions options = stage.options().limitedTo(data.allowance().left());
-      Model read = ModelReader.readPose(name, content, others, options.cutBy(List.of()));
+      ModelOptions uncut = options.with(ModelOption.SECTION, List.of());
+      Model read = ModelReader.readPose(name, content, others, uncut);
       if (!isFrame) {
         read.requireSurface();
       }
@@ -384,7 +386,7 @@ final class StagedModel {
             (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
         .maxTraceDepth(MAX_TRACE_DEPTH)
         .toneCurve(
-            stage.options().look().isEmpty()
+            stage.options().find(ModelOption.LOOK).isEmpty()
                 ? Setting.TONE_MAP.inModels().orElseThrow()
                 : Setting.TONE_MAP.missing())
         .set(Setting.LINE_WIDTH, stage.lineWidth())

@@ -10,6 +10,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.Models;
@@ -127,7 +128,7 @@ class MotionModelTest {
   }
 
   private static Stage at(double seconds) {
-    return Stage.DEFAULT.reading(ModelOptions.DEFAULT.posed(new Pose("go", seconds)));
+    return Stage.DEFAULT.with(ModelOption.POSE, new Pose("go", seconds));
   }
 
   private static SceneFile read(byte[] glb, Stage stage, double shutter) throws Exception {
@@ -319,7 +320,7 @@ class MotionModelTest {
   @ValueSource(strings = {"x=60%", "y=0.4"})
   void sectionsStandStill(String section) throws Exception {
     addParts();
-    Stage cut = at(.25).reading(at(.25).options().cutBy(List.of(section)));
+    Stage cut = at(.25).reading(at(.25).options().with(ModelOption.SECTION, List.of(section)));
     byte[] glb = glb();
     SceneFile moving = read(glb, cut, SHUTTER);
     assertThat(moving.scene().poses()).hasSize(POSES).doesNotHaveDuplicates();
@@ -383,9 +384,10 @@ class MotionModelTest {
   void codeAddsModelsThatStandStill() throws Exception {
     addParts();
     byte[] glb = glb();
-    ModelOptions still = ModelOptions.DEFAULT.posed(new Pose("go", .5));
+    ModelOptions still = ModelOptions.DEFAULT.with(ModelOption.POSE, new Pose("go", .5));
     assertThat(Models.read("a.glb", glb, ModelFolder.NONE, still).options()).isEqualTo(still);
-    ModelOptions moving = ModelOptions.DEFAULT.posed(new Pose("go", .5, SHUTTER, POSES));
+    ModelOptions moving =
+        ModelOptions.DEFAULT.with(ModelOption.POSE, new Pose("go", .5, SHUTTER, POSES));
     assertThatThrownBy(() -> Models.read("a.glb", glb, ModelFolder.NONE, moving))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("pose: expected one that stands still, found motion");

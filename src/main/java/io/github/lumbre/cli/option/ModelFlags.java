@@ -97,7 +97,7 @@ public final class ModelFlags extends Flags {
           !isGiven(ofLines) || look.hasLines(),
           ofLines.flag() + ": requires --look lines or clay,lines");
     }
-    checks().requireFolders(ModelOption.ASSETS.flag(), stage.options().assets());
+    checks().requireFolders(ModelOption.ASSETS.flag(), stage.options().get(ModelOption.ASSETS));
     return stage;
   }
 

@@ -7,6 +7,7 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.parser.SceneFile;
@@ -108,7 +109,7 @@ public final class SceneOptions {
       try {
         if (isModel()) {
           Stage stage = model.stage();
-          given.readsAssets(one, stage.options().assets(), () -> modelFiles(one));
+          given.readsAssets(one, stage.options().get(ModelOption.ASSETS), () -> modelFiles(one));
         } else {
           model.requireNone();
         }

@@ -7,6 +7,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelCamera;
@@ -72,13 +73,13 @@ public final class GltfReader {
     meshes = new GltfMeshes(document, accessors, attributes, draco);
     GltfTextures textures = new GltfTextures(document, buffers, options.lenient());
     materials = new GltfMaterials(document, textures);
-    variants = new GltfVariants(document, options.variant());
+    variants = new GltfVariants(document, options.find(ModelOption.VARIANT));
     animations = new GltfAnimations(document, accessors);
     lights = new GltfLights(document);
     cameras = new GltfCameras(document);
     nodes = new GltfNodes(document, lights.size());
     instances = new GltfInstances(document, accessors);
-    motion = options.pose();
+    motion = options.find(ModelOption.POSE);
   }
 
   /** Returns whether a file begins like a GLB file, or like a JSON text with an asset. */

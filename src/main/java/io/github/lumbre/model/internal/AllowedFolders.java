@@ -1,5 +1,6 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
@@ -43,7 +44,7 @@ public final class AllowedFolders {
    */
   public static AllowedFolders of(Path own, ModelOptions options) {
     return new AllowedFolders(
-        own, options.limits().hasLimitedBytes() ? List.of() : options.assets());
+        own, options.limits().hasLimitedBytes() ? List.of() : options.get(ModelOption.ASSETS));
   }
 
   /**

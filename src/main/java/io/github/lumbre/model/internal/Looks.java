@@ -2,6 +2,7 @@ package io.github.lumbre.model.internal;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import java.util.ArrayList;
@@ -28,10 +29,10 @@ final class Looks {
   }
 
   static Model of(Model model, ModelOptions options) {
-    if (options.look().isEmpty()) {
+    if (options.find(ModelOption.LOOK).isEmpty()) {
       return model;
     }
-    Looks looks = new Looks(options.look().equals(ModelOptions.WHITE));
+    Looks looks = new Looks(options.get(ModelOption.LOOK).equals(ModelOptions.WHITE));
     List<ModelPart> parts = new ArrayList<>();
     for (ModelPart part : model.parts()) {
       ModelGeometry geometry =

@@ -3,6 +3,7 @@ package io.github.lumbre.model.internal;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.ModelCamera.Lens;
 import io.github.lumbre.model.internal.ModelCamera.Parallel;
@@ -30,13 +31,13 @@ final class ModelCorrection {
    * @param read a model, standing still, whose file states meters and +Y up
    */
   static Model of(Model read, ModelOptions options) {
-    if (options.up().isEmpty() && options.unit().isEmpty()) {
+    if (options.find(ModelOption.UP).isEmpty() && options.find(ModelOption.UNIT).isEmpty()) {
       return read;
     }
     Transform toWorld = options.toWorld();
-    return new ModelCorrection(toWorld, options.unit().orElse(1.))
+    return new ModelCorrection(toWorld, options.find(ModelOption.UNIT).orElse(1.))
         .corrected(read)
-        .from(toWorld, LengthUnit.nameOf(options.unit().orElse(1.)));
+        .from(toWorld, LengthUnit.nameOf(options.find(ModelOption.UNIT).orElse(1.)));
   }
 
   private Model corrected(Model read) {

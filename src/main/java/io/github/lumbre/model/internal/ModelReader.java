@@ -4,6 +4,7 @@ import io.github.lumbre.file.FileContent;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.section.Sections;
@@ -83,8 +84,9 @@ public final class ModelReader {
       throws ModelFormatException, IOException {
     ModelFormat format = format(name, content);
     if (format != ModelFormat.GLTF && format != ModelFormat.ZIP) {
-      requireNone("animations", "an animation", options.pose().map(Pose::animation));
-      requireNone("variants", "a variant", options.variant());
+      Optional<String> animation = options.find(ModelOption.POSE).map(Pose::animation);
+      requireNone("animations", "an animation", animation);
+      requireNone("variants", "a variant", options.find(ModelOption.VARIANT));
     }
     try {
       Model read = format.read(content, folder, options);
@@ -117,8 +119,8 @@ public final class ModelReader {
       throws ModelFormatException {
     Model placed = placed(read, format, options);
     double radius =
-        options.pointRadius().isPresent()
-            ? options.pointRadius().get() * options.unit().orElse(1.)
+        options.find(ModelOption.POINT_RADIUS).isPresent()
+            ? options.get(ModelOption.POINT_RADIUS) * options.find(ModelOption.UNIT).orElse(1.)
             : PointSpacing.radius(checked(placed, options));
     List<Model> poses = new ArrayList<>();
     for (Model pose : read.poses()) {
@@ -165,7 +167,7 @@ public final class ModelReader {
       items += part.geometry().itemCount();
       ModelLimits.requireItems(part.location(), part.geometry(), items, options.limits());
     }
-    if (model.lights().isEmpty() && options.pose().isEmpty()) {
+    if (model.lights().isEmpty() && options.find(ModelOption.POSE).isEmpty()) {
       model.requireSurface();
     }
     return model;

@@ -2,6 +2,7 @@ package io.github.lumbre.model.internal;
 
 import io.github.lumbre.model.ModelOption;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
@@ -30,7 +31,7 @@ public record OptionValues(Map<ModelOption<?>, Object> given) {
    * @throws IllegalArgumentException if it is out of range; the message names the option
    */
   public <T> OptionValues with(ModelOption<T> option, T value) {
-    return with(option, Optional.of(option.require(value)));
+    return with(option, Optional.of(value));
   }
 
   /** Returns these values with another one; with the default if it is empty. */
@@ -38,9 +39,9 @@ public record OptionValues(Map<ModelOption<?>, Object> given) {
     Map<ModelOption<?>, Object> all = new HashMap<>(given);
     all.remove(option);
     value
-        .map(option::require)
+        .map(v -> option.type().require(option.name(), v))
         .filter(v -> !option.missing().equals(Optional.of(v)))
-        .ifPresent(v -> all.put(option, v));
+        .ifPresent(v -> all.put(option, v instanceof List<?> list ? List.copyOf(list) : v));
     return new OptionValues(all);
   }
 }

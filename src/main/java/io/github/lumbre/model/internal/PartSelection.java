@@ -4,6 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.scene.internal.Names;
 import java.util.ArrayList;
@@ -55,13 +56,15 @@ final class PartSelection {
    * @throws ModelFormatException if it lacks a part that the options name, or nothing is left
    */
   static Model shown(Model model, ModelOptions options) throws ModelFormatException {
-    boolean isAll = options.hidden().isEmpty() && options.highlighted().isEmpty();
+    List<String> hide = options.get(ModelOption.HIDE);
+    List<String> highlight = options.get(ModelOption.HIGHLIGHT);
+    boolean isAll = hide.isEmpty() && highlight.isEmpty();
     if (isAll || model.parts().isEmpty()) {
       return model;
     }
     List<ModelPart> all = PieceModel.of(model).parts();
-    Set<ModelNode> hidden = named("hide", options.hidden(), all);
-    Set<ModelNode> highlighted = named("highlight", options.highlighted(), all);
+    Set<ModelNode> hidden = named("hide", hide, all);
+    Set<ModelNode> highlighted = named("highlight", highlight, all);
     List<ModelPart> shown = all.stream().filter(part -> !hidden.contains(part.node())).toList();
     if (shown.isEmpty()) {
       throw Kind.MALFORMED.at("hide", "expected at least one part to show, found none");

@@ -7,6 +7,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -89,7 +90,8 @@ public final class Sections {
   public static Model cut(Model model, ModelOptions options, boolean mayBeEmpty)
       throws ModelFormatException {
     Bounds3 bounds = bounds(model);
-    if (options.sections().isEmpty() || bounds.isEmpty()) {
+    List<String> texts = options.get(ModelOption.SECTION);
+    if (texts.isEmpty() || bounds.isEmpty()) {
       return model;
     }
     Bounds3 inFile = Bounds3.EMPTY;
@@ -97,7 +99,7 @@ public final class Sections {
       inFile = inFile.union(model.fromFile().inversePoint(bounds.corner(corner)));
     }
     List<CutPlane> planes = new ArrayList<>();
-    for (String text : options.sections()) {
+    for (String text : texts) {
       planes.add(Section.of(text).in(inFile, model.fromFile()));
     }
     Sections sections = new Sections(planes, options, 2 * bounds.radius() / LINES);
@@ -105,13 +107,12 @@ public final class Sections {
     String size = " the model, which is " + text(inFile) + " in the unit of the file";
     if (result.parts().isEmpty() && !mayBeEmpty) {
       String expected = "expected a plane that leaves something of" + size;
-      throw Kind.MALFORMED.at(
-          "section", expected + ", found " + String.join(" ", options.sections()));
+      throw Kind.MALFORMED.at("section", expected + ", found " + String.join(" ", texts));
     }
     boolean isWhole = result.parts().equals(model.parts());
     return isWhole
         ? model.warning(
-            List.of("section " + String.join(" ", options.sections()) + " cuts nothing of" + size))
+            List.of("section " + String.join(" ", texts) + " cuts nothing of" + size))
         : result.warning(sections.warnings.all());
   }
 

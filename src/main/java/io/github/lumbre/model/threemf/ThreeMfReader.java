@@ -5,6 +5,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.model.internal.LengthUnit;
@@ -68,7 +69,7 @@ public final class ThreeMfReader {
     }
     file.tally().addTo(file.warnings());
     return PlainModel.of(parts, file.warnings().all())
-        .from(toWorld, LengthUnit.nameOf(options.unit().orElse(unit)));
+        .from(toWorld, LengthUnit.nameOf(options.find(ModelOption.UNIT).orElse(unit)));
   }
 
   /** Returns the name of the part with the model, by the relations of the archive. */

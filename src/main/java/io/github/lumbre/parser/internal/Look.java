@@ -44,9 +44,10 @@ public record Look(boolean isClay, boolean hasLines) {
     return hasLines && !isClay;
   }
 
-  /** Returns {@link ModelOptions#look}. */
-  public String materials() {
-    return isDrawing() ? ModelOptions.WHITE : isClay ? ModelOptions.CLAY : "";
+  /** Returns what replaces all materials; empty for those of the file. */
+  public Optional<String> materials() {
+    Optional<String> clay = isClay ? Optional.of(ModelOptions.CLAY) : Optional.empty();
+    return isDrawing() ? Optional.of(ModelOptions.WHITE) : clay;
   }
 
   /** Returns the name of the sky, if nothing else is asked for. */

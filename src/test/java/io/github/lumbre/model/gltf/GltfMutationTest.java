@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -27,7 +28,8 @@ class GltfMutationTest {
           Optional.of(new ModelOptions.Pose("0", .5)), Optional.of("red"), ModelOptions.Up.Y, 1);
 
   /** The same in motion, so that all that moves is read four times. */
-  private static final ModelOptions MOVING = OPTIONS.posed(new ModelOptions.Pose("0", .5, .25, 4));
+  private static final ModelOptions MOVING =
+      OPTIONS.with(ModelOption.POSE, new ModelOptions.Pose("0", .5, .25, 4));
 
   @Test
   void originalIsRead() throws ModelFormatException, IOException {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelCamera;
@@ -74,7 +75,7 @@ class GltfNodeTest {
   }
 
   private List<String> left(String hidden) throws ModelFormatException {
-    ModelOptions options = ModelOptions.DEFAULT.hiding(List.of(hidden));
+    ModelOptions options = ModelOptions.DEFAULT.with(ModelOption.HIDE, List.of(hidden));
     Model model = new ModelFixture("a.glb", file.glb()).with(options).read();
     return model.parts().stream().map(part -> part.node().label()).toList();
   }

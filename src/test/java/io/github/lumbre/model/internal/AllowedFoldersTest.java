@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -109,7 +110,7 @@ class AllowedFoldersTest {
   @Test
   void uploadsGetNoFurtherFolder() throws IOException {
     ModelOptions options =
-        ModelOptions.DEFAULT.withAssets(List.of(folder.resolve("materials")));
+        ModelOptions.DEFAULT.with(ModelOption.ASSETS, List.of(folder.resolve("materials")));
     String name = "../materials/textures/x.png";
     Path own = folder.resolve("models");
     assertThat(AllowedFolders.of(own, options).find(name)).isPresent();

@@ -7,6 +7,7 @@ import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
@@ -115,7 +116,8 @@ class ModelCorrectionTest {
                 .formatted(times, places)
             + " [{'sampler': 0, 'target': {'node': 0, 'path': 'translation'}}]}");
     Pose pose = new Pose("rise", 0, 1, 2);
-    Model model = read(file, options(Optional.of(Up.Z), OptionalDouble.of(10)).posed(pose));
+    ModelOptions turned = options(Optional.of(Up.Z), OptionalDouble.of(10));
+    Model model = read(file, turned.with(ModelOption.POSE, pose));
     assertThat(model.poses()).hasSize(2);
     assertNear(ModelFixture.mapped(model.poses().get(0).parts().get(0), 0, 0, 0), 0, 20, 0);
     assertNear(ModelFixture.mapped(model.poses().get(1).parts().get(0), 0, 0, 0), 0, 60, 0);

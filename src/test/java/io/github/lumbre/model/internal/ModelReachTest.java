@@ -3,6 +3,7 @@ package io.github.lumbre.model.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
 import java.nio.charset.StandardCharsets;
@@ -47,7 +48,8 @@ class ModelReachTest {
   @CsvSource({"1e-320, 1", "1e-60, 1e-100", "1e150, 1", "1e60, 1e60"})
   void sectionsOfSuchModelsAreRefused(String size, double unit) {
     ModelOptions options = new ModelOptions(Optional.empty(), Optional.empty(), Up.Y, unit);
-    assertThat(triangle(size, unit).with(options.cutBy(List.of("x=0"))).refusal())
+    ModelOptions cut = options.with(ModelOption.SECTION, List.of("x=0"));
+    assertThat(triangle(size, unit).with(cut).refusal())
         .startsWith("MALFORMED ")
         .containsPattern("expected (a part within 1e100|a model of at)");
   }

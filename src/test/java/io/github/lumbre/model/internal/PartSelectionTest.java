@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -59,11 +60,11 @@ public class PartSelectionTest {
   }
 
   private static ModelOptions hiding(String... parts) {
-    return ModelOptions.DEFAULT.hiding(List.of(parts));
+    return ModelOptions.DEFAULT.with(ModelOption.HIDE, List.of(parts));
   }
 
   private static ModelOptions highlighting(String... parts) {
-    return ModelOptions.DEFAULT.highlighting(List.of(parts));
+    return ModelOptions.DEFAULT.with(ModelOption.HIGHLIGHT, List.of(parts));
   }
 
   private static Rgb color(ModelPart part) {
@@ -198,7 +199,7 @@ public class PartSelectionTest {
 
   @Test
   void hiddenPartsCannotBeShownByHighlightingThem() throws ModelFormatException {
-    ModelOptions both = hiding("piece 1").highlighting(List.of("piece 1"));
+    ModelOptions both = hiding("piece 1").with(ModelOption.HIGHLIGHT, List.of("piece 1"));
     List<ModelPart> parts = stl(2).with(both).read().parts();
     assertThat(parts).hasSize(1);
     assertThat(color(parts.get(0))).isEqualTo(Rgb.grey(.85));

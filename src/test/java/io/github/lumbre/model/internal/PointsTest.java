@@ -15,6 +15,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
 import io.github.lumbre.model.gltf.GltfFile;
@@ -158,18 +159,23 @@ class PointsTest {
     assertThat(one.pointRadius()).isEqualTo(.25);
   }
 
+  private static ModelOptions points(double radius) {
+    return ModelOptions.DEFAULT.with(ModelOption.POINT_RADIUS, radius);
+  }
+
   @Test
   void theRadiusIsInTheUnitOfTheFile() throws ModelFormatException {
     ModelOptions options =
-        new ModelOptions(Optional.empty(), Optional.empty(), Up.Z, 10).withPointRadius(.5);
+        new ModelOptions(Optional.empty(), Optional.empty(), Up.Z, 10)
+            .with(ModelOption.POINT_RADIUS, .5);
     Model model = ply(XYZ, "0 0 0", "1 2 3").with(options).read();
     assertThat(model.pointRadius()).isEqualTo(5);
     assertBounds(model, new Vec3(-5, -5, -25), new Vec3(15, 35, 5));
-    assertThatThrownBy(() -> options.withPointRadius(0))
+    assertThatThrownBy(() -> options.with(ModelOption.POINT_RADIUS, 0.))
         .hasMessage("pointRadius: expected a number from 1e-100 to 1e100, found 0.0");
-    Model tiny = ply(XYZ, "0 0 0").with(ModelOptions.DEFAULT.withPointRadius(1e-100)).read();
+    Model tiny = ply(XYZ, "0 0 0").with(points(1e-100)).read();
     assertThat(surfaces(tiny)).hasSize(1);
-    ModelFixture huge = ply(XYZ, "1e100 0 0").with(ModelOptions.DEFAULT.withPointRadius(1e99));
+    ModelFixture huge = ply(XYZ, "1e100 0 0").with(points(1e99));
     assertThatThrownBy(huge::read)
         .hasMessageContaining("expected a part within 1e100 of the origin, found one that extends");
   }
@@ -177,7 +183,7 @@ class PointsTest {
   @Test
   void nodesMovePointsAndKeepTheirRadius() throws ModelFormatException, IOException {
     node(positions(0, 0, 0, 1, 1, 1), "", ", 'scale': [3, 3, 3], 'translation': [1, 0, 0]");
-    ModelOptions options = ModelOptions.DEFAULT.withPointRadius(.5);
+    ModelOptions options = ModelOptions.DEFAULT.with(ModelOption.POINT_RADIUS, .5);
     assertBounds(read(file, options), new Vec3(.5, -.5, -.5), new Vec3(4.5, 3.5, 3.5));
     GltfFile uneven = new GltfFile();
     int mesh = uneven.mesh("'POSITION': " + uneven.floats("VEC3", 0, 0, 0, 1, 1, 1), ", 'mode': 0");

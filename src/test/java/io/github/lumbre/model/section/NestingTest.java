@@ -11,6 +11,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelNode;
@@ -194,7 +195,7 @@ class NestingTest {
         name,
         text.getBytes(StandardCharsets.US_ASCII),
         ModelFolder.NONE,
-        ModelOptions.DEFAULT.cutBy(List.of("z=50%")));
+        ModelOptions.DEFAULT.with(ModelOption.SECTION, List.of("z=50%")));
   }
 
   /** The corners of a skewed box, and points that divide two of its edges. */

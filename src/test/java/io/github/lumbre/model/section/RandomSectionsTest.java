@@ -8,6 +8,7 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -187,7 +188,8 @@ class RandomSectionsTest {
     try {
       Model model =
           Sections.cut(
-              PlainModel.of(parts, List.of()), ModelOptions.DEFAULT.cutBy(List.of(planes)));
+              PlainModel.of(parts, List.of()),
+              ModelOptions.DEFAULT.with(ModelOption.SECTION, List.of(planes)));
       // Builds the meshes, which checks their numbers.
       new ModelScene(model, Transform.IDENTITY, Kernel.AUTO, Limits.NONE, false).surfaces();
       return Optional.of(model);

@@ -8,6 +8,7 @@ import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -100,7 +101,8 @@ class SectionsTest {
 
   static Model cut(List<ModelPart> parts, String... sections) throws ModelFormatException {
     return Sections.cut(
-        PlainModel.of(parts, List.of()), ModelOptions.DEFAULT.cutBy(List.of(sections)));
+        PlainModel.of(parts, List.of()),
+        ModelOptions.DEFAULT.with(ModelOption.SECTION, List.of(sections)));
   }
 
   static List<ModelPart> caps(Model model) {
@@ -376,7 +378,9 @@ class SectionsTest {
   void memoryIsLimited() {
     ModelPart box = box("box", 0, 1);
     ModelOptions options =
-        ModelOptions.DEFAULT.cutBy(List.of("x=.5")).limitedTo(Limits.NONE.withMemory(100));
+        ModelOptions.DEFAULT
+            .with(ModelOption.SECTION, List.of("x=.5"))
+            .limitedTo(Limits.NONE.withMemory(100));
     assertThatThrownBy(() -> Sections.cut(PlainModel.of(List.of(box), List.of()), options))
         .isInstanceOf(ModelFormatException.class)
         .hasMessage("box: expected at most 100 bytes of memory for the model, found 4000");
