@@ -127,7 +127,12 @@ final class LightKinds {
   private LightKinds() {}
 
   private static <O> Kind<Reading, O> shining(String name, Class<O> type, Reading reading) {
-    return FAMILY.kind(name, type, reading).with(INTENSITY, light -> 1.);
+    return FAMILY.kind(name, type, reading).with(INTENSITY).writing((o, to, t) -> shine(to));
+  }
+
+  /** Writes the intensity of lights whose color is their strength. */
+  private static void shine(JsonObject to) {
+    to.addProperty(INTENSITY.name(), 1);
   }
 
   private static void pointing(JsonObject to, Vec3 position, Vec3 direction) {
@@ -140,7 +145,7 @@ final class LightKinds {
       throw new Unwritable("an environment light without besideSun", "one with it");
     }
     Rgb color = isUniform ? sky.radiance().at(0, 0) : textures.sky(to, sky.radiance());
-    INTENSITY.put(to, 1.);
+    shine(to);
     COLOR.put(to, color);
     if (!isUniform) {
       LocalTransform.matrix(to, Transform.ofFrame(sky.axes(), Vec3.ZERO));

@@ -2,6 +2,7 @@ package io.github.lumbre.parser;
 
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.internal.CameraKeys;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,30 +15,34 @@ final class ObjectKeys {
       Value.other("{'type': ['array', 'null'], 'items': {'$ref': '#/$defs/object'}}");
 
   static final Key<JsonNode> NAME = Key.of("name", Value.other("{}"), "");
-  static final Key<Integer> ID = Key.of("id", Value.ID, "");
+  static final Key<Integer> ID = Key.of(CameraKeys.ID, Value.ID, "");
   static final Key<ObjectTree.Type> TYPE =
-      Key.choice("type", types(), ObjectTree.Type.NONE, "");
-  static final Key<JsonNode> CHILDREN = Key.of("children", LIST, "");
-  static final Key<Vec3> POSITION = Key.of("localPosition", Value.VECTOR, Vec3.ZERO, "");
+      Key.choice(CameraKeys.TYPE, types(), ObjectTree.Type.NONE, "");
+  static final Key<JsonNode> CHILDREN = Key.of(CameraKeys.CHILDREN, LIST, "");
+  static final Key<Vec3> POSITION = Key.of(CameraKeys.POSITION, Value.VECTOR, Vec3.ZERO, "");
   static final Key<Vec3> ROTATION =
-      Key.of("localRotation", Value.VECTOR, Vec3.ZERO, "Degrees, about z first, then x, then y.");
+      Key.of(
+          CameraKeys.ROTATION,
+          Value.VECTOR,
+          Vec3.ZERO,
+          "Degrees, about z first, then x, then y.");
   static final Key<Vec3> SCALE =
-      Key.of("localScale", Value.VECTOR, new Vec3(1, 1, 1), "1 where missing.");
+      Key.of(CameraKeys.SCALE, Value.VECTOR, new Vec3(1, 1, 1), "1 where missing.");
   static final Key<Vec3> LOOK_AT =
       Key.of(
-          "lookAt",
+          CameraKeys.LOOK_AT,
           Value.VECTOR,
           Vec3.Z,
           "The point, in the parent's space, that local +z points to.");
   static final Key<Vec3> LOOK_AT_UP =
       Key.of(
-          "lookAtUp",
+          CameraKeys.LOOK_AT_UP,
           Value.VECTOR,
           Vec3.Y,
           "The direction nearest to local +y; the parent's +y where missing.");
   static final Key<double[]> MATRIX =
       Key.of(
-          "matrix",
+          CameraKeys.MATRIX,
           Value.list(LocalTransform.NUMBERS, Transform.VALUES),
           new double[0],
           "Three rows of four numbers, instead of position, rotation and scale.");

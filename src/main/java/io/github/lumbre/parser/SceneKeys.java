@@ -1,11 +1,12 @@
 package io.github.lumbre.parser;
 
+import io.github.lumbre.parser.internal.CameraKeys;
 import java.util.List;
 
 /** The keys of a scene itself; {@code $schema} names the schema for editors. */
 final class SceneKeys {
   static final Key<Integer> MAIN_CAMERA =
-      Key.of("mainCameraId", Value.ID, "The id of the camera that the scene is seen by.");
+      Key.of(CameraKeys.MAIN_CAMERA, Value.ID, "The id of the camera that the scene is seen by.");
   static final Key<JsonNode> OPTIONS =
       Key.of("renderOptions", Value.other("{'$ref': '#/$defs/renderOptions'}"), "");
   static final Key<JsonNode> ASSETS =
@@ -13,7 +14,7 @@ final class SceneKeys {
           "assets",
           Value.other("{'type': ['array', 'null'], 'items': {'$ref': '#/$defs/asset'}}"),
           "");
-  static final Key<JsonNode> OBJECTS = Key.of("objects", ObjectKeys.LIST, "");
+  static final Key<JsonNode> OBJECTS = Key.of(CameraKeys.OBJECTS, ObjectKeys.LIST, "");
 
   static final List<Key<?>> ALL =
       List.of(

@@ -75,9 +75,12 @@ class SceneBuilderTest {
     assertRefused(
         () -> Emission.of(Rgb.grey(-1)),
         "radiance: expected finite components >= 0, found Rgb[r=-1.0, g=-1.0, b=-1.0]");
-    assertRefused(() -> Lens.pinhole(180), "fovDegrees: expected a number in (0, 180), found 180.0");
-    assertRefused(() -> Lens.thinLens(40, 0, 1), "focusDistance: expected a finite number > 0, found 0.0");
-    assertRefused(() -> Lens.fishEye(361), "angleDegrees: expected a number in (0, 360], found 361.0");
+    assertRefused(
+        () -> Lens.pinhole(180), "fovDegrees: expected a number in (0, 180), found 180.0");
+    assertRefused(
+        () -> Lens.thinLens(40, 0, 1), "focusDistance: expected a finite number > 0, found 0.0");
+    assertRefused(
+        () -> Lens.fishEye(361), "angleDegrees: expected a number in (0, 360], found 361.0");
     assertRefused(() -> Lens.orthographic(0), "height: expected a finite number > 0, found 0.0");
     assertRefused(
         () -> Sphere.of(Vec3.ZERO, -1), "radius: expected a finite number > 0, found -1.0");

@@ -7,6 +7,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.parser.internal.CameraKeys;
 import io.github.lumbre.parser.internal.CameraPose;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
@@ -26,11 +27,11 @@ final class CameraJson {
    */
   static String of(byte[] scene, CameraPose pose) {
     JsonObject camera = main(scene);
-    camera.remove("children");
-    camera.remove("localScale");
-    camera.addProperty("type", "Camera");
-    camera.add("localPosition", vector(pose.position()));
-    camera.add("localRotation", vector(pose.rotation()));
+    camera.remove(CameraKeys.CHILDREN);
+    CameraKeys.OTHER_PLACES.forEach(camera::remove);
+    camera.addProperty(CameraKeys.TYPE, "Camera");
+    camera.add(CameraKeys.POSITION, vector(pose.position()));
+    camera.add(CameraKeys.ROTATION, vector(pose.rotation()));
     return GSON.toJson(camera);
   }
 
@@ -38,19 +39,20 @@ final class CameraJson {
     try {
       JsonObject scene =
           JsonParser.parseString(new String(text, StandardCharsets.UTF_8)).getAsJsonObject();
-      JsonElement id = scene.get("mainCameraId");
+      JsonElement id = scene.get(CameraKeys.MAIN_CAMERA);
       Deque<JsonElement> left = new ArrayDeque<>();
-      left.push(scene.get("objects"));
+      left.push(scene.get(CameraKeys.OBJECTS));
       while (!left.isEmpty()) {
         for (JsonElement element : left.pop().getAsJsonArray()) {
           JsonObject object = element.getAsJsonObject();
           boolean isCamera =
-              object.has("type") && object.get("type").getAsString().equals("Camera");
-          if (isCamera && (id == null || id.equals(object.get("id")))) {
+              object.has(CameraKeys.TYPE)
+                  && object.get(CameraKeys.TYPE).getAsString().equals("Camera");
+          if (isCamera && (id == null || id.equals(object.get(CameraKeys.ID)))) {
             return object.deepCopy();
           }
-          if (object.has("children")) {
-            left.push(object.get("children"));
+          if (object.has(CameraKeys.CHILDREN)) {
+            left.push(object.get(CameraKeys.CHILDREN));
           }
         }
       }
