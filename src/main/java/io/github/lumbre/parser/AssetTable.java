@@ -77,8 +77,8 @@ final class AssetTable {
     }
     JsonNode first = all.putIfAbsent(id.get(), asset);
     if (first != null) {
-      asset.error(
-          idKey, "expected each id once, found " + id.get() + ", also at " + first.path() + "." + idKey);
+      String place = first.path() + "." + idKey;
+      asset.error(idKey, "expected each id once, found " + id.get() + ", also at " + place);
       return;
     }
     assets.get(type.get()).put(id.get(), asset);

@@ -94,8 +94,8 @@ record JsonNode(JsonValue value, Problems problems) {
 
   /** Returns the place of the object or asset that this node describes. */
   Origin origin() {
-    String name = find(ObjectKeys.NAME.name()).flatMap(JsonNode::text).map(PrintableText::shortened).orElse("");
-    return new Origin(PrintableText.path(path()), name);
+    Optional<String> name = ObjectKeys.NAME.find(this).flatMap(JsonNode::text);
+    return new Origin(PrintableText.path(path()), name.map(PrintableText::shortened).orElse(""));
   }
 
   private String path(String childKey) {

@@ -95,6 +95,16 @@ record Key<T>(
     return node.has(name);
   }
 
+  /** Adds an error at the value in an object, or where it is missing. */
+  void error(JsonNode node, String message) {
+    node.error(name, message);
+  }
+
+  /** Adds a warning at the value in an object. */
+  void warn(JsonNode node, String message) {
+    node.warn(name, message);
+  }
+
   /**
    * Writes a value into an object.
    *

@@ -120,9 +120,8 @@ final class LightReader {
   private Consumer<SceneAssembly> profiled(Placed light, Rgb factor) {
     PointLight source = pointLight(light, factor, Falloff.INVERSE_SQUARE);
     if (source.falloff() == Falloff.NONE) {
-      light
-          .node()
-          .error(LightKinds.FALLOFF.name(), "expected \"inverseSquare\", which profiles need, found \"none\"");
+      LightKinds.FALLOFF.error(
+          light.node(), "expected \"inverseSquare\", which profiles need, found \"none\"");
     }
     Optional<LightProfile> profile = profiles.of(light.node());
     return scene -> scene.add(profile.orElseThrow().light(source, light.toWorld()));
@@ -131,7 +130,7 @@ final class LightReader {
   Consumer<SceneAssembly> spot(Placed light, Rgb intensity) {
     warnOfGlass(light);
     if (LightKinds.PROFILE.isIn(light.node())) {
-      light.node().warn(LightKinds.PROFILE.name(), "is ignored, because only Point lights have one");
+      LightKinds.PROFILE.warn(light.node(), "is ignored, because only Point lights have one");
     }
     double angle = spotAngle(light.node());
     double penumbra = light.node().number(LightKinds.PENUMBRA.name(), 0, Range.closed(0, angle));
@@ -192,7 +191,7 @@ final class LightReader {
   }
 
   private static void intensityError(Placed light, String message) {
-    light.node().error(LightKinds.INTENSITY.name(), message);
+    LightKinds.INTENSITY.error(light.node(), message);
   }
 
   private static PointLight pointLight(Placed light, Rgb intensity, Falloff missing) {

@@ -132,8 +132,9 @@ final class MaterialKinds {
   }
 
   private static void metallicRoughness() {
+    Class<MetallicRoughness> type = MetallicRoughness.class;
     Kind<?, MetallicRoughness> kind =
-        FAMILY.kind("MetallicRoughness", MetallicRoughness.class, MaterialReader::metallicRoughness);
+        FAMILY.kind("MetallicRoughness", type, MaterialReader::metallicRoughness);
     for (MaterialParameter parameter : MaterialParameter.all()) {
       ChannelKeys<?> keys = keys(parameter);
       PARAMETERS.put(parameter, keys);

@@ -46,7 +46,8 @@ final class MeshReader {
 
   /** Returns a mesh; empty, with an error added, if it cannot be used. */
   Optional<TriangleMesh> read(JsonNode asset) {
-    return meshes.computeIfAbsent(asset, a -> data.read(a, ObjectKeys.BASE64_MESH.name()).flatMap(this::decoded));
+    String base64 = ObjectKeys.BASE64_MESH.name();
+    return meshes.computeIfAbsent(asset, a -> data.read(a, base64).flatMap(this::decoded));
   }
 
   private Optional<TriangleMesh> decoded(AssetData.Content content) {

@@ -46,7 +46,8 @@ final class ObjectTree {
     String lightGroup() {
       String name = ObjectKeys.LIGHT_GROUP.in(node);
       if (!LightGroups.isName(name)) {
-        node.error(ObjectKeys.LIGHT_GROUP.name(), "expected letters, digits and underscores, found another name");
+        ObjectKeys.LIGHT_GROUP.error(
+            node, "expected letters, digits and underscores, found another name");
         return "";
       }
       return name;

@@ -100,7 +100,7 @@ final class SceneReader {
     Optional<Integer> wanted = root.id(MAIN_CAMERA);
     Optional<Placed> main =
         all.stream()
-            .filter(c -> wanted.isPresent() && wanted.equals(c.node().idSilently(ObjectKeys.ID.name())))
+            .filter(c -> wanted.isPresent() && wanted.equals(idOf(c)))
             .findFirst();
     if (main.isEmpty()) {
       reportNoCamera(all);
@@ -116,12 +116,16 @@ final class SceneReader {
     cameraType = CameraKinds.FAMILY.typeKey().in(main.get().node());
   }
 
+  private static Optional<Integer> idOf(Placed object) {
+    return object.node().idSilently(ObjectKeys.ID.name());
+  }
+
   private void reportNoCamera(List<Placed> cameras) {
     if (root.has(MAIN_CAMERA) && root.idSilently(MAIN_CAMERA).isEmpty()) {
       return;
     }
     TreeSet<Integer> ids = new TreeSet<>();
-    cameras.forEach(c -> c.node().idSilently(ObjectKeys.ID.name()).ifPresent(ids::add));
+    cameras.forEach(c -> idOf(c).ifPresent(ids::add));
     root.error(
         MAIN_CAMERA,
         "expected the id of a camera, found "
@@ -159,7 +163,8 @@ final class SceneReader {
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
       root.object(SceneKeys.OPTIONS.name())
-          .ifPresent(o -> o.warn(SceneKeys.BACKGROUND.name(), "is ignored, because the scene has a Dome"));
+          .ifPresent(
+              o -> SceneKeys.BACKGROUND.warn(o, "is ignored, because the scene has a Dome"));
     } else {
       background.ifPresent(
           radiance ->
@@ -172,7 +177,9 @@ final class SceneReader {
   }
 
   private JsonNode backgroundNode() {
-    return root.object(SceneKeys.OPTIONS.name()).flatMap(o -> SceneKeys.BACKGROUND.find(o)).orElse(root);
+    return root.object(SceneKeys.OPTIONS.name())
+        .flatMap(SceneKeys.BACKGROUND::find)
+        .orElse(root);
   }
 
   /**
@@ -188,7 +195,8 @@ final class SceneReader {
             : StageCamera.placed(ofModel, settings.aspect());
     if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
       root.object(SceneKeys.OPTIONS.name())
-          .ifPresent(o -> o.warn(Setting.SHUTTER.name(), "changes nothing, because no model has a pose"));
+          .ifPresent(
+              o -> o.warn(Setting.SHUTTER.name(), "changes nothing, because no model has a pose"));
     }
     return parts.scene(cameras, settings.poses(), backplate, kernel, known);
   }

@@ -199,7 +199,8 @@ public final class SceneWriter {
   /** Writes the samples of ray mode if they are a power of four; others are for a flag. */
   private static void antialiasing(JsonObject to, int samples) {
     int exponent = Integer.numberOfTrailingZeros(samples);
-    if (Integer.bitCount(samples) == 1 && exponent % 2 == 0 && exponent <= SceneKeys.MAX_ANTIALIASING) {
+    boolean isPower = Integer.bitCount(samples) == 1 && exponent % 2 == 0;
+    if (isPower && exponent <= SceneKeys.MAX_ANTIALIASING) {
       SceneKeys.ANTIALIASING.put(to, exponent);
     }
   }

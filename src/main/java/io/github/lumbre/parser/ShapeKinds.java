@@ -119,6 +119,7 @@ final class ShapeKinds {
   }
 
   private static Mesh.Source source(Mesh mesh) {
-    return mesh.source().orElseThrow(() -> new Unwritable("a mesh of Mesh.of", "one of Mesh.baked"));
+    return mesh.source()
+        .orElseThrow(() -> new Unwritable("a mesh of Mesh.of", "one of Mesh.baked"));
   }
 }

@@ -184,7 +184,7 @@ final class TextureReader {
     if (sky.isEmpty() || sky.get() == Sky.STUDIO) {
       SUN_KEYS.stream()
           .filter(key -> key.isIn(light))
-          .forEach(key -> light.warn(key.name(), "is ignored, because only clear and sun have a sun"));
+          .forEach(key -> key.warn(light, "is ignored, because only clear and sun have a sun"));
     }
     if (sky.isPresent()) {
       return switch (sky.get()) {

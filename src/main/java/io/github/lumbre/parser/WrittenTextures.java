@@ -23,6 +23,7 @@ import io.github.lumbre.texture.internal.RedChannel;
 import io.github.lumbre.texture.internal.StudioSky;
 import io.github.lumbre.texture.internal.TexelTexture;
 import io.github.lumbre.texture.internal.TintedTexture;
+import java.util.function.Consumer;
 
 /** Writes textures, and the channels of materials that use them. */
 record WrittenTextures(WrittenAssets assets) {
@@ -128,7 +129,11 @@ record WrittenTextures(WrittenAssets assets) {
       gray[i] = (byte) (white[row][i % white[0].length] ? 255 : 0);
     }
     Pixels pixels = Pixels.of(white[0].length, white.length, 1, gray);
-    return assets.id(mask, "", AssetTable.Type.TEXTURE, to -> image(to, pixels, Filter.NEAREST));
+    return asset(mask, "", to -> image(to, pixels, Filter.NEAREST));
+  }
+
+  private int asset(Object source, String variant, Consumer<JsonObject> keys) {
+    return assets.id(source, variant, AssetTable.Type.TEXTURE, keys);
   }
 
   private int id(Texture<Rgb> picture, Role role) {
@@ -138,21 +143,20 @@ record WrittenTextures(WrittenAssets assets) {
             "a picture of role " + role + " in this channel", "one of role " + image.role());
       }
       Filter filter = image.filter();
-      return assets.id(
-          image.pixels(), filter.name(), AssetTable.Type.TEXTURE, to -> image(to, image.pixels(), filter));
+      return asset(image.pixels(), filter.name(), to -> image(to, image.pixels(), filter));
     }
     if (picture instanceof LinearTexture linear) {
-      return assets.id(linear.image(), "", AssetTable.Type.TEXTURE, to -> linear(to, linear.image()));
+      return asset(linear.image(), "", to -> linear(to, linear.image()));
     }
     if (role == Role.NORMAL) {
       throw new Unwritable("a normal map that is a picture", Written.name(picture));
     }
     if (picture instanceof BilinearTexture smooth) {
-      return assets.id(
-          smooth.texels(), "smooth", AssetTable.Type.TEXTURE, to -> texels(to, smooth.texels(), Filter.BILINEAR));
+      return asset(
+          smooth.texels(), "smooth", to -> texels(to, smooth.texels(), Filter.BILINEAR));
     }
     if (picture instanceof TexelTexture texels) {
-      return assets.id(texels, "", AssetTable.Type.TEXTURE, to -> texels(to, texels, Filter.NEAREST));
+      return asset(texels, "", to -> texels(to, texels, Filter.NEAREST));
     }
     throw new Unwritable("a constant, a picture or a texture of the format", Written.name(picture));
   }

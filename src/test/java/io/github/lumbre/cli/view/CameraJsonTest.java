@@ -13,7 +13,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class CameraJsonTest {
   private static byte[] scene(String camera) {
-    return ("{\"mainCameraId\": 1, \"objects\": [" + camera + "]}").getBytes(StandardCharsets.UTF_8);
+    String text = "{\"mainCameraId\": 1, \"objects\": [" + camera + "]}";
+    return text.getBytes(StandardCharsets.UTF_8);
   }
 
   /** No other key of the camera's place remains, which would win. */
