@@ -65,8 +65,6 @@ class KindsTest {
   /** Literals that are equal to a key of kinds and are none: of options of models and stages. */
   private static final Set<String> NO_KEYS =
       Set.of(
-          "ModelObjects.java unit",
-          "Written.java unit",
           "Problem.java file",
           "Stage.java name",
           "Stage.java sky",
