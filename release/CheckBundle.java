@@ -24,7 +24,14 @@ import org.w3c.dom.Document;
  */
 final class CheckBundle {
   private static final List<String> KINDS =
-      List.of(".jar", "-sources.jar", "-javadoc.jar", "-cli.jar", "-cyclonedx.json", ".pom");
+      List.of(
+          ".jar",
+          "-sources.jar",
+          "-javadoc.jar",
+          "-cli.jar",
+          "-lab.jar",
+          "-cyclonedx.json",
+          ".pom");
   private static final Map<String, String> DIGESTS =
       new TreeMap<>(
           Map.of("md5", "MD5", "sha1", "SHA-1", "sha256", "SHA-256", "sha512", "SHA-512"));
@@ -160,9 +167,11 @@ final class CheckBundle {
   private void checkJars(String stem) throws IOException {
     checkContent(stem + ".jar", "io/github/lumbre/render/PictureRenderer.class", "lumbre/cli/");
     checkContent(stem + "-cli.jar", "io/github/lumbre/cli/Lumbre.class", "module-info.class");
+    checkContent(stem + "-cli.jar", "io/github/lumbre/cli/Lumbre.class", "lumbre/lab/");
+    checkContent(stem + "-lab.jar", "io/github/lumbre/lab/Trial.class", "lumbre/cli/");
     checkContent(stem + "-sources.jar", "io/github/lumbre/render/PictureRenderer.java", ".class");
     checkContent(stem + "-javadoc.jar", "index.html", "lumbre/cli/");
-    for (String kind : List.of(".jar", "-cli.jar")) {
+    for (String kind : List.of(".jar", "-cli.jar", "-lab.jar")) {
       checkContent(stem + kind, "META-INF/LICENSE", "-INF/native-image/none");
       checkContent(stem + kind, "META-INF/NOTICE", "-INF/native-image/none");
     }

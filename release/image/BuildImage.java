@@ -81,7 +81,12 @@ final class BuildImage {
     printSizes();
   }
 
-  /** Returns the modules that the jar needs. Gson uses java.sql only where it is present. */
+  /** Returns the jar of the lab, beside the program's own. */
+  private static Path lab(Path jar) {
+    return jar.resolveSibling("lumbre-lab.jar");
+  }
+
+  /** Returns the modules that the jars need. Gson uses java.sql only where it is present. */
   private static TreeSet<String> modules(Path jar) {
     TreeSet<String> modules =
         new TreeSet<>(
@@ -92,7 +97,8 @@ final class BuildImage {
                         "17",
                         "--ignore-missing-deps",
                         "--print-module-deps",
-                        jar.toString())
+                        jar.toString(),
+                        lab(jar).toString())
                     .strip()
                     .split(",")));
     modules.remove("java.sql");
@@ -128,6 +134,7 @@ final class BuildImage {
     // The archives hold this time. Archivers and file systems keep whole seconds, some only even
     // ones.
     Files.setLastModifiedTime(copy, FileTime.fromMillis(1_700_000_000_000L));
+    Files.copy(lab(jar), app.resolve("lumbre-lab.jar"));
     String options = Files.readString(Path.of("src/main/jvm/options"));
     Files.writeString(
         app.resolve("options"),

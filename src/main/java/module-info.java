@@ -3,7 +3,7 @@
  *
  * <p>{@link io.github.lumbre.parser} reads a scene file, {@link io.github.lumbre.render} renders
  * it, {@link io.github.lumbre.image} writes the picture. The command line and the measurements of
- * the lab are no part of the module: they are in the command-line jar.
+ * the lab are no part of the module: each has a jar of its own.
  */
 module io.github.lumbre {
   requires com.google.gson;

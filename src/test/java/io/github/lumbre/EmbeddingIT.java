@@ -69,8 +69,14 @@ class EmbeddingIT {
     }
     try (JarFile jar = new JarFile("target/lumbre-all.jar")) {
       assertThat(jar.stream().map(JarEntry::getName))
-          .contains("io/github/lumbre/cli/Lumbre.class", "io/github/lumbre/lab/Release.class")
-          .doesNotContain("module-info.class");
+          .contains("io/github/lumbre/cli/Lumbre.class", "io/github/lumbre/base/Release.class")
+          .doesNotContain("module-info.class")
+          .noneMatch(name -> name.startsWith("io/github/lumbre/lab/"));
+    }
+    try (JarFile jar = new JarFile("target/lumbre-lab.jar")) {
+      assertThat(jar.stream().map(JarEntry::getName).filter(name -> name.endsWith(".class")))
+          .isNotEmpty()
+          .allMatch(name -> name.startsWith("io/github/lumbre/lab/"));
     }
   }
 

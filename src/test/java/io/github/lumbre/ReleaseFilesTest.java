@@ -51,6 +51,8 @@ class ReleaseFilesTest {
     assertThat(first("CITATION.cff", "(?m)^version: (.+)$")).isEqualTo(version);
     assertThat(alias(catalog()).get("script-ref").getAsString())
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":cli");
+    assertThat(alias(catalog()).getAsJsonArray("dependencies").get(0).getAsString())
+        .isEqualTo("io.github.lumbre:lumbre:" + version + ":lab");
   }
 
   /** The catalog's options are a copy, which {@code -Dlumbre.write=true} makes anew. */

@@ -141,26 +141,7 @@ final class BenchmarkCommand extends Subcommand {
 
   @Override
   ExitCode run() throws SceneFormatException, TaskException, IOException {
-    BenchmarkPlan plan = plan();
-    kernel.validate();
-    SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> beside("scenes")));
-    List<ReportRow> selected = selected(folder);
-    checkOutputs(folder, selected);
-    TableHashes stored = TableHashes.load(folder.directory());
-    Messages out = out();
-    List<BenchmarkResult> results = new ArrayList<>();
-    try (Interruption interruption = Interruption.listen()) {
-      boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
-      BenchmarkRunner runner =
-          new BenchmarkRunner(
-              folder,
-              plan,
-              kernel.over(new SceneParser()),
-              new CommandLineHost(interruption, hasDisplay, errors()));
-      boolean complete = interruption.beginRender() && run(selected, runner, results, out);
-      ExitCode verdict = settle(stored, results);
-      return complete ? verdict : ExitCode.INTERRUPTED;
-    }
+    return new Table().run();
   }
 
   /** Returns the path of a file beside the launcher; without one, in the working directory. */
@@ -168,85 +149,116 @@ final class BenchmarkCommand extends Subcommand {
     return Path.of(System.getProperty("lumbre.home", "")).resolve(name);
   }
 
-  private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws TaskException {
-    OutputGuard guard =
-        overwrite.guard().reads(folder.directory().resolve(ReportTable.FILE), "the table");
-    for (ReportRow row : selected) {
-      guard.readsScene(folder.file(row.scene()));
-    }
-    Path stored = folder.directory().resolve(TableHashes.FILE);
-    if (hashes.store) {
-      guard.writes("--scenes", stored, OutputContent.HASHES);
-    } else {
-      guard.reads(stored, "the file of hashes");
-    }
-    csv.ifPresent(file -> guard.writes("--csv", file, OutputContent.BENCHMARK_CSV));
-    guard.check();
-  }
-
-  private BenchmarkPlan plan() {
-    BigDecimal share = amount.full ? BigDecimal.ONE : amount.scale;
-    require(
-        share.signum() > 0 && share.compareTo(BigDecimal.ONE) <= 0,
-        "--scale: expected more than 0 and at most 1, found " + share);
-    requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
-    requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
-    int used = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
-    return new BenchmarkPlan(share, used, warmup, repeat);
-  }
-
-  private List<ReportRow> selected(SceneFolder folder) throws TaskException {
-    List<ReportRow> table = ReportTable.load(folder.directory());
-    List<ReportRow> selected;
-    try {
-      selected = ReportTable.select(table, rows);
-    } catch (IllegalArgumentException e) {
-      throw new ParameterException(spec.commandLine(), "--rows: " + e.getMessage(), e);
-    }
-    for (ReportRow row : selected) {
-      Path file = folder.file(row.scene());
-      require(Files.isRegularFile(file), "row " + row.number() + ": scene does not exist: " + file);
-    }
-    return selected;
-  }
-
-  /** Renders and prints the rows. Returns whether all are complete; false if stopped. */
-  private boolean run(
-      List<ReportRow> selected, BenchmarkRunner runner, List<BenchmarkResult> results, Messages out)
-      throws SceneFormatException, TaskException, IOException {
-    BenchmarkTables tables = new BenchmarkTables(Machine.here(), runner.plan());
-    try (TextOutput output = TextOutput.reserve(csv)) {
-      tables.head().forEach(out::line);
-      try {
-        for (ReportRow row : selected) {
-          BenchmarkResult result = runner.run(row);
-          out.line(tables.line(result));
-          results.add(result);
-        }
-      } finally {
-        // Keep the finished rows even if a later one fails.
-        tables.foot(results).forEach(out::line);
-        output.write(tables.csv(results));
+  /** What needs the classes of the lab. */
+  private final class Table {
+    ExitCode run() throws SceneFormatException, TaskException, IOException {
+      BenchmarkPlan plan = plan();
+      kernel.validate();
+      SceneFolder folder = new SceneFolder(scenes.orElseGet(() -> beside("scenes")));
+      List<ReportRow> selected = selected(folder);
+      checkOutputs(folder, selected);
+      TableHashes stored = TableHashes.load(folder.directory());
+      Messages out = out();
+      List<BenchmarkResult> results = new ArrayList<>();
+      try (Interruption interruption = Interruption.listen()) {
+        boolean hasDisplay = Boolean.getBoolean("lumbre.tty");
+        BenchmarkRunner runner =
+            new BenchmarkRunner(
+                folder,
+                plan,
+                kernel.over(new SceneParser()),
+                new CommandLineHost(interruption, hasDisplay, errors()));
+        boolean complete = interruption.beginRender() && run(selected, runner, results, out);
+        ExitCode verdict = settle(stored, results);
+        return complete ? verdict : ExitCode.INTERRUPTED;
       }
-      return true;
-    } catch (InterruptedException e) {
-      return false;
     }
-  }
 
-  /** Compares or stores the hashes, as the flags demand, and returns the exit code. */
-  private ExitCode settle(TableHashes stored, List<BenchmarkResult> results) throws TaskException {
-    if (hashes.store && !results.isEmpty()) {
-      results.forEach(stored::put);
-      stored.save();
+    private void checkOutputs(SceneFolder folder, List<ReportRow> selected) throws TaskException {
+      OutputGuard guard =
+          overwrite.guard().reads(folder.directory().resolve(ReportTable.FILE), "the table");
+      for (ReportRow row : selected) {
+        guard.readsScene(folder.file(row.scene()));
+      }
+      Path stored = folder.directory().resolve(TableHashes.FILE);
+      if (hashes.store) {
+        guard.writes("--scenes", stored, OutputContent.HASHES);
+      } else {
+        guard.reads(stored, "the file of hashes");
+      }
+      csv.ifPresent(file -> guard.writes("--csv", file, OutputContent.BENCHMARK_CSV));
+      guard.check();
     }
-    if (!hashes.check) {
-      return ExitCode.OK;
+
+    private BenchmarkPlan plan() {
+      BigDecimal share = amount.full ? BigDecimal.ONE : amount.scale;
+      require(
+          share.signum() > 0 && share.compareTo(BigDecimal.ONE) <= 0,
+          "--scale: expected more than 0 and at most 1, found " + share);
+      requireIn("--threads", 0, RenderSettings.MAX_THREADS, threads);
+      requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+      requireIn("--repeat", 1, MAX_REPETITIONS, repeat);
+      int used = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+      return new BenchmarkPlan(share, used, warmup, repeat);
     }
-    List<String> complaints =
-        results.stream().map(stored::complaint).flatMap(Optional::stream).toList();
-    complaints.forEach(errors()::line);
-    return complaints.isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
+
+    private List<ReportRow> selected(SceneFolder folder) throws TaskException {
+      List<ReportRow> table = ReportTable.load(folder.directory());
+      List<ReportRow> selected;
+      try {
+        selected = ReportTable.select(table, rows);
+      } catch (IllegalArgumentException e) {
+        throw new ParameterException(spec.commandLine(), "--rows: " + e.getMessage(), e);
+      }
+      for (ReportRow row : selected) {
+        Path file = folder.file(row.scene());
+        require(
+            Files.isRegularFile(file), "row " + row.number() + ": scene does not exist: " + file);
+      }
+      return selected;
+    }
+
+    /** Renders and prints the rows. Returns whether all are complete; false if stopped. */
+    private boolean run(
+        List<ReportRow> selected,
+        BenchmarkRunner runner,
+        List<BenchmarkResult> results,
+        Messages out)
+        throws SceneFormatException, TaskException, IOException {
+      BenchmarkTables tables = new BenchmarkTables(Machine.here(), runner.plan());
+      try (TextOutput output = TextOutput.reserve(csv)) {
+        tables.head().forEach(out::line);
+        try {
+          for (ReportRow row : selected) {
+            BenchmarkResult result = runner.run(row);
+            out.line(tables.line(result));
+            results.add(result);
+          }
+        } finally {
+          // Keep the finished rows even if a later one fails.
+          tables.foot(results).forEach(out::line);
+          output.write(tables.csv(results));
+        }
+        return true;
+      } catch (InterruptedException e) {
+        return false;
+      }
+    }
+
+    /** Compares or stores the hashes, as the flags demand, and returns the exit code. */
+    private ExitCode settle(TableHashes stored, List<BenchmarkResult> results)
+        throws TaskException {
+      if (hashes.store && !results.isEmpty()) {
+        results.forEach(stored::put);
+        stored.save();
+      }
+      if (!hashes.check) {
+        return ExitCode.OK;
+      }
+      List<String> complaints =
+          results.stream().map(stored::complaint).flatMap(Optional::stream).toList();
+      complaints.forEach(errors()::line);
+      return complaints.isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
+    }
   }
 }

@@ -105,10 +105,11 @@ final class CoverageCommand extends Subcommand {
     Coverage coverage = new Coverage(file.scene(), file.settings(), seeds, referenceSamples);
     boolean holds = true;
     for (Coverage.Cell cell : coverage.ofSamples(samples)) {
-      holds &= isPrintedAndHolds(cell);
+      holds &= isPrintedAndHolds(cell.line(), cell.chance());
     }
     for (double target : targets) {
-      holds &= isPrintedAndHolds(coverage.ofTarget(target, RenderSettings.MAX_SAMPLES));
+      Coverage.Cell cell = coverage.ofTarget(target, RenderSettings.MAX_SAMPLES);
+      holds &= isPrintedAndHolds(cell.line(), cell.chance());
     }
     return holds ? ExitCode.OK : ExitCode.DIFFERENT;
   }
@@ -130,8 +131,8 @@ final class CoverageCommand extends Subcommand {
     return builder.build();
   }
 
-  private boolean isPrintedAndHolds(Coverage.Cell cell) {
-    out().line(cell.line());
-    return cell.chance() >= CHANCE;
+  private boolean isPrintedAndHolds(String line, double chance) {
+    out().line(line);
+    return chance >= CHANCE;
   }
 }

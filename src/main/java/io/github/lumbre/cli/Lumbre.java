@@ -117,6 +117,9 @@ public final class Lumbre implements Runnable {
 
   /** Runs the command that the arguments name and exits. */
   public static void main(String[] args) {
+    if (LabJar.runs(args)) {
+      return;
+    }
     // The digits of numbers are 0 to 9, also in the names of files.
     Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
     redirectErrors();

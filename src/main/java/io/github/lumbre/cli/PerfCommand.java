@@ -143,43 +143,7 @@ final class PerfCommand extends Subcommand {
   @Override
   ExitCode run()
       throws SceneFormatException, TaskException, IOException, InterruptedException {
-    Messages out = out();
-    PerfPlan plan = plan();
-    requireDistinctFiles();
-    OutputGuard guard = overwrite.guard();
-    scenes.forEach(guard::readsScene);
-    json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
-    guard.check();
-    try (TextOutput output = TextOutput.reserve(json);
-        Interruption interruption = Interruption.listen()) {
-      LabHost host = new CommandLineHost(interruption, false, errors());
-      if (!interruption.beginRender()) {
-        return ExitCode.INTERRUPTED;
-      }
-      if (paired) {
-        runPairs(new PairedRenders(plan, host), out);
-      } else {
-        run(new PerfRunner(plan, host), out, output);
-      }
-      return ExitCode.OK;
-    }
-  }
-
-  private PerfPlan plan() {
-    requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, samples);
-    size.ifPresent(checks()::requireSize);
-    threads.forEach(n -> requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
-    requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
-    require(!paired || json.isEmpty(), "--paired: cannot be combined with --json");
-    requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
-    requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
-    requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
-    require(
-        !paired || adaptive || split > 1 || !without.isEmpty(),
-        "--paired: requires --without, --adaptive or --split");
-    int processors = Runtime.getRuntime().availableProcessors();
-    List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
-    return new PerfPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive, split);
+    return new Measurements().run();
   }
 
   private int repeat() {
@@ -200,30 +164,74 @@ final class PerfCommand extends Subcommand {
     }
   }
 
-  /** Measures scenes with two settings and prints the ratios. */
-  private void runPairs(PairedRenders bench, Messages out)
-      throws SceneFormatException, TaskException, IOException, InterruptedException {
-    bench.head().forEach(out::line);
-    for (Path scene : scenes) {
-      out.line(bench.line(scene));
-    }
-  }
-
-  /** Measures the scenes and prints the results. */
-  private void run(PerfRunner runner, Messages out, TextOutput output)
-      throws SceneFormatException, TaskException, IOException, InterruptedException {
-    PerfTables tables = new PerfTables(Machine.here(), runner.plan());
-    List<PerfResult> results = new ArrayList<>();
-    tables.head().forEach(out::line);
-    try {
-      for (Path scene : scenes) {
-        List<PerfResult> measured = runner.run(scene);
-        results.addAll(measured);
-        measured.forEach(result -> out.line(tables.line(result)));
+  /** What needs the classes of the lab. */
+  private final class Measurements {
+    ExitCode run()
+        throws SceneFormatException, TaskException, IOException, InterruptedException {
+      Messages out = out();
+      PerfPlan plan = plan();
+      requireDistinctFiles();
+      OutputGuard guard = overwrite.guard();
+      scenes.forEach(guard::readsScene);
+      json.ifPresent(file -> guard.writes("--json", file, OutputContent.BENCH_JSON));
+      guard.check();
+      try (TextOutput output = TextOutput.reserve(json);
+          Interruption interruption = Interruption.listen()) {
+        LabHost host = new CommandLineHost(interruption, false, errors());
+        if (!interruption.beginRender()) {
+          return ExitCode.INTERRUPTED;
+        }
+        if (paired) {
+          runPairs(new PairedRenders(plan, host), out);
+        } else {
+          run(new PerfRunner(plan, host), out, output);
+        }
+        return ExitCode.OK;
       }
-    } finally {
-      // Keep the finished measurements even if a later one fails.
-      output.write(tables.json(results));
+    }
+
+    private PerfPlan plan() {
+      requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, samples);
+      size.ifPresent(checks()::requireSize);
+      threads.forEach(n -> requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
+      requireIn("--warmup", 0, MAX_REPETITIONS, warmup);
+      require(!paired || json.isEmpty(), "--paired: cannot be combined with --json");
+      requireIn("--repeat", fewestRepetitions(), MAX_REPETITIONS, repeat());
+      requireIn("--pairs", 1, MAX_REPETITIONS, pairs);
+      requireIn("--split", 1, RenderSettings.MAX_SPLIT, split);
+      require(
+          !paired || adaptive || split > 1 || !without.isEmpty(),
+          "--paired: requires --without, --adaptive or --split");
+      int processors = Runtime.getRuntime().availableProcessors();
+      List<Integer> used = threads.stream().map(n -> n == 0 ? processors : n).distinct().toList();
+      return new PerfPlan(size, samples, used, warmup, repeat(), pairs, without, adaptive, split);
+    }
+
+    /** Measures scenes with two settings and prints the ratios. */
+    private void runPairs(PairedRenders bench, Messages out)
+        throws SceneFormatException, TaskException, IOException, InterruptedException {
+      bench.head().forEach(out::line);
+      for (Path scene : scenes) {
+        out.line(bench.line(scene));
+      }
+    }
+
+    /** Measures the scenes and prints the results. */
+    private void run(PerfRunner runner, Messages out, TextOutput output)
+        throws SceneFormatException, TaskException, IOException, InterruptedException {
+      PerfTables tables = new PerfTables(Machine.here(), runner.plan());
+      List<PerfResult> results = new ArrayList<>();
+      tables.head().forEach(out::line);
+      try {
+        for (Path scene : scenes) {
+          List<PerfResult> measured = runner.run(scene);
+          results.addAll(measured);
+          measured.forEach(result -> out.line(tables.line(result)));
+        }
+      } finally {
+        // Keep the finished measurements even if a later one fails.
+        output.write(tables.json(results));
+      }
     }
   }
 }

@@ -31,47 +31,52 @@ import picocli.CommandLine.Option;
     },
     different = "an invariant does not hold")
 final class SelfTestCommand extends Subcommand {
-  /** Four times the tries of the build's tests. */
-  private static final Tries TRIES = new Tries(4, 0);
-
   @Option(names = "--markdown", description = "Print the page docs/stability.md.")
   private boolean markdown;
 
   @Override
   ExitCode run() throws InterruptedException {
-    return run(Invariants.all(), markdown, out());
+    return Checks.run(Invariants.all(), markdown, out());
   }
 
-  /** Checks invariants and prints a line for each as soon as its result is known. */
-  static ExitCode run(List<Invariant> laws, boolean markdown, Messages out)
-      throws InterruptedException {
-    List<Invariant.Outcome> outcomes = new ArrayList<>();
-    if (markdown) {
-      StabilityPage.head().forEach(out::line);
-    }
-    for (Invariant law : laws) {
-      Invariant.Outcome outcome = law.measure(TRIES);
-      outcomes.add(outcome);
-      out.line(markdown ? StabilityPage.line(outcome) : line(outcome));
-    }
-    boolean allHold = outcomes.stream().allMatch(Invariant.Outcome::holds);
-    if (!markdown) {
-      long held = outcomes.stream().filter(Invariant.Outcome::holds).count();
-      out.line(held + " of " + outcomes.size() + " invariants hold");
-    }
-    return allHold ? ExitCode.OK : ExitCode.DIFFERENT;
-  }
+  /** What needs the classes of the lab. */
+  static final class Checks {
+    /** Four times the tries of the build's tests. */
+    private static final Tries TRIES = new Tries(4, 0);
 
-  private static String line(Invariant.Outcome outcome) {
-    Invariant law = outcome.law();
-    return String.format(
-        Locale.ROOT,
-        "%-6s %-22s %s (limit %s): %s; %s",
-        outcome.holds() ? "ok" : "BROKEN",
-        law.name(),
-        StabilityPage.figure(outcome.worst()),
-        StabilityPage.figure(law.limit()),
-        law.statement(),
-        law.range());
+    private Checks() {}
+
+    /** Checks invariants and prints a line for each as soon as its result is known. */
+    static ExitCode run(List<Invariant> laws, boolean markdown, Messages out)
+        throws InterruptedException {
+      List<Invariant.Outcome> outcomes = new ArrayList<>();
+      if (markdown) {
+        StabilityPage.head().forEach(out::line);
+      }
+      for (Invariant law : laws) {
+        Invariant.Outcome outcome = law.measure(TRIES);
+        outcomes.add(outcome);
+        out.line(markdown ? StabilityPage.line(outcome) : line(outcome));
+      }
+      boolean allHold = outcomes.stream().allMatch(Invariant.Outcome::holds);
+      if (!markdown) {
+        long held = outcomes.stream().filter(Invariant.Outcome::holds).count();
+        out.line(held + " of " + outcomes.size() + " invariants hold");
+      }
+      return allHold ? ExitCode.OK : ExitCode.DIFFERENT;
+    }
+
+    private static String line(Invariant.Outcome outcome) {
+      Invariant law = outcome.law();
+      return String.format(
+          Locale.ROOT,
+          "%-6s %-22s %s (limit %s): %s; %s",
+          outcome.holds() ? "ok" : "BROKEN",
+          law.name(),
+          StabilityPage.figure(outcome.worst()),
+          StabilityPage.figure(law.limit()),
+          law.statement(),
+          law.range());
+    }
   }
 }

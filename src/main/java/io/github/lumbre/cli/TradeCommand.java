@@ -133,8 +133,9 @@ final class TradeCommand extends Subcommand {
     try (TextOutput html = TextOutput.reserve(Optional.of(page));
         TextOutput csv = TextOutput.reserve(Optional.of(beside(page, ".csv")));
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
-      TradeRun run = new TradeRun(options, kernel, budget(), threads, messages);
-      TradeResult result = run.run(knobs());
+      Study study = new Study();
+      TradeRun run = new TradeRun(options, kernel, study.budget(), threads, messages);
+      TradeResult result = run.run(study.knobs());
       run.tellCommand(commandLine());
       html.write(run.page());
       csv.write(TradeTables.csv(result));
@@ -153,24 +154,27 @@ final class TradeCommand extends Subcommand {
     reference.ifPresent(n -> requireIn("--reference", 2, RenderSettings.MAX_SAMPLES, n));
   }
 
-  private Set<Knob> knobs() {
-    Map<String, Knob> known = new LinkedHashMap<>();
-    EnumSet.allOf(Knob.class).forEach(knob -> known.put(SettingType.nameOf(knob), knob));
-    if (knobs.isEmpty()) {
-      return Set.copyOf(known.values());
+  /** What needs the classes of the lab. */
+  private final class Study {
+    private Set<Knob> knobs() {
+      Map<String, Knob> known = new LinkedHashMap<>();
+      EnumSet.allOf(Knob.class).forEach(knob -> known.put(SettingType.nameOf(knob), knob));
+      if (knobs.isEmpty()) {
+        return Set.copyOf(known.values());
+      }
+      List<String> wanted = List.of(knobs.get().split(",", -1));
+      for (String name : wanted) {
+        require(
+            known.containsKey(name),
+            "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
+      }
+      return wanted.stream().map(known::get).collect(Collectors.toSet());
     }
-    List<String> wanted = List.of(knobs.get().split(",", -1));
-    for (String name : wanted) {
-      require(
-          known.containsKey(name),
-          "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
-    }
-    return wanted.stream().map(known::get).collect(Collectors.toSet());
-  }
 
-  private TradeBudget budget() {
-    double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
-    return new TradeBudget(wanted, samples, reference, seeds, size, quick);
+    private TradeBudget budget() {
+      double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
+      return new TradeBudget(wanted, samples, reference, seeds, size, quick);
+    }
   }
 
   /** Returns the command line that repeats this run, quoted for a shell. */

@@ -51,6 +51,24 @@ class RunnableJarIT {
   }
 
   @Test
+  void measuringFindsTheJarOfTheLabBesideTheProgram() throws IOException, InterruptedException {
+    TinyScene.write(directory, TinyScene.JSON);
+    Outcome outcome = lumbre("perf", "tiny.json", "--samples", "1", "--repeat", "1");
+    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    assertThat(outcome.out()).contains("| tiny |");
+  }
+
+  @Test
+  void withoutTheJarOfTheLabItIsNamed() throws IOException, InterruptedException {
+    Files.copy(Program.JAR, directory.resolve("lumbre-1-cli.jar"));
+    List<String> command = List.of(Program.java("java"), "-jar", "lumbre-1-cli.jar");
+    Outcome outcome = Program.run(directory, with(command, "perf", "tiny.json"));
+    assertThat(outcome.exitCode()).isEqualTo(ExitCodes.INTERNAL);
+    assertThat(outcome.err()).endsWith("lumbre-1-lab.jar, which is missing\n");
+    assertThat(Program.run(directory, with(command, "help", "perf")).exitCode()).isZero();
+  }
+
+  @Test
   void theDirectoryForTemporaryFilesNeedNotExist() throws IOException, InterruptedException {
     TinyScene.write(directory, TinyScene.JSON);
     List<String> command = Program.lumbre("render", "tiny.json");

@@ -24,7 +24,8 @@ class SelfTestCommandTest {
   private static Outcome run(boolean markdown, Invariant... laws) throws InterruptedException {
     StringWriter out = new StringWriter();
     int code =
-        SelfTestCommand.run(List.of(laws), markdown, new Messages(new PrintWriter(out, true)))
+        SelfTestCommand.Checks.run(
+                List.of(laws), markdown, new Messages(new PrintWriter(out, true)))
             .number();
     return new Outcome(code, out.toString(), "");
   }
