@@ -11,25 +11,15 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests renders that end at a time limit or a target error. */
-class BudgetTest {
-  @TempDir private Path directory;
-
+class BudgetTest extends CommandFixture {
   private Outcome render(String picture, String... flags) {
-    String scene = TinyScene.write(directory, TinyScene.JSON).toString();
-    String output = directory.resolve(picture).toString();
-    return Outcome.of(
-        Stream.concat(Stream.of("render", scene, "-o", output), Arrays.stream(flags))
-            .toArray(String[]::new));
+    return withScene(TinyScene.JSON, "render T/tiny.json -o T/" + picture, flags);
   }
 
   private static JsonObject json(Outcome outcome) {

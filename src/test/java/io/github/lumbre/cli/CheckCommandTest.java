@@ -4,17 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
 import java.io.IOException;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests {@code lumbre check}. */
-class CheckCommandTest {
-  @TempDir private Path directory;
-
+class CheckCommandTest extends CommandFixture {
   private Outcome check(String json, String... flags) {
-    String scene = TinyScene.write(directory, json).toString();
-    return flags.length == 0 ? Outcome.of("check", scene) : Outcome.of("check", scene, flags[0]);
+    return withScene(json, "check T/tiny.json", flags);
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -18,6 +19,13 @@ abstract class CommandFixture {
 
   final Outcome run(String line) {
     return Outcome.in(directory, line);
+  }
+
+  /** Writes the scene tiny.json, and runs a command line with further words. */
+  final Outcome withScene(String json, String line, String... more) {
+    TinyScene.write(directory, json);
+    Stream<String> words = Stream.of(Outcome.words(directory, line));
+    return Outcome.of(Stream.concat(words, Stream.of(more)).toArray(String[]::new));
   }
 
   /** Runs a command that succeeds. */

@@ -17,7 +17,6 @@ import io.github.lumbre.scene.Setting;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -28,10 +27,7 @@ import org.junit.jupiter.api.Test;
 /** Tests the film commands {@code resume}, {@code merge} and {@code develop}. */
 class FilmCommandsTest extends CommandFixture {
   private Outcome render(String picture, String... flags) {
-    TinyScene.write(directory, TinyScene.JSON);
-    List<String> args = new ArrayList<>(List.of("render", path("tiny.json"), "-o", path(picture)));
-    args.addAll(List.of(flags));
-    return Outcome.of(args.toArray(String[]::new));
+    return withScene(TinyScene.JSON, "render T/tiny.json -o T/" + picture, flags);
   }
 
   private static void assertDone(Outcome outcome) {

@@ -14,16 +14,11 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests {@code lumbre pixel}. */
-class PixelCommandTest {
-  @TempDir private Path directory;
-
+class PixelCommandTest extends CommandFixture {
   private Outcome pixel(String json, String... flags) {
-    Path scene = TinyScene.write(directory, json);
-    Stream<String> first = Stream.of("pixel", scene.toString());
-    return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
+    return withScene(json, "pixel T/tiny.json", flags);
   }
 
   @Test

@@ -19,18 +19,13 @@ import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests {@code lumbre render}, its flags and its errors. */
-class RenderCommandTest {
-  @TempDir private Path directory;
-
+class RenderCommandTest extends CommandFixture {
   private Outcome render(String json, String... flags) {
-    Path scene = TinyScene.write(directory, json);
-    Stream<String> first = Stream.of("render", scene.toString(), "-o", picture().toString());
-    return Outcome.of(Stream.concat(first, Stream.of(flags)).toArray(String[]::new));
+    return withScene(json, "render T/tiny.json -o T/tiny.png", flags);
   }
 
   private Path picture() {

@@ -14,19 +14,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests {@code lumbre trade}. */
-class TradeCommandTest {
-  @TempDir private Path directory;
-
+class TradeCommandTest extends CommandFixture {
   private Outcome trade(String... flags) {
-    String scene = TinyScene.write(directory, TinyScene.JSON).toString();
-    String[] args = new String[flags.length + 2];
-    args[0] = "trade";
-    args[1] = scene;
-    System.arraycopy(flags, 0, args, 2, flags.length);
-    return Outcome.of(args);
+    return withScene(TinyScene.JSON, "trade T/tiny.json", flags);
   }
 
   @Test
