@@ -116,17 +116,14 @@ class GuidePilotTest {
     double[] sum = new double[2];
     double[] squares = new double[2];
     int count = 12;
+    SceneFile file =
+        new SceneParser()
+            .overriding(s -> s.toBuilder().size(48, 36).samples(32).threads(2).build())
+            .parse(Path.of("scenes", name + ".json"));
     for (int seed = 0; seed < count; seed++) {
       for (int kind = 0; kind < 2; kind++) {
-        long number = seed;
-        SceneFile file =
-            new SceneParser()
-                .overriding(
-                    s -> s.toBuilder().size(48, 36).samples(32).seed(number).threads(2).build())
-                .parse(Path.of("scenes", name + ".json"));
-        RenderSettings settings = file.settings();
         Guiding guiding = kind == 0 ? Guiding.OFF : Guiding.ON;
-        settings = settings.toBuilder().guiding(guiding).build();
+        RenderSettings settings = file.settings().toBuilder().seed(seed).guiding(guiding).build();
         double mean = mean(new PictureRenderer(settings).render(file.scene()));
         sum[kind] += mean / count;
         squares[kind] += mean * mean / count;
