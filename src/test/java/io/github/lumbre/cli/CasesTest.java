@@ -246,13 +246,7 @@ class CasesTest {
   void aPixelThatIsNotANumberIsNamed() throws IOException {
     String sky = CASES.resolve("e_nan.exr").toString();
     Outcome refused =
-        Outcome.of(
-            "render",
-            CASES.resolve("tr1.obj").toString(),
-            "--sky",
-            sky,
-            "-o",
-            folder.resolve("y.png").toString());
+        Outcome.in(folder, "render " + CASES.resolve("tr1.obj") + " -o T/y.png --sky " + sky);
     assertThat(refused.exitCode()).isEqualTo(ExitCodes.ASSET);
     assertThat(refused.err()).containsPattern("pixel \\(?\\d+, ?\\d+");
     Shown lenient = show("tr1.obj", "--sky", sky, "--lenient");

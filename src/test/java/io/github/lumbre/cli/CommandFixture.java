@@ -30,9 +30,17 @@ abstract class CommandFixture {
 
   /** Runs a command that succeeds. */
   final Outcome runs(String line) {
-    Outcome outcome = run(line);
-    outcome.assertDone(line);
+    return assertDone(run(line), line);
+  }
+
+  private static Outcome assertDone(Outcome outcome, String line) {
+    assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isZero();
     return outcome;
+  }
+
+  /** Checks that a command succeeded. */
+  static Outcome assertDone(Outcome outcome) {
+    return assertDone(outcome, "");
   }
 
   /** Runs a command that succeeds, and returns its messages, without the name of the folder. */

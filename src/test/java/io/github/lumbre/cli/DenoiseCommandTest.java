@@ -27,9 +27,7 @@ class DenoiseCommandTest extends CommandFixture {
   }
 
   private static Outcome run(String... line) {
-    Outcome outcome = Outcome.of(line);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    return outcome;
+    return assertDone(Outcome.of(line));
   }
 
   @Test

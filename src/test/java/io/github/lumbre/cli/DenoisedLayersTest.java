@@ -11,9 +11,7 @@ import org.junit.jupiter.api.Test;
 /** Layers of denoised pictures, and pictures whose layers are other than a denoiser's own. */
 class DenoisedLayersTest extends CommandFixture {
   private static Outcome run(String... line) {
-    Outcome outcome = Outcome.of(line);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    return outcome;
+    return assertDone(Outcome.of(line));
   }
 
   private float[] light(String name) throws IOException {

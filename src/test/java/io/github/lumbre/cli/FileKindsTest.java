@@ -98,21 +98,8 @@ class FileKindsTest {
     byte[] expected = picture();
     byte[] model = Files.readAllBytes(CASES.resolve("rgba_MASK.glb"));
     String target = folder.resolve("x.pfm").toString();
-    Outcome outcome =
-        Outcome.onStandardInput(
-            model,
-            "render",
-            "-",
-            "-o",
-            target,
-            "--overwrite",
-            "-s",
-            "1",
-            "--size",
-            "8x8",
-            "--view",
-            "front",
-            "--quiet");
+    String line = "render - --overwrite -s 1 --size 8x8 --view front --quiet -o " + target;
+    Outcome outcome = Outcome.onStandardInput(model, line.split(" "));
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
     assertThat(picture()).isEqualTo(expected);
     Outcome check = Outcome.onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");

@@ -30,10 +30,6 @@ class FilmCommandsTest extends CommandFixture {
     return withScene(TinyScene.JSON, "render T/tiny.json -o T/" + picture, flags);
   }
 
-  private static void assertDone(Outcome outcome) {
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-  }
-
   private void assertSamePicture(String name) throws IOException {
     assertDone(render("whole.pfm", "-s", "20"));
     assertThat(bytes(name)).isEqualTo(bytes("whole.pfm"));

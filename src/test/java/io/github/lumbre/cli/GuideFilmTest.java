@@ -28,10 +28,6 @@ class GuideFilmTest extends CommandFixture {
     return Outcome.of(args.toArray(String[]::new));
   }
 
-  private static void assertDone(Outcome outcome) {
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-  }
-
   /** Resumed and merged films, threads, buckets and both kernels give the bits of one render. */
   @Test
   void thePictureDoesNotDependOnHowItIsRendered() throws IOException {

@@ -37,11 +37,6 @@ public record Outcome(int exitCode, String out, String err) {
         .toArray(String[]::new);
   }
 
-  /** Checks that the run succeeded. */
-  void assertDone(String what) {
-    assertThat(exitCode).as(what + ": " + err).isZero();
-  }
-
   /** Checks that the run failed with this code and a single line that contains these texts. */
   public void assertFailed(int code, String... parts) {
     assertThat(err).contains(parts).doesNotContain("Exception", "\tat ");
