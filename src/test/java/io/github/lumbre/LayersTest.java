@@ -328,7 +328,7 @@ class LayersTest {
                     .or(accessTo(Throwable.class, Set.of("printStackTrace")))));
   }
 
-  /** A setting declares its flag, an exit code its cause; other programs and Java have flags, too. */
+  /** A setting declares its flag, an exit code its cause; programs and Java have flags, too. */
   @Test
   void theLibraryKnowsNoFlags() throws IOException {
     Pattern flag = Pattern.compile("\"([^\"]*[^\"\\w-])?--[a-z][^\"]*\"");

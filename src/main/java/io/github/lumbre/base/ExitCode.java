@@ -2,7 +2,6 @@ package io.github.lumbre.base;
 
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -70,9 +69,11 @@ public enum ExitCode {
   /**
    * Returns the meanings of codes by number, in sentences for people.
    *
+   * @param codes in the order of this type
+   *
    * @param different what {@link #DIFFERENT} means; empty for its own meaning
    */
-  public static Map<String, String> meanings(List<ExitCode> codes, String different) {
+  public static Map<String, String> meanings(Set<ExitCode> codes, String different) {
     Map<String, Set<String>> reasons = new LinkedHashMap<>();
     for (ExitCode code : codes) {
       String number = code.number >= HUNG_UP.number ? "129, 130, 143" : "" + code.number;

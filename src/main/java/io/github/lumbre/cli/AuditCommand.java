@@ -33,10 +33,7 @@ import picocli.CommandLine.Option;
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {"", "Examples:", "  lumbre audit scene.json", "  lumbre audit --strict scene.json"})
-@Exits({
-  ExitCode.OK, ExitCode.WARNINGS, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
-  ExitCode.INTERNAL
-})
+@Exits({ExitCode.OK, ExitCode.WARNINGS, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT})
 final class AuditCommand extends Subcommand {
   /** The JSON format's identifier; it changes with every incompatible change of the format. */
   static final String FORMAT = "lumbre-audit-1";

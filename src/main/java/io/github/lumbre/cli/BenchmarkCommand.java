@@ -56,8 +56,8 @@ import picocli.CommandLine.ParameterException;
     })
 @Exits(
     value = {
-      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.SCENE,
-      ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.SAVED
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.ABSENT, ExitCode.SCENE, ExitCode.ASSET,
+      ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.SAVED
     },
     different = "under --check, a picture's hash differs from the stored one or is not stored")
 final class BenchmarkCommand extends Subcommand {

@@ -36,10 +36,7 @@ import picocli.CommandLine.Option;
     modelTransformer = SettingFlags.Adder.class,
     header = "Validate a scene and print its contents without rendering it.",
     footer = {"", "Example:", "  lumbre check --strict scene.json"})
-@Exits({
-  ExitCode.OK, ExitCode.WARNINGS, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
-  ExitCode.INTERNAL
-})
+@Exits({ExitCode.OK, ExitCode.WARNINGS, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT})
 final class CheckCommand extends Subcommand {
   private static final int MOST_NAMES = 20;
 
@@ -66,7 +63,7 @@ final class CheckCommand extends Subcommand {
       return ExitCode.OK;
     }
     JsonSummary report = new JsonSummary("check", options.scene());
-    return new Run(Interruption.NONE, Optional.of(out))
+    return new Run(Interruption.NONE, Optional.of(out), Optional.empty())
         .of(report, () -> describe(options.load(parser(), errors), report));
   }
 

@@ -10,16 +10,13 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.LayerInput;
 import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.compare.internal.ErrorMap;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.text.Numbers;
 import java.io.IOException;
 import java.math.BigDecimal;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -51,8 +48,8 @@ import picocli.CommandLine.Parameters;
     })
 @Exits(
     value = {
-      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.ASSET,
-      ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.ABSENT, ExitCode.ASSET, ExitCode.LIMIT,
+      ExitCode.OUTPUT
     },
     different = "a metric is outside its tolerance")
 final class CompareCommand extends Subcommand {
@@ -169,17 +166,10 @@ final class CompareCommand extends Subcommand {
   }
 
   private static Image read(Path file) throws TaskException {
-    if (!Files.exists(file)) {
-      throw ExitCode.USAGE.failure(file + ": does not exist");
-    }
     try {
       return finite(LinearReader.open(file).light(), file);
-    } catch (ImageFormatException e) {
-      boolean tooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      ExitCode code = tooLarge ? ExitCode.LIMIT : ExitCode.ASSET;
-      throw code.failure(file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw ExitCode.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw LayerInput.failure(file, e);
     }
   }
 

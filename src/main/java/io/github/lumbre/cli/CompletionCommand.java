@@ -8,7 +8,7 @@ import picocli.CommandLine.Command;
     name = "completion",
     header = "Print a completion script for bash and zsh.",
     footer = {"", "Example:", "  source <(lumbre completion)"})
-@Exits({ExitCode.OK, ExitCode.USAGE, ExitCode.OUTPUT, ExitCode.INTERNAL})
+@Exits({ExitCode.OK, ExitCode.OUTPUT})
 final class CompletionCommand extends Subcommand {
   @Override
   ExitCode run() {

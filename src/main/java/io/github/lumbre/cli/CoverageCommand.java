@@ -37,8 +37,8 @@ import picocli.CommandLine.Option;
     })
 @Exits(
     value = {
-      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET,
-      ExitCode.LIMIT, ExitCode.INTERNAL, ExitCode.INTERRUPTED
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
+      ExitCode.INTERRUPTED
     },
     different = "more bounds fail: with a confidence of 95 %, this has a probability below 0.1 %")
 final class CoverageCommand extends Subcommand {

@@ -42,8 +42,8 @@ import picocli.CommandLine.Parameters;
       "  lumbre denoise picture.exr -o clean.exr --oidn folder/bin"
     })
 @Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT,
-  ExitCode.OUTPUT, ExitCode.DENOISER, ExitCode.INTERNAL
+  ExitCode.OK, ExitCode.ABSENT, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT,
+  ExitCode.DENOISER
 })
 final class DenoiseCommand extends Subcommand {
   @Parameters(paramLabel = "FILE", description = "OpenEXR file (.exr) or checkpoint file.")

@@ -21,9 +21,7 @@ import picocli.CommandLine.Parameters;
     modelTransformer = SettingFlags.Adder.class,
     abbreviateSynopsis = true,
     footer = {"", "Example:", "  lumbre develop night.film -o night.png --exposure 1.5"})
-@Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.FILM, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL
-})
+@Exits({ExitCode.OK, ExitCode.FILM, ExitCode.LIMIT, ExitCode.OUTPUT})
 final class DevelopCommand extends Subcommand {
   @Parameters(
       paramLabel = "FILM",

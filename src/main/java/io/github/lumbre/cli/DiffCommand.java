@@ -75,8 +75,8 @@ import picocli.CommandLine.Parameters;
     })
 @Exits(
     value = {
-      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET,
-      ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.INTERRUPTED
+      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
+      ExitCode.OUTPUT, ExitCode.INTERRUPTED
     },
     different = "something changed")
 final class DiffCommand extends Subcommand {

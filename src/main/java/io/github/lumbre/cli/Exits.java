@@ -6,7 +6,10 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** The exit codes of a command, which its help lists. */
+/**
+ * The exit codes of a command, which its help lists; {@link ExitCode#USAGE} and {@link
+ * ExitCode#INTERNAL} are those of every command.
+ */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)
 @interface Exits {

@@ -3,10 +3,12 @@ package io.github.lumbre.cli;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.option.Headings;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help;
@@ -41,8 +43,9 @@ final class HelpLayout {
     CommandSpec spec = command.getCommandSpec();
     Exits exits = spec.userObject().getClass().getAnnotation(Exits.class);
     if (exits != null) {
-      spec.usageMessage()
-          .exitCodeList(ExitCode.meanings(List.of(exits.value()), exits.different()));
+      Set<ExitCode> codes = EnumSet.of(ExitCode.USAGE, ExitCode.INTERNAL);
+      codes.addAll(List.of(exits.value()));
+      spec.usageMessage().exitCodeList(ExitCode.meanings(codes, exits.different()));
     }
     command.getSubcommands().values().forEach(HelpLayout::applyToCommand);
   }

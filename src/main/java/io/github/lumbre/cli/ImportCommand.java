@@ -35,10 +35,7 @@ import picocli.CommandLine.Parameters;
         "The scene is the one that 'lumbre render MODEL' renders with the same flags. It names the"
             + " model file and does not copy it.",
     footer = {"", "Example:", "  lumbre import helmet.glb --view iso -o helmet.json"})
-@Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT,
-  ExitCode.INTERNAL
-})
+@Exits({ExitCode.OK, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT})
 final class ImportCommand extends Subcommand {
   @Parameters(paramLabel = "MODEL", description = "Model: " + ModelFormat.TITLES + ".")
   private Path model;

@@ -7,7 +7,6 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -44,7 +43,11 @@ final class LabJar {
         System.err.println("lumbre: " + command.get() + ": needs " + lab + ", which is missing");
         System.exit(ExitCode.INTERNAL.number());
       }
-      run(List.of(program, lab), args);
+      URL[] places = {program.toUri().toURL(), lab.toUri().toURL()};
+      URLClassLoader loader = new URLClassLoader(places, ClassLoader.getPlatformClassLoader());
+      Thread.currentThread().setContextClassLoader(loader);
+      Class<?> main = loader.loadClass(Lumbre.class.getName());
+      main.getMethod("main", String[].class).invoke(null, (Object) args);
     } catch (URISyntaxException | IOException | ReflectiveOperationException e) {
       throw new IllegalStateException(e);
     }
@@ -57,19 +60,5 @@ final class LabJar {
     boolean isDeployed = name.endsWith("-cli.jar");
     return program.resolveSibling(
         isDeployed ? name.replaceFirst("-cli[.]jar$", "-lab.jar") : "lumbre-lab.jar");
-  }
-
-  private static void run(List<Path> jars, String[] args)
-      throws IOException, ReflectiveOperationException {
-    URL[] places = new URL[jars.size()];
-    for (int i = 0; i < places.length; i++) {
-      places[i] = jars.get(i).toUri().toURL();
-    }
-    URLClassLoader loader = new URLClassLoader(places, ClassLoader.getPlatformClassLoader());
-    Thread.currentThread().setContextClassLoader(loader);
-    loader
-        .loadClass(Lumbre.class.getName())
-        .getMethod("main", String[].class)
-        .invoke(null, (Object) args);
   }
 }

@@ -45,8 +45,7 @@ import picocli.CommandLine.Parameters;
       "  lumbre layers picture.exr --layer depth --png folder"
     })
 @Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT,
-  ExitCode.OUTPUT, ExitCode.INTERNAL
+  ExitCode.OK, ExitCode.ABSENT, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT
 })
 final class LayersCommand extends Subcommand {
   private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();

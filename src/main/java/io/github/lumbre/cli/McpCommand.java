@@ -23,7 +23,7 @@ import picocli.CommandLine.Option;
             + " standard output, so that programs, such as language models that make parts, can see"
             + " their models. A client starts the command; docs/mcp.md has its configuration.",
     footer = {"", "Example:", "  lumbre mcp --root parts"})
-@Exits({ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.INTERNAL, ExitCode.INTERRUPTED})
+@Exits({ExitCode.OK, ExitCode.ABSENT, ExitCode.INTERRUPTED})
 final class McpCommand extends Subcommand {
   @Option(
       names = "--root",

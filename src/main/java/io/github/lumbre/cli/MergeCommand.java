@@ -48,9 +48,7 @@ import picocli.CommandLine.Parameters;
       "  lumbre merge a.film b.film -o all.film",
       "  lumbre merge a.film b.film -o all.png"
     })
-@Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.FILM, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL
-})
+@Exits({ExitCode.OK, ExitCode.FILM, ExitCode.LIMIT, ExitCode.OUTPUT})
 final class MergeCommand extends Subcommand {
   @Parameters(
       paramLabel = "FILM",

@@ -50,8 +50,8 @@ import picocli.CommandLine.Parameters;
       "  lumbre perf scenes/cornell-box.json --adaptive --paired -s 256 --repeat 16"
     })
 @Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.ABSENT, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
-  ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.SAVED
+  ExitCode.OK, ExitCode.ABSENT, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT,
+  ExitCode.SAVED
 })
 final class PerfCommand extends Subcommand {
   private static final int DEFAULT_REPETITIONS = 5;

@@ -40,8 +40,7 @@ import picocli.CommandLine.Parameters;
       "  lumbre pixel scene.json 120,80 --sample 17 --seed 5 --json"
     })
 @Exits({
-  ExitCode.OK, ExitCode.WARNINGS, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
-  ExitCode.INTERNAL, ExitCode.REJECTED
+  ExitCode.OK, ExitCode.WARNINGS, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.REJECTED
 })
 final class PixelCommand extends Subcommand {
   /** The number of brightest samples that are printed. */

@@ -75,9 +75,8 @@ import picocli.CommandLine.Parameters;
       "  lumbre render scene.json -s 4000 --checkpoint night.film"
     })
 @Exits({
-  ExitCode.OK, ExitCode.PARTIAL, ExitCode.WARNINGS, ExitCode.TARGET, ExitCode.USAGE,
-  ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.LATE, ExitCode.OUTPUT,
-  ExitCode.INTERNAL, ExitCode.REJECTED, ExitCode.SAVED
+  ExitCode.OK, ExitCode.PARTIAL, ExitCode.WARNINGS, ExitCode.TARGET, ExitCode.SCENE, ExitCode.ASSET,
+  ExitCode.LIMIT, ExitCode.LATE, ExitCode.OUTPUT, ExitCode.REJECTED, ExitCode.SAVED
 })
 final class RenderCommand extends Subcommand {
   private final Engine engine;
@@ -131,7 +130,7 @@ final class RenderCommand extends Subcommand {
 
   private ExitCode frame(Course course, Frames frames, PictureExposure exposing) throws Exception {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
-    Run border = options.run.border(course.interruption).over(frames);
+    Run border = options.run.border(course.interruption, Optional.of(frames));
     return border.of(report, () -> run(report, course, frames, exposing));
   }
 

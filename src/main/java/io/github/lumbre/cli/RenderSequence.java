@@ -86,7 +86,7 @@ final class RenderSequence {
    */
   ExitCode run() throws Exception {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
-    Run border = options.run.border(course.interruption());
+    Run border = options.run.border(course.interruption(), Optional.empty());
     border.failing(report, this::plan);
     if (!isJoined || options.sequence.havePart()) {
       ExitCode code = render();

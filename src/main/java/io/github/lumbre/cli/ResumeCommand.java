@@ -69,8 +69,8 @@ import picocli.CommandLine.Parameters;
       "  lumbre resume night.film --target-error 1%% --time 8h"
     })
 @Exits({
-  ExitCode.OK, ExitCode.PARTIAL, ExitCode.TARGET, ExitCode.USAGE, ExitCode.SCENE, ExitCode.FILM,
-  ExitCode.ASSET, ExitCode.LIMIT, ExitCode.LATE, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.SAVED
+  ExitCode.OK, ExitCode.PARTIAL, ExitCode.TARGET, ExitCode.SCENE, ExitCode.FILM, ExitCode.ASSET,
+  ExitCode.LIMIT, ExitCode.LATE, ExitCode.OUTPUT, ExitCode.SAVED
 })
 final class ResumeCommand extends Subcommand {
   /** The number of samples per pixel that means no limit. */
@@ -127,7 +127,8 @@ final class ResumeCommand extends Subcommand {
   ExitCode run() throws Exception {
     JsonSummary report = new JsonSummary("resume", "film", film);
     try (Interruption interruption = Interruption.listen()) {
-      return run.border(interruption).of(report, () -> run(report, interruption));
+      return run.border(interruption, Optional.empty())
+          .of(report, () -> run(report, interruption));
     }
   }
 

@@ -26,9 +26,7 @@ import picocli.CommandLine.Option;
       "  lumbre selftest --markdown > docs/stability.md"
     })
 @Exits(
-    value = {
-      ExitCode.OK, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.INTERNAL
-    },
+    value = {ExitCode.OK, ExitCode.DIFFERENT},
     different = "an invariant does not hold")
 final class SelfTestCommand extends Subcommand {
   @Option(names = "--markdown", description = "Print the page docs/stability.md.")
@@ -43,8 +41,6 @@ final class SelfTestCommand extends Subcommand {
   static final class Checks {
     /** Four times the tries of the build's tests. */
     private static final Tries TRIES = new Tries(4, 0);
-
-    private Checks() {}
 
     /** Checks invariants and prints a line for each as soon as its result is known. */
     static ExitCode run(List<Invariant> laws, boolean markdown, Messages out)

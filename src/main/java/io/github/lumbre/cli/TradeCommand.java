@@ -47,8 +47,8 @@ import picocli.CommandLine.Option;
     footer = {"", "Example:", "  lumbre trade scene.json --quick -o trade.html"})
 @Exits(
     value = {
-      ExitCode.OK, ExitCode.WARNINGS, ExitCode.DIFFERENT, ExitCode.USAGE, ExitCode.SCENE,
-      ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERNAL, ExitCode.INTERRUPTED
+      ExitCode.OK, ExitCode.WARNINGS, ExitCode.DIFFERENT, ExitCode.SCENE, ExitCode.ASSET,
+      ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.INTERRUPTED
     },
     different = "threads or buckets changed a picture")
 final class TradeCommand extends Subcommand {
@@ -133,9 +133,10 @@ final class TradeCommand extends Subcommand {
     try (TextOutput html = TextOutput.reserve(Optional.of(page));
         TextOutput csv = TextOutput.reserve(Optional.of(beside(page, ".csv")));
         TextOutput json = TextOutput.reserve(Optional.of(beside(page, ".json")))) {
-      Study study = new Study();
-      TradeRun run = new TradeRun(options, kernel, study.budget(), threads, messages);
-      TradeResult result = run.run(study.knobs());
+      double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
+      TradeBudget budget = new TradeBudget(wanted, samples, reference, seeds, size, quick);
+      TradeRun run = new TradeRun(options, kernel, budget, threads, messages);
+      TradeResult result = run.run(new Study().knobs());
       run.tellCommand(commandLine());
       html.write(run.page());
       csv.write(TradeTables.csv(result));
@@ -169,11 +170,6 @@ final class TradeCommand extends Subcommand {
             "--knobs: expected some of " + String.join(",", known.keySet()) + ", found " + name);
       }
       return wanted.stream().map(known::get).collect(Collectors.toSet());
-    }
-
-    private TradeBudget budget() {
-      double wanted = time.orElse(Duration.ofMinutes(quick ? 1 : 5)).toMillis() * 1e-3;
-      return new TradeBudget(wanted, samples, reference, seeds, size, quick);
     }
   }
 

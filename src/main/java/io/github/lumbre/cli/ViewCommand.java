@@ -73,8 +73,7 @@ import picocli.CommandLine.Option;
       "  lumbre view scene.json --no-open --port 8080"
     })
 @Exits({
-  ExitCode.USAGE, ExitCode.SCENE, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.PORT,
-  ExitCode.INTERNAL, ExitCode.INTERRUPTED
+  ExitCode.SCENE, ExitCode.FILM, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.PORT, ExitCode.INTERRUPTED
 })
 final class ViewCommand extends Subcommand {
   private static final Set<String> PICTURES =
@@ -199,9 +198,7 @@ final class ViewCommand extends Subcommand {
       Map<String, String> texts = exr.map(LayeredImage::texts).orElse(Map.of());
       return new View.Picture(LinearReader.read(path), layers, texts, !isLinear(path));
     } catch (ImageFormatException e) {
-      boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      throw new TaskException(
-          isTooLarge ? ExitCode.LIMIT : ExitCode.ASSET, path + ": " + e.getMessage(), e);
+      throw LayerInput.failure(path, e);
     } catch (IOException e) {
       throw ExitCode.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
     }

@@ -58,6 +58,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -74,8 +75,7 @@ import picocli.CommandLine.Parameters;
             + " NAME' with the same flags and samples.",
     footer = {"", "Example:", "  lumbre views part.stl --up z --ground -o part-views"})
 @Exits({
-  ExitCode.OK, ExitCode.USAGE, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT,
-  ExitCode.INTERNAL, ExitCode.SAVED
+  ExitCode.OK, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT, ExitCode.OUTPUT, ExitCode.SAVED
 })
 final class ViewsCommand extends Subcommand {
   private static final String SHEET = "views.png";
@@ -131,7 +131,7 @@ final class ViewsCommand extends Subcommand {
     OutputGuard guard = guard();
     JsonSummary report = new JsonSummary("views", model);
     try (Interruption interruption = Interruption.listen()) {
-      return new Run(interruption, json ? Optional.of(out()) : Optional.empty())
+      return new Run(interruption, json ? Optional.of(out()) : Optional.empty(), Optional.empty())
           .of(report, () -> run(stage, guard, report, interruption));
     }
   }
@@ -241,7 +241,7 @@ final class ViewsCommand extends Subcommand {
     PictureDrawing drawing =
         monitor
             .unlessStopped(() -> PictureDrawing.of(first, notes::add))
-            .orElseThrow(ViewsCommand::stopped);
+            .orElseThrow(CancellationException::new);
     List<DisplayLight> pictures = new ArrayList<>();
     Iterator<String> names = View.standard().keySet().iterator();
     for (Scene view : views.scenes()) {
@@ -258,7 +258,7 @@ final class ViewsCommand extends Subcommand {
                     .finishing(
                         "drawing lines and labels",
                         () -> drawing.onDisplay(view, name, clean, options))
-                    .orElseThrow(ViewsCommand::stopped);
+                    .orElseThrow(CancellationException::new);
             notes.forEach(note -> messages.line(name.get() + ": " + note));
             notes.clear();
             pictures.add(drawn);
@@ -289,22 +289,18 @@ final class ViewsCommand extends Subcommand {
   }
 
   private static Film rendered(RenderSettings settings, Scene view, RenderMonitor monitor)
-      throws TaskException {
+      throws InterruptedException {
     FilmRenderer renderer = new FilmRenderer(settings, view);
     Film film = renderer.newFilm();
     monitor.started(settings.window().pixels() * settings.samples());
-    try {
-      if (new PassLoop(renderer, film).run(monitor).complete()) {
-        return film;
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+    if (!new PassLoop(renderer, film).run(monitor).complete()) {
+      throw new CancellationException("stopped");
     }
-    throw stopped();
+    return film;
   }
 
   private DenoisedPicture denoised(
-      Film film, Frames frames, RenderMonitor monitor, Messages messages) throws TaskException {
+      Film film, Frames frames, RenderMonitor monitor, Messages messages) {
     if (denoising.isEmpty()) {
       return DenoisedPicture.NOISY;
     }
@@ -312,7 +308,7 @@ final class ViewsCommand extends Subcommand {
     DenoisedPicture denoised =
         DenoisedPicture.of(film, used, frames.picture().target(), true, messages, monitor);
     if (denoised.isMissing() && denoised.failure().isEmpty()) {
-      throw stopped();
+      throw new CancellationException("stopped");
     }
     return denoised;
   }
@@ -326,9 +322,5 @@ final class ViewsCommand extends Subcommand {
     String samples = Numbers.count(film.mostSamples(), "sample") + " per pixel";
     String lack = LaterStep.text(samples, Set.of(LaterStep.DENOISING));
     return drawn.options().withMetadata(Map.of(PictureMetadata.PARTIAL, lack));
-  }
-
-  private static TaskException stopped() {
-    return ExitCode.INTERRUPTED.failure("stopped before the views were complete");
   }
 }

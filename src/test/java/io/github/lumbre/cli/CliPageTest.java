@@ -6,11 +6,12 @@ import io.github.lumbre.base.ExitCode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -57,7 +58,7 @@ All commands use the same codes. Each command below lists its own meanings.
   private static String page() {
     CommandLine program = Lumbre.commandLine();
     StringBuilder page = new StringBuilder(HEAD);
-    List<ExitCode> codes = Stream.of(ExitCode.values()).filter(c -> c != ExitCode.SAVED).toList();
+    Set<ExitCode> codes = EnumSet.complementOf(EnumSet.of(ExitCode.SAVED));
     codes(ExitCode.meanings(codes, ""), page);
     Lumbre.SECTIONS.forEach(
         (heading, commands) -> {

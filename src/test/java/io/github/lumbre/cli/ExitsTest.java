@@ -24,7 +24,7 @@ class ExitsTest {
         .allSatisfy(
             command -> {
               assertThat(command.getAnnotation(Exits.class).value())
-                  .contains(ExitCode.USAGE, ExitCode.INTERNAL)
+                  .doesNotContain(ExitCode.USAGE, ExitCode.INTERNAL)
                   .isSorted();
               assertThat(command.getAnnotation(Command.class).exitCodeList()).isEmpty();
             });

@@ -150,7 +150,7 @@ public final class RunFlags extends Flags {
   }
 
   /** Returns the border of the command, which prints a summary under {@code --json}. */
-  public Run border(Interruption interruption) {
-    return new Run(interruption, json ? Optional.of(out()) : Optional.empty());
+  public Run border(Interruption interruption, Optional<Frames> frames) {
+    return new Run(interruption, json ? Optional.of(out()) : Optional.empty(), frames);
   }
 }

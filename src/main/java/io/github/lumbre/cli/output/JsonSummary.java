@@ -1,12 +1,9 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.Release;
-import io.github.lumbre.base.ExitCode;
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.parser.internal.ModelContents;
 import io.github.lumbre.parser.internal.PartTable;
 import io.github.lumbre.parser.internal.SceneContents;
@@ -35,11 +32,6 @@ public final class JsonSummary {
   static final String FORMAT = "lumbre-summary-1";
 
   private final Map<String, Object> values = new LinkedHashMap<>();
-
-  /** The work of a command; returns its exit code. */
-  public interface Action {
-    ExitCode run() throws SceneFormatException, TaskException;
-  }
 
   /**
    * @param command name of the command

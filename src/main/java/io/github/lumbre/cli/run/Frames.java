@@ -242,7 +242,7 @@ public final class Frames implements AutoCloseable {
     }
   }
 
-  /** Returns the failure of the current frame; if it ends the sequence, with the complete frames. */
+  /** Returns the failure of the current frame; one that ends the sequence names the others. */
   Exception end(Exception failure) {
     if (ended || isSingle() || !(failure instanceof TaskException e)) {
       return failure;

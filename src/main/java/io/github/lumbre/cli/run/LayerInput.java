@@ -38,15 +38,21 @@ public final class LayerInput {
         return developed(FilmInput.read(file, messages));
       }
       return LayeredImage.read(file);
-    } catch (NoSuchFileException e) {
-      throw ExitCode.USAGE.failure(file + ": does not exist", e);
-    } catch (ImageFormatException e) {
-      boolean isTooLarge = e.kind() == ImageFormatException.Kind.TOO_LARGE;
-      throw new TaskException(
-          isTooLarge ? ExitCode.LIMIT : ExitCode.ASSET, file + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw ExitCode.USAGE.failure(file + ": cannot be read: " + FileFailure.reason(e), e);
+      throw failure(file, e);
     }
+  }
+
+  /** Returns the failure of a command that cannot read a picture. */
+  public static TaskException failure(Path file, IOException e) {
+    if (e instanceof ImageFormatException invalid) {
+      boolean isTooLarge = invalid.kind() == ImageFormatException.Kind.TOO_LARGE;
+      ExitCode code = isTooLarge ? ExitCode.LIMIT : ExitCode.ASSET;
+      return code.failure(file + ": " + e.getMessage(), e);
+    }
+    boolean isThere = !(e instanceof NoSuchFileException);
+    String problem = isThere ? "cannot be read: " + FileFailure.reason(e) : "does not exist";
+    return ExitCode.USAGE.failure(file + ": " + problem, e);
   }
 
   /** Returns whether a file is a checkpoint file; false if it cannot be read. */

@@ -46,8 +46,8 @@ public final class RenderMonitor implements Progress, AutoCloseable {
   }
 
   /**
-   * Shows that a scene is read. Until the result is closed, a signal or the deadline interrupts this
-   * thread.
+   * Shows that a scene is read. Until the result is closed, a signal or the deadline interrupts
+   * this thread.
    */
   public Interruption.Wait reading(Path scene) {
     busy("reading " + scene.getFileName());

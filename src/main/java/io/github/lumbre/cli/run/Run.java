@@ -11,24 +11,14 @@ import java.util.concurrent.CancellationException;
 
 /**
  * The border of a command: one try around the reading, rendering and writing of a picture. Here
- * alone a cancelled thread becomes an end by a signal or by the time limit, and results and failures
- * become a JSON summary. {@link Failures} knows the exit codes of exceptions.
+ * alone a cancelled thread becomes an end by a signal or by the time limit, and results and
+ * failures become a JSON summary. {@link Failures} knows the exit codes of exceptions.
  *
  * @param summaries printer of JSON summaries; empty if there are none
  * @param frames the pictures of which each run is the next one; empty for work of another kind
  */
 public record Run(
     Interruption interruption, Optional<Messages> summaries, Optional<Frames> frames) {
-  /** Creates the border of a command or of a part of it. */
-  public Run(Interruption interruption, Optional<Messages> summaries) {
-    this(interruption, summaries, Optional.empty());
-  }
-
-  /** Returns the border of each of several pictures. */
-  public Run over(Frames pictures) {
-    return new Run(interruption, summaries, Optional.of(pictures));
-  }
-
   /** Reads, renders and writes a picture, or does a part of this, and returns the exit code. */
   @FunctionalInterface
   public interface Work {
