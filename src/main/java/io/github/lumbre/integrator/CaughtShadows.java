@@ -21,12 +21,9 @@ import io.github.lumbre.scene.Scene;
  */
 final class CaughtShadows {
   /** Number of candidates; with the next number, the last of the Fibonacci numbers up to 34. */
-  static final int CANDIDATES = 34;
+  private static final int CANDIDATES = 34;
 
   private static final int GENERATOR = 21;
-
-  /** Number of shadow rays that measure how dark a shadow is. */
-  private static final int MEASURED = 8;
 
   /** Irrational, so that the choices of lights are independent of the lattice. */
   private static final double CHOICE_STEP = Math.sqrt(2) - 1;
@@ -48,20 +45,22 @@ final class CaughtShadows {
     double choiceShift = sampler.get1d(dimension + 2);
     double pick = sampler.get1d(dimension + 3);
     LightSample light = context.scratch.light;
-    double[] weights = context.scratch.lightWeights;
-    double start = pick;
+    boolean measures = context.listener.measuresShadows();
+    double lit = 0;
     double total = 0;
+    double before = 0;
     int picked = -1;
     for (int i = 0; i < CANDIDATES; i++) {
       sample(i, scene, surface, shift, choiceShift, light);
       double weight = weight(light, surface);
-      weights[i] = weight;
       if (weight > 0) {
+        lit += measures ? arriving(scene, surface, context) : 0;
         total += weight;
         // Use the random number once more: below the limit, it is again uniform.
         double limit = weight / total;
         if (pick < limit) {
           picked = i;
+          before = weight;
           pick /= limit;
         } else {
           pick = (pick - limit) / (1 - limit);
@@ -71,29 +70,11 @@ final class CaughtShadows {
     if (picked < 0) {
       return true;
     }
-    if (context.listener.measuresShadows()) {
-      double lit = 0;
-      // Systematic resampling: each ray stands for an equal part of the light of all candidates.
-      double next = start * total / MEASURED;
-      double sum = 0;
-      int rays = 0;
-      for (int i = 0; i < CANDIDATES; i++) {
-        sum += weights[i];
-        int times = 0;
-        for (; next < sum && rays + times < MEASURED; next += total / MEASURED) {
-          times++;
-        }
-        if (times > 0) {
-          sample(i, scene, surface, shift, choiceShift, light);
-          lit += times * arriving(scene, surface, context) / weights[i];
-          rays += times;
-        }
-      }
-      context.listener.shadowMeasured(1 - lit / rays);
+    if (measures) {
+      context.listener.shadowMeasured(1 - lit / total);
     }
     sample(picked, scene, surface, shift, choiceShift, light);
-    double least = sampler.get1d(dimension + 4) * weights[picked];
-    return least < arriving(scene, surface, context);
+    return sampler.get1d(dimension + 4) * before < arriving(scene, surface, context);
   }
 
   /** Returns the weight of a light sample; less behind transparent surfaces, 0 if it is blocked. */

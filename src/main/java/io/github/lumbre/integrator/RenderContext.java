@@ -65,7 +65,6 @@ public final class RenderContext {
     final GuideSample guided = new GuideSample();
     final GlassPath glassPath = new GlassPath();
     final MirrorLights.Reflection reflection = new MirrorLights.Reflection();
-    final double[] lightWeights = new double[CaughtShadows.CANDIDATES];
     final Deque<RayTracer.Branch> branches = new ArrayDeque<>();
   }
 

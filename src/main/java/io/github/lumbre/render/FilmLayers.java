@@ -32,7 +32,7 @@ public record FilmLayers(Set<Layer> kinds, int lightGroups) {
   public static FilmLayers of(RenderSettings settings, Scene scene) {
     boolean hasLights = settings.layers().contains(Layer.LIGHTS);
     Set<Layer> kinds = new HashSet<>(settings.layers());
-    if (scene.primitives().stream().noneMatch(p -> p.material().catchesShadows())) {
+    if (!scene.catchesShadows()) {
       kinds.remove(Layer.DENOISING_ALPHA);
     }
     return new FilmLayers(

@@ -462,6 +462,11 @@ public final class Scene {
     return hasTransparency;
   }
 
+  /** Returns whether the camera sees only the shadows of some surface. */
+  public boolean catchesShadows() {
+    return hasTransparency && primitives.stream().anyMatch(p -> p.material().catchesShadows());
+  }
+
   /** Returns whether any shape blocks the ray that {@code scratch} was last aimed along. */
   public boolean isOccluded(NearestHit scratch) {
     return bvh.isOccluded(scratch);

@@ -134,7 +134,7 @@ public final class Thumbnails implements AutoCloseable {
     } catch (SceneFormatException e) {
       // The limits refuse even this model; each call reports it.
       return;
-    } catch (IOException | InterruptedException e) {
+    } catch (IOException | InterruptedException | CancellationException e) {
       Thread.currentThread().interrupt();
     }
   }

@@ -66,6 +66,8 @@ class KindsTest {
   private static final Set<String> NO_KEYS =
       Set.of(
           "Problem.java file",
+          "Stage.java background",
+          "Stage.java intensity",
           "Stage.java name",
           "Stage.java sky",
           "StagedModel.java sky");

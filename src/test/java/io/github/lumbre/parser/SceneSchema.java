@@ -6,7 +6,14 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import com.google.gson.JsonPrimitive;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.internal.OptionTypes.NamedType;
+import io.github.lumbre.model.internal.OptionTypes.PoseType;
+import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
+import io.github.lumbre.text.PrintableText;
 import io.github.lumbre.text.PrintableText;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -54,35 +61,6 @@ final class SceneSchema {
       """;
 
   /** The options of models. */
-  private static final String MODEL =
-      """
-      "up": {"enum": ["y", "z", null],
-        "description": "The axis of the file that points up (as its format states; y in \
-      OBJ, PLY, STL and OFF)."},
-      "unit": {"type": ["number", "null"], "exclusiveMinimum": 0,
-        "description": "Scene units in a unit of the file (as the file states in meters; 1 \
-      for OBJ, PLY, STL and OFF)."},
-      "section": {"type": ["array", "null"], "items": {"type": "string"},
-        "description": "Planes that cut the model, such as x=0.5, y=50%, -z=2 or \
-      0,0,1/1,1,0: a point and a normal."},
-      "pointRadius": {"type": ["number", "null"], "exclusiveMinimum": 0,
-        "description": "Radius of points in units of the file; half the median distance \
-      between them if missing."},
-      "pose": {"type": ["string", "null"],
-        "description": "Name or index of an animation of a glTF file."},
-      "seconds": {"type": ["number", "null"], "minimum": 0, "default": 0,
-        "description": "Time in the animation."},
-      "variant": {"type": ["string", "null"],
-        "description": "Name of a material variant of a glTF file."},
-      "hide": {"type": ["array", "null"], "items": {"type": "string"},
-        "description": "Names of parts to leave out; * stands for any text."},
-      "highlight": {"type": ["array", "null"], "items": {"type": "string"},
-        "description": "Names of parts beside which all others are pale; * stands for any \
-      text."},
-      "look": {"enum": ["clay", "white", null],
-        "description": "A material that replaces all: matte gray, or white without light."}
-      """;
-
   private SceneSchema() {}
 
   static String text() {
@@ -118,7 +96,7 @@ final class SceneSchema {
                 "'model': {'required': ['file'], "
                     + closed(
                         known(ObjectKeys.OF_EMITTERS),
-                        properties(ObjectKeys.OF_MODELS, ObjectKeys.FILE) + ", " + MODEL)
+                        properties(ObjectKeys.OF_MODELS, ObjectKeys.FILE) + ", " + options())
                     + "}",
                 "'none': {" + closed(known(ObjectKeys.ALL), "") + "}",
                 "'object': {'type': 'object', 'properties': {"
@@ -137,6 +115,51 @@ final class SceneSchema {
                     + "}}"),
             "")
         + "\n";
+  }
+
+  /** Returns the options of a model; those of poses have two keys. */
+  private static String options() {
+    return ModelOption.all().stream()
+        .filter(ModelOption::isInScenes)
+        .map(
+            option ->
+                quoted(option.name())
+                    + ": {"
+                    + values(option.type())
+                    + ", 'description': "
+                    + quoted(option.help())
+                    + "}"
+                    + (option.type() instanceof PoseType
+                        ? ", 'seconds': {"
+                            + values(PoseType.SECONDS)
+                            + ", 'default': 0, 'description': 'Time in the animation.'}"
+                        : ""))
+        .collect(joined());
+  }
+
+  private static String values(SettingType<?> type) {
+    if (type instanceof NumberType number) {
+      String low = number.openLow() ? "exclusiveMinimum" : "minimum";
+      String high = number.openHigh() ? "exclusiveMaximum" : "maximum";
+      return "'type': ['number', 'null'], '"
+          + low
+          + "': "
+          + PrintableText.number(number.low())
+          + (number.high() == Double.MAX_VALUE
+              ? ""
+              : ", '" + high + "': " + PrintableText.number(number.high()));
+    }
+    if (type instanceof NamedType<?> named) {
+      String names =
+          named.choices().keySet().stream()
+              .sorted()
+              .map(name -> quoted(name) + ", ")
+              .collect(Collectors.joining());
+      return "'enum': [" + names + "null]";
+    }
+    return type instanceof TextsType
+        ? "'type': ['array', 'null'], 'items': {'type': 'string'}"
+        : "'type': ['string', 'null']";
   }
 
   private static Collector<CharSequence, ?, String> joined() {
