@@ -1,7 +1,7 @@
 """Renders Lumbre's scenes with Cycles (bpy) on command, in one thread: python cycles_server.py FOLDER
 
 Commands and answers are those of RenderServer.java. FOLDER gets pictures. Knows matte surfaces, mirrors, glass and
-microfacets with a grey specular colour. Paths have as many bounces as Lumbre's, pixels are boxes, nothing is clamped.
+microfacets with a gray specular colour. Paths have as many bounces as Lumbre's, pixels are boxes, nothing is clamped.
 """
 
 import json

@@ -30,13 +30,13 @@ public class BsdfBenchmark extends MicroBenchmark {
     LAMBERTIAN {
       @Override
       Bsdf make() {
-        return new Lambertian(Rgb.grey(.8));
+        return new Lambertian(Rgb.gray(.8));
       }
     },
     PHONG {
       @Override
       Bsdf make() {
-        return new PhongLobe(Rgb.grey(.8), 50);
+        return new PhongLobe(Rgb.gray(.8), 50);
       }
     },
     BECKMANN {

@@ -123,12 +123,12 @@ final class GlassCheck implements Check {
     Bounds3 bounds = surface.shape.bounds();
     for (int i = 0; i < POINTS; i++) {
       Vec3 out = direction(i);
-      Vec3 from = bounds.centre().plus(3 * bounds.radius(), out);
+      Vec3 from = bounds.center().plus(3 * bounds.radius(), out);
       Ray ray =
           new Ray(
               from,
               bounds
-                  .centre()
+                  .center()
                   .plus(bounds.radius() * .5, direction(i + POINTS))
                   .minus(from)
                   .normalized());

@@ -85,7 +85,7 @@ final class Pilot {
       vertex.hit().ifPresent(hit -> met[hit.primitive()]++);
       for (FoundLight found : lights(vertex)) {
         boolean isCut = i + furtherScatterings(found.source()) > depth;
-        double amount = grey(vertex.throughput().times(found.weighted()));
+        double amount = gray(vertex.throughput().times(found.weighted()));
         lightBeyond += isCut ? amount : 0;
         light += isCut ? 0 : amount;
         if (found.emitter() >= 0) {
@@ -108,7 +108,7 @@ final class Pilot {
     return vertex.contributions().stream().flatMap(c -> c.lights().stream()).toList();
   }
 
-  private static double grey(Rgb color) {
+  private static double gray(Rgb color) {
     return (color.r() + color.g() + color.b()) / 3;
   }
 

@@ -107,8 +107,8 @@ record PartShape(
     }
 
     PartShape build(String name, String stated, Set<String> materials) {
-      Vec3 centre = area > 0 ? moment.times(1 / area) : sum.times(1. / Math.max(1, points));
-      double variance = area > 0 ? squares / area - centre.dot(centre) : 0;
+      Vec3 center = area > 0 ? moment.times(1 / area) : sum.times(1. / Math.max(1, points));
+      double variance = area > 0 ? squares / area - center.dot(center) : 0;
       return new PartShape(
           name,
           stated,
@@ -116,7 +116,7 @@ record PartShape(
           triangles,
           area,
           edges,
-          middle.plus(centre),
+          middle.plus(center),
           Math.sqrt(Math.max(0, variance)),
           bounds,
           Set.copyOf(materials),

@@ -65,7 +65,7 @@ final class BvhSplitter {
       return;
     }
     count = Math.min(BINS, 2 * (end - first));
-    measureCentres(first, end);
+    measureCenters(first, end);
     scaleX = binScale(lowX, highX);
     scaleY = binScale(lowY, highY);
     scaleZ = binScale(lowZ, highZ);
@@ -88,15 +88,15 @@ final class BvhSplitter {
     range[WEIGHT] = all[at + WEIGHT] + all[at + SIZE + WEIGHT];
   }
 
-  private void measureCentres(int first, int end) {
+  private void measureCenters(int first, int end) {
     lowX = lowY = lowZ = Integer.MAX_VALUE;
     highX = highY = highZ = 0;
     for (int at = SIZE * first; at < SIZE * end; at += SIZE) {
-      addCentre(at);
+      addCenter(at);
     }
   }
 
-  private void addCentre(int at) {
+  private void addCenter(int at) {
     int[] all = items;
     int x = all[at] + all[at + 1];
     int y = all[at + 2] + all[at + 3];

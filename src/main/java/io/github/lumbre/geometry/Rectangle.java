@@ -36,7 +36,7 @@ public final class Rectangle implements Shape {
   private final Vec3 normal;
   private final Frame shading;
   private final double area;
-  private final Vec3 centre;
+  private final Vec3 center;
 
   /** The world-space frame along local x, local z and the normal. */
   private final Frame axes;
@@ -45,7 +45,7 @@ public final class Rectangle implements Shape {
   private final double scaleZ;
 
   /** The error bound of a point at the center, and its growth per unit along local x and z. */
-  private final double errorAtCentre;
+  private final double errorAtCenter;
 
   private final double errorPerX;
   private final double errorPerZ;
@@ -74,13 +74,13 @@ public final class Rectangle implements Shape {
     Vec3 z = toWorld.vector(Vec3.Z);
     shading = Frame.around(normal, x.negated(), z.negated());
     area = x.cross(z).length() * width * height;
-    centre = toWorld.point(Vec3.ZERO);
+    center = toWorld.point(Vec3.ZERO);
     axes = Frame.around(normal, x, z);
     scaleX = x.length();
     scaleZ = z.length();
-    errorAtCentre = toWorld.pointError(Vec3.ZERO, normal);
-    errorPerX = toWorld.pointError(Vec3.X, normal) - errorAtCentre;
-    errorPerZ = toWorld.pointError(Vec3.Z, normal) - errorAtCentre;
+    errorAtCenter = toWorld.pointError(Vec3.ZERO, normal);
+    errorPerX = toWorld.pointError(Vec3.X, normal) - errorAtCenter;
+    errorPerZ = toWorld.pointError(Vec3.Z, normal) - errorAtCenter;
     boolean isRectangular = Math.abs(x.dot(z)) <= RIGHT_ANGLE * scaleX * scaleZ;
     double diagonal = new Vec3(halfWidth * scaleX, 0, halfHeight * scaleZ).length();
     nearSquared = isRectangular ? NEAR * diagonal * (NEAR * diagonal) : 0;
@@ -180,7 +180,7 @@ public final class Rectangle implements Shape {
 
   /** Returns {@link Transform#pointError} of a local point, with fewer operations. */
   private double error(Vec3 local) {
-    return errorAtCentre + Math.abs(local.x()) * errorPerX + Math.abs(local.z()) * errorPerZ;
+    return errorAtCenter + Math.abs(local.x()) * errorPerX + Math.abs(local.z()) * errorPerZ;
   }
 
   private TexturePoint texture(Vec3 local) {
@@ -216,7 +216,7 @@ public final class Rectangle implements Shape {
   @Override
   public void sample(double x, double y, double z, double u, double v, SurfaceSample result) {
     Vec3 reference = new Vec3(x, y, z);
-    Vec3 from = axes.toLocal(reference.minus(centre));
+    Vec3 from = axes.toLocal(reference.minus(center));
     if (isNear(from.x(), from.y(), from.z())) {
       SphericalRectangle seen = seenFrom(from.x(), from.y(), from.z());
       if (seen.isUsable()) {
@@ -244,7 +244,7 @@ public final class Rectangle implements Shape {
 
   @Override
   public double pdf(Vec3 reference, SurfaceHit onShape) {
-    Vec3 from = axes.toLocal(reference.minus(centre));
+    Vec3 from = axes.toLocal(reference.minus(center));
     if (isNear(from.x(), from.y(), from.z())) {
       SphericalRectangle seen = seenFrom(from.x(), from.y(), from.z());
       if (seen.isUsable()) {

@@ -93,8 +93,8 @@ public final class Sphere implements Shape {
                 new Vec3(x.y(), y.y(), z.y()).length(),
                 new Vec3(x.z(), y.z(), z.z()).length())
             .times(radius);
-    Vec3 centre = toWorld.point(Vec3.ZERO);
-    Bounds3 box = new Bounds3(centre.minus(half), centre.plus(half));
+    Vec3 center = toWorld.point(Vec3.ZERO);
+    Bounds3 box = new Bounds3(center.minus(half), center.plus(half));
     return Placement.widened(box, toWorld, new Vec3(radius, radius, radius));
   }
 

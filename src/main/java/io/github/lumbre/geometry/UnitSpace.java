@@ -17,15 +17,15 @@ final class UnitSpace {
   /** Beyond this distance, floats have no useful precision. */
   static final double REACH = 0x1p40;
 
-  final double centreX;
-  final double centreY;
-  final double centreZ;
+  final double centerX;
+  final double centerY;
+  final double centerZ;
 
   /** A power of two. */
   final double scale;
 
   /** The largest absolute world coordinate of the center, in units of this space. */
-  final double centreReach;
+  final double centerReach;
 
   /**
    * A bound of the world coordinates of an inside origin and of the center, in units of this space.
@@ -50,13 +50,13 @@ final class UnitSpace {
    * @param box minimum and maximum on x, y, z of all items, in world space
    */
   UnitSpace(double[] box) {
-    centreX = .5 * box[0] + .5 * box[1];
-    centreY = .5 * box[2] + .5 * box[3];
-    centreZ = .5 * box[4] + .5 * box[5];
-    double half = Math.max(box[1] - centreX, Math.max(box[3] - centreY, box[5] - centreZ));
+    centerX = .5 * box[0] + .5 * box[1];
+    centerY = .5 * box[2] + .5 * box[3];
+    centerZ = .5 * box[4] + .5 * box[5];
+    double half = Math.max(box[1] - centerX, Math.max(box[3] - centerY, box[5] - centerZ));
     scale = Math.scalb(1.0, -1 - Math.getExponent(half));
-    centreReach = scale * Axes.largest(centreX, centreY, centreZ);
-    worldReach = 2 * (centreReach + INSIDE);
+    centerReach = scale * Axes.largest(centerX, centerY, centerZ);
+    worldReach = 2 * (centerReach + INSIDE);
     isInReach = worldReach <= REACH;
     coveredReach = isInReach ? worldReach + OUTSIDE : 0;
     slack = isInReach ? slack(INSIDE, coveredReach) : 0;
@@ -78,25 +78,25 @@ final class UnitSpace {
     return 9 * 0x1p-24 * (1 + reach) + 0x1p-46 * worldReach;
   }
 
-  private double centre(int axis) {
-    return axis == 0 ? centreX : axis == 1 ? centreY : centreZ;
+  private double center(int axis) {
+    return axis == 0 ? centerX : axis == 1 ? centerY : centerZ;
   }
 
   /** Returns a world coordinate in this space, rounded to the nearest float. */
   float nearest(int axis, double coordinate) {
-    return (float) ((coordinate - centre(axis)) * scale);
+    return (float) ((coordinate - center(axis)) * scale);
   }
 
   /** Returns a world coordinate in this space, lowered by the error bound. */
   float down(int axis, double coordinate) {
-    double x = (coordinate - centre(axis)) * scale - slack;
+    double x = (coordinate - center(axis)) * scale - slack;
     float rounded = (float) x;
     return rounded > x ? Math.nextDown(rounded) : rounded;
   }
 
   /** Returns a world coordinate in this space, raised by the error bound. */
   float up(int axis, double coordinate) {
-    double x = (coordinate - centre(axis)) * scale + slack;
+    double x = (coordinate - center(axis)) * scale + slack;
     float rounded = (float) x;
     return rounded < x ? Math.nextUp(rounded) : rounded;
   }

@@ -84,9 +84,9 @@ final class WideRay extends ShearedRay {
   /** Sets the ray; returns whether it can hit any box. */
   boolean aim(UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
     take(ox, oy, oz, dx, dy, dz);
-    double px = (ox - space.centreX) * space.scale;
-    double py = (oy - space.centreY) * space.scale;
-    double pz = (oz - space.centreZ) * space.scale;
+    double px = (ox - space.centerX) * space.scale;
+    double py = (oy - space.centerY) * space.scale;
+    double pz = (oz - space.centerZ) * space.scale;
     double length = Axes.sum(dx, dy, dz);
     if (length >= SHORT && length <= LONG && space.isInside(px, py, pz)) {
       // The common case: all these rays have the same error bounds.
@@ -106,9 +106,9 @@ final class WideRay extends ShearedRay {
   private boolean aimFromAnywhere(
       UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
     inside = null;
-    double px = (ox - space.centreX) * space.scale;
-    double py = (oy - space.centreY) * space.scale;
-    double pz = (oz - space.centreZ) * space.scale;
+    double px = (ox - space.centerX) * space.scale;
+    double py = (oy - space.centerY) * space.scale;
+    double pz = (oz - space.centerZ) * space.scale;
     double longest = Axes.largest(dx, dy, dz);
     double unit = 1;
     double perUnit = 1;
@@ -120,7 +120,7 @@ final class WideRay extends ShearedRay {
     double uy = dy * unit;
     double uz = dz * unit;
     double reach = Axes.largest(px, py, pz);
-    double worldReach = Axes.largest(ox, oy, oz) * space.scale + space.centreReach;
+    double worldReach = Axes.largest(ox, oy, oz) * space.scale + space.centerReach;
     double start = 0;
     boolean isOfLength = unit <= MAX_UNIT && perUnit <= MAX_UNIT;
     if (reach > UnitSpace.INSIDE && isOfLength) {

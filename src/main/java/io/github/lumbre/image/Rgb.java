@@ -9,7 +9,7 @@ public record Rgb(double r, double g, double b) {
   public static final Rgb WHITE = new Rgb(1, 1, 1);
 
   /** Returns the color whose three components are the same. */
-  public static Rgb grey(double v) {
+  public static Rgb gray(double v) {
     return new Rgb(v, v, v);
   }
 

@@ -116,7 +116,7 @@ public enum ToneCurve {
     Rgb c = positive(linear);
     double least = Math.min(c.r(), Math.min(c.g(), c.b()));
     double offset = least < .08 ? least - 6.25 * least * least : .04;
-    Rgb shifted = c.plus(Rgb.grey(-offset));
+    Rgb shifted = c.plus(Rgb.gray(-offset));
     double peak = shifted.max();
     double start = .8 - .04;
     if (peak < start) {
@@ -125,7 +125,7 @@ public enum ToneCurve {
     double range = 1 - start;
     double newPeak = 1 - range * range / (peak + range - start);
     double share = 1 - 1 / (.15 * (peak - newPeak) + 1);
-    return shifted.times(newPeak / peak * (1 - share)).plus(Rgb.grey(newPeak * share));
+    return shifted.times(newPeak / peak * (1 - share)).plus(Rgb.gray(newPeak * share));
   }
 
   private static Rgb agx(Rgb linear) {

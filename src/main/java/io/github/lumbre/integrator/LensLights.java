@@ -108,7 +108,7 @@ final class LensLights implements LightTechnique {
    */
   private record Image(int emitter, double x, double y, double radius, double weight) {
     static Optional<Image> of(int emitter, LightBounds bounds, ThinLensCamera camera) {
-      Vec3 center = bounds.box().centre();
+      Vec3 center = bounds.box().center();
       Vec3 local = camera.axes().toLocal(center.minus(camera.position()));
       double radius = bounds.box().radius();
       double focus = camera.focusDistance();
@@ -244,7 +244,7 @@ final class LensLights implements LightTechnique {
     double misWeight = heuristic.lightWeight(lightPdf, lensPdf);
     // The density of lens points takes the place of the BSDF.
     BsdfValue value = context.scratch.value;
-    value.set(Rgb.grey(lensPdf), lensPdf);
+    value.set(Rgb.gray(lensPdf), lensPdf);
     context.listener.lightSampled(
         Source.LENS, crossing.emitter, light, value, lightPdf, misWeight, isBlocked);
     if (!isBlocked) {

@@ -80,7 +80,7 @@ final class Passing {
     Rgb passed = material.transmittance(surface);
     double probability = Math.min(1, passed.max());
     if (random >= probability) {
-      scale(Rgb.grey(1 / (1 - probability)));
+      scale(Rgb.gray(1 / (1 - probability)));
       return false;
     }
     scale(passed.times(1 / probability));

@@ -62,7 +62,7 @@ final class Coverings {
   }
 
   private Bsdf coated(Bsdf base, double coat, double alpha, SurfaceHit hit) {
-    Lobe smooth = new SchlickReflection(Rgb.grey(coat * COAT_F0), coat, new Ggx(alpha));
+    Lobe smooth = new SchlickReflection(Rgb.gray(coat * COAT_F0), coat, new Ggx(alpha));
     if (coatNormals.isPresent() && coatNormals.get().tilted(smooth, hit) instanceof Tilted bumpy) {
       return new Layered(bumpy, base, (x, y, z) -> coatAlbedo(coat, bumpy.cosine(x, y, z), alpha));
     }

@@ -271,7 +271,7 @@ public final class MaterialParameter {
   }
 
   private static MaterialParameter number(String key, double missing) {
-    return new MaterialParameter(Kind.NUMBER, key, Rgb.grey(missing));
+    return new MaterialParameter(Kind.NUMBER, key, Rgb.gray(missing));
   }
 
   private static MaterialParameter normals(String key) {

@@ -11,7 +11,7 @@ import java.util.Objects;
  */
 public record Matte(Texture<Rgb> albedo) implements Material {
   /** The default material: albedo 0.5. */
-  public static final Matte GREY = new Matte(Texture.constant(Rgb.grey(.5)));
+  public static final Matte GRAY = new Matte(Texture.constant(Rgb.gray(.5)));
 
   /**
    * Returns a matte of one color.

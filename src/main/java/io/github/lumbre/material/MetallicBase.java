@@ -168,7 +168,7 @@ final class MetallicBase {
     double index = ior == 0 ? 1e6 : Math.max(1, ior);
     boolean isSmooth = alpha < CookTorrance.SMOOTH || index - 1 < 1e-8;
     if (isDispersive() || film.strength() > 0) {
-      Rgb indices = isDispersive() ? indices() : Rgb.grey(index);
+      Rgb indices = isDispersive() ? indices() : Rgb.gray(index);
       return isSmooth ? new ChromaticGlass(tint, indices, film) : rough(tint, indices, film, alpha);
     }
     return isSmooth
@@ -181,9 +181,9 @@ final class MetallicBase {
     return film.strength() > 0
         ? ChromaticGlass.rough(tint, indices, film, new Ggx(alpha))
         : new ThreeColors(
-            Compensated.glass(Rgb.WHITE, Rgb.grey(tint.r()), indices.r(), alpha),
-            Compensated.glass(Rgb.WHITE, Rgb.grey(tint.g()), indices.g(), alpha),
-            Compensated.glass(Rgb.WHITE, Rgb.grey(tint.b()), indices.b(), alpha),
+            Compensated.glass(Rgb.WHITE, Rgb.gray(tint.r()), indices.r(), alpha),
+            Compensated.glass(Rgb.WHITE, Rgb.gray(tint.g()), indices.g(), alpha),
+            Compensated.glass(Rgb.WHITE, Rgb.gray(tint.b()), indices.b(), alpha),
             Rgb.WHITE);
   }
 

@@ -108,7 +108,7 @@ public final class MetallicRoughness implements Material {
       return Rgb.WHITE;
     }
     double opacity = opacity(hit);
-    Rgb straight = Rgb.grey(1 - opacity);
+    Rgb straight = Rgb.gray(1 - opacity);
     return opacity == 0
         ? straight
         : straight.plus(base.smoothlyTransmitted(hit, coverings).times(opacity));
@@ -194,7 +194,7 @@ public final class MetallicRoughness implements Material {
      * @throws IllegalArgumentException if the parameter is no number, or the value is out of range
      */
     public Builder set(MaterialParameter parameter, double value) {
-      return set(parameter, parameter.constant(Rgb.grey(value)));
+      return set(parameter, parameter.constant(Rgb.gray(value)));
     }
 
     /**

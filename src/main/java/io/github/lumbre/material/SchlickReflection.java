@@ -63,7 +63,7 @@ record SchlickReflection(Rgb f0, double f90, Ggx facets, ThinFilm film) implemen
    * what a film changes at the mean cosine, 2/3.
    */
   static Rgb meanFresnel(Rgb f0, double f90, ThinFilm film) {
-    Rgb plain = f0.times(20.0 / 21).plus(Rgb.grey(f90 / 21));
+    Rgb plain = f0.times(20.0 / 21).plus(Rgb.gray(f90 / 21));
     if (film.strength() == 0) {
       return plain;
     }

@@ -76,11 +76,11 @@ public record Bounds3(Vec3 min, Vec3 max) {
   }
 
   /** Returns the point in the middle of the box. */
-  public Vec3 centre() {
+  public Vec3 center() {
     return min.times(.5).plus(max.times(.5));
   }
 
-  /** Returns the radius of the sphere around {@link #centre} through the corners; 0 if empty. */
+  /** Returns the radius of the sphere around {@link #center} through the corners; 0 if empty. */
   public double radius() {
     return isEmpty() ? 0 : max.times(.5).minus(min.times(.5)).length();
   }

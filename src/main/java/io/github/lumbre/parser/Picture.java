@@ -153,7 +153,7 @@ interface Picture {
     @Override
     public Texture<Rgb> as(Role role) {
       Texture<Rgb> values = filter == Filter.NEAREST ? texels : new BilinearTexture(texels);
-      return role == Role.NORMAL ? (u, v) -> values.at(u, v).times(2).plus(Rgb.grey(-1)) : values;
+      return role == Role.NORMAL ? (u, v) -> values.at(u, v).times(2).plus(Rgb.gray(-1)) : values;
     }
 
     @Override

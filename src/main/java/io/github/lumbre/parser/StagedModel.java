@@ -405,7 +405,7 @@ final class StagedModel {
 
   /** Returns the material of the ground. */
   static Material groundMaterial(Stage stage) {
-    Texture<Rgb> gray = Texture.constant(Rgb.grey(GROUND_GRAY));
+    Texture<Rgb> gray = Texture.constant(Rgb.gray(GROUND_GRAY));
     return stage.transparent() ? new ShadowCatcher(gray) : new Matte(gray);
   }
 
@@ -414,7 +414,7 @@ final class StagedModel {
     if (stage.sky().intensity() == 0) {
       spot.warn("the light emits nothing");
     }
-    Rgb radiance = Rgb.grey(stage.sky().intensity());
+    Rgb radiance = Rgb.gray(stage.sky().intensity());
     Frame axes = new CameraPose(Vec3.ZERO, new Vec3(0, stage.sky().rotation(), 0)).axes();
     if (stage.sky().hasSun()) {
       View place = stage.sky().sun();

@@ -9,7 +9,7 @@ import io.github.lumbre.scene.SceneAssembly;
 @FunctionalInterface
 interface Surface {
   /** The surface of shapes without a material. */
-  Surface DEFAULT = of(Matte.GREY);
+  Surface DEFAULT = of(Matte.GRAY);
 
   void add(Shape shape, SceneAssembly scene);
 

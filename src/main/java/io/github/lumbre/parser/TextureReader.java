@@ -214,17 +214,17 @@ final class TextureReader {
   private static Optional<Aperture> mask(JsonNode camera, String key, Picture picture) {
     boolean[][] white = new boolean[picture.height()][picture.width()];
     boolean any = false;
-    boolean grey = false;
+    boolean gray = false;
     for (int y = 0; y < picture.height(); y++) {
       for (int x = 0; x < picture.width(); x++) {
         double value = picture.value(x, y);
-        grey |= value > 0 && value < 1;
+        gray |= value > 0 && value < 1;
         any |= value >= .5;
         // Images store the top row first, apertures the bottom row.
         white[picture.height() - 1 - y][x] = value >= .5;
       }
     }
-    if (grey) {
+    if (gray) {
       camera.warn(key, "the mask is not black and white; values from 0.5 up count as white");
     }
     if (!any) {

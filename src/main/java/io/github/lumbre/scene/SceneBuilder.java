@@ -271,7 +271,7 @@ public final class SceneBuilder {
 
   /** Adds a uniform environment light of white light; see {@link #addBackground(Rgb)}. */
   public SceneBuilder addBackground(double radiance) {
-    return addBackground(Rgb.grey(radiance));
+    return addBackground(Rgb.gray(radiance));
   }
 
   /**

@@ -91,18 +91,18 @@ class SceneAuditTest {
     assertThat(findings).filteredOn(f -> f.law().equals(law)).isEmpty();
   }
 
-  private static final String GREY = "\"color\": {\"r\": 0.5, \"g\": 0.5, \"b\": 0.5}";
+  private static final String GRAY = "\"color\": {\"r\": 0.5, \"g\": 0.5, \"b\": 0.5}";
   private static final String GLASS = "\"ior\": 1.5";
 
   @Test
   void soundSceneHasNoFindings() throws Exception {
-    assertThat(auditOf(material("Diffuse", GREY), sphere(0, 1, 1))).isEmpty();
+    assertThat(auditOf(material("Diffuse", GRAY), sphere(0, 1, 1))).isEmpty();
   }
 
   @Test
   void warningsOfTheParserAreFindings() throws Exception {
     List<Finding> findings =
-        auditOf(material("Diffuse", GREY + ", \"colour\": 1"), sphere(0, 1, 1));
+        auditOf(material("Diffuse", GRAY + ", \"colour\": 1"), sphere(0, 1, 1));
     assertFinds(findings, "format", Severity.WARNING, "$.assets[0].colour", "unknown key");
   }
 
@@ -127,7 +127,7 @@ class SceneAuditTest {
   void assetsThatNothingUsesAreTold() throws Exception {
     String unused =
         "{\"id\": 7, \"name\": \"old\", \"assetType\": \"Texture\", \"textureType\": \"Marble\"}";
-    List<Finding> findings = auditOf(material("Diffuse", GREY) + ", " + unused, sphere(0, 1, 1));
+    List<Finding> findings = auditOf(material("Diffuse", GRAY) + ", " + unused, sphere(0, 1, 1));
     assertFinds(findings, "unused", Severity.NOTE, "$.assets[1]", "texture is not used by any");
     assertThat(findings.get(0).name()).isEqualTo("old");
   }
@@ -223,19 +223,19 @@ class SceneAuditTest {
 
   @Test
   void ratiosBeyondTheEnvelopeAreFound() throws Exception {
-    String grey = material("Diffuse", GREY);
+    String gray = material("Diffuse", GRAY);
     assertFinds(
-        auditOf(grey, sphere(0, 1, 1e-9)),
+        auditOf(gray, sphere(0, 1, 1e-9)),
         "scale",
         Severity.WARNING,
         "$.objects[3]",
         "1 to 2.89e+09");
-    assertSilent(auditOf(grey, sphere(0, 1, 1e-8)), "scale");
+    assertSilent(auditOf(gray, sphere(0, 1, 1e-8)), "scale");
   }
 
   @Test
   void picturesThatAreNoNormalMapsAreFound() throws Exception {
-    String bump = material("Diffuse", GREY + ", \"normalTextureId\": 3");
+    String bump = material("Diffuse", GRAY + ", \"normalTextureId\": 3");
     assertFinds(
         auditOf(bump + ", " + png(8, 8, 0x96643c), sphere(0, 1, 1)),
         "normal-map",
@@ -259,7 +259,7 @@ class SceneAuditTest {
   @Test
   void texturesLargerThanCanBeSeenAreFound() throws Exception {
     String assets =
-        material("Diffuse", GREY + ", \"colorTextureId\": 3") + ", " + png(2048, 1024, 0x808080);
+        material("Diffuse", GRAY + ", \"colorTextureId\": 3") + ", " + png(2048, 1024, 0x808080);
     assertFinds(
         auditOf(assets, sphere(0, 1, 1)),
         "texture-size",
@@ -298,7 +298,7 @@ class SceneAuditTest {
         "{\"type\": \"Shape\", \"shapeType\": \"Plane\", \"materialID\": 1, \"localPosition\":"
             + " {\"x\": 0, \"y\": 9, \"z\": 0}, \"localRotation\": {\"x\": 180, \"y\": 0,"
             + " \"z\": 0}}";
-    List<Finding> findings = auditOf(material("Color", GREY), ceiling);
+    List<Finding> findings = auditOf(material("Color", GRAY), ceiling);
     assertFinds(findings, "light", Severity.NOTE, "$.objects[3]", "an infinite plane that emits");
   }
 
@@ -317,14 +317,14 @@ class SceneAuditTest {
 
   @Test
   void objectsThatNothingMeetsAreFound() throws Exception {
-    String grey = material("Diffuse", GREY);
+    String gray = material("Diffuse", GRAY);
     assertFinds(
-        auditOf(grey, sphere(0, -3, 1)),
+        auditOf(gray, sphere(0, -3, 1)),
         "unseen",
         Severity.NOTE,
         "$.objects[3]",
         "pilot paths hit it");
-    assertSilent(auditOf(grey, sphere(0, 1, 1)), "unseen");
+    assertSilent(auditOf(gray, sphere(0, 1, 1)), "unseen");
   }
 
   @Test
@@ -341,9 +341,9 @@ class SceneAuditTest {
   @Test
   void sharesOfLightsComeLast() throws Exception {
     String lamp = LAMP.replace("\"x\": 0", "\"x\": 2");
-    String unused = material("Diffuse", GREY).replace("\"id\": 1", "\"id\": 7");
+    String unused = material("Diffuse", GRAY).replace("\"id\": 1", "\"id\": 7");
     List<Finding> findings =
-        auditOf(material("Diffuse", GREY) + "," + unused, sphere(0, -3, 1), lamp);
+        auditOf(material("Diffuse", GRAY) + "," + unused, sphere(0, -3, 1), lamp);
     assertThat(findings)
         .extracting(Finding::law)
         .containsExactly("unseen", "unused", "light", "light");

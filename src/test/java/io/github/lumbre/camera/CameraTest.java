@@ -54,7 +54,7 @@ class CameraTest {
   }
 
   @Test
-  void centreOfTheFilmLooksForwardExactly() {
+  void centerOfTheFilmLooksForwardExactly() {
     for (Camera camera : camerasWithoutLens(Vec3.ZERO, Frame.WORLD, 1.5)) {
       assertThat(ray(camera, .5, .5)).isEqualTo(new Ray(Vec3.ZERO, Vec3.Z));
     }
@@ -133,7 +133,7 @@ class CameraTest {
   }
 
   @Test
-  void panoramasKeepTheDigitsOfAnglesNearTheCentre() {
+  void panoramasKeepTheDigitsOfAnglesNearTheCenter() {
     for (Camera camera :
         List.of(
             new CylindricalCamera(Vec3.ZERO, Frame.WORLD, 2, 1),

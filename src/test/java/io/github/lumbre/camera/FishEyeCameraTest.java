@@ -29,7 +29,7 @@ class FishEyeCameraTest {
   }
 
   @Test
-  void directionsNearTheCentreAreForward() {
+  void directionsNearTheCenterAreForward() {
     for (double angle : new double[] {1e-9, 180, 360}) {
       assertThat(direction(camera(1, angle), .5, .5)).contains(Vec3.Z);
       Vec3 near = direction(camera(1, angle), .5 + EPS, .5).orElseThrow();

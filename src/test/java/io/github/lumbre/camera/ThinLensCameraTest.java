@@ -116,14 +116,14 @@ class ThinLensCameraTest {
       double radius = aperture * Math.abs(depth - focus) / focus;
       ThinLensCamera camera = camera(focus, aperture);
       Point2 film = new Point2(.3, .8);
-      Vec3 centre = chief(film, depth);
+      Vec3 center = chief(film, depth);
       // r²/R² is uniform with standard deviation 0.289: the test detects a bias of 0.005, or 0.002.
       Moments moments = new Moments();
       int n = Statistics.samplesToDetect(Effort.isExhaustive() ? .002 : .005, .289);
       for (int i = 0; i < n; i++) {
         Ray ray = ray(camera, film, point());
         Vec3 hit = ray.at((depth - ray.origin().z()) / ray.direction().z());
-        double r = hit.minus(centre).length() / radius;
+        double r = hit.minus(center).length() / radius;
         if (r > 1 + 1e-12) {
           assertThat(r).isLessThanOrEqualTo(1 + 1e-12);
         }
@@ -148,8 +148,8 @@ class ThinLensCameraTest {
 
   @Test
   void farthestFocusThatIsFiniteIsAtItsDistance() {
-    Point2 centre = new Point2(.5, .5);
-    Ray ray = ray(camera(1e12, 1e12), centre, new Point2(1, .5));
+    Point2 center = new Point2(.5, .5);
+    Ray ray = ray(camera(1e12, 1e12), center, new Point2(1, .5));
     // If the lens radius equals the focus distance, rays from its border to the focus come at 45°.
     assertThat(ray.direction().x()).isCloseTo(-Math.sqrt(.5), within(4 * EPS));
     assertThat(ray.direction().z()).isCloseTo(Math.sqrt(.5), within(4 * EPS));

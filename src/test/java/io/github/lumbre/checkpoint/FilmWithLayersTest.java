@@ -55,7 +55,7 @@ class FilmWithLayersTest {
     for (int i = 0; i < 200; i++) {
       Vec3 center = new Vec3(.17 * (i % 20) - 1.7, .3 * (i / 20) - 1.5, 0);
       scene.named("ball\n" + i % 11, "gray");
-      scene.add(new Sphere(Transform.translation(center), .1), Matte.GREY);
+      scene.add(new Sphere(Transform.translation(center), .1), Matte.GRAY);
     }
     return scene.build();
   }

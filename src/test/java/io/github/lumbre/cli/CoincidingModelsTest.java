@@ -135,10 +135,10 @@ class CoincidingModelsTest extends CommandFixture {
    * @param isFront whether its front is seen from the front
    * @param more members of its material
    */
-  private record Quad(float half, boolean isFront, String more, double grey, double alpha) {
+  private record Quad(float half, boolean isFront, String more, double gray, double alpha) {
     String material() {
       return "{'pbrMetallicRoughness':{'metallicFactor':0,'baseColorFactor':[%s,%s,%s,%s]},%s}"
-          .formatted(grey, grey, grey, alpha, more);
+          .formatted(gray, gray, gray, alpha, more);
     }
 
     void put(ByteBuffer data) {

@@ -38,7 +38,7 @@ class FlipTest {
   }
 
   @Test
-  void evenGreysDifferAsTheAuthorsSay() {
+  void evenGraysDifferAsTheAuthorsSay() {
     Image dark = TestPictures.of(20, 20, (x, y, c) -> .3);
     Image light = TestPictures.of(20, 20, (x, y, c) -> .5);
     assertThat(Flip.map(light, dark).mean()).isCloseTo(.3725436, within(FLOATS));

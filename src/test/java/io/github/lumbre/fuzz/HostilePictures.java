@@ -64,16 +64,16 @@ final class HostilePictures {
       }
     }
     if (image.rgb().length <= 3 * MOST_PIXELS) {
-      requireFinite(PictureError.of(image, grey(image.width(), image.height())));
-      requireFinite(PictureError.of(grey(image.width(), image.height()), image));
+      requireFinite(PictureError.of(image, gray(image.width(), image.height())));
+      requireFinite(PictureError.of(gray(image.width(), image.height()), image));
     }
     return 0;
   }
 
-  private static Image grey(int width, int height) {
-    Image grey = Image.black(width, height);
-    Arrays.fill(grey.rgb(), .5f);
-    return grey;
+  private static Image gray(int width, int height) {
+    Image gray = Image.black(width, height);
+    Arrays.fill(gray.rgb(), .5f);
+    return gray;
   }
 
   private static void requireFinite(PictureError error) {

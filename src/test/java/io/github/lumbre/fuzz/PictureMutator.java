@@ -67,8 +67,8 @@ final class PictureMutator {
 
   static {
     // The maximum number of scans, and more.
-    JPEGS.add(ProgressiveJpeg.grey(2, 100));
-    JPEGS.add(ProgressiveJpeg.grey(1, 101));
+    JPEGS.add(ProgressiveJpeg.gray(2, 100));
+    JPEGS.add(ProgressiveJpeg.gray(1, 101));
   }
 
   private record Chunk(String type, byte[] data) {}

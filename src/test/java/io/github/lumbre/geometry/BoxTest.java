@@ -104,9 +104,9 @@ class BoxTest {
         }) {
       Box box = new Box(place, 2, 4, 6);
       for (int i = 0; i < 500; i++) {
-        Vec3 centre = place.point(Vec3.ZERO);
+        Vec3 center = place.point(Vec3.ZERO);
         Vec3 from = Shapes.direction(random);
-        Ray ray = new Ray(centre.plus(50, from), from.negated());
+        Ray ray = new Ray(center.plus(50, from), from.negated());
         SurfaceHit hit = Shapes.hit(box, ray).orElseThrow();
         Frame frame = hit.shading();
         SphereTest.assertOrthonormal(frame);

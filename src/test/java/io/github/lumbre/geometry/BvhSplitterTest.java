@@ -39,10 +39,10 @@ class BvhSplitterTest {
       int stretch = 4 * (1 + random.nextInt(4));
       for (int i = 0; i < boxes.length / 6; i++) {
         boolean isInside = i >= BEFORE && i < BEFORE + range;
-        int centre = isInside ? stretch * places.get(i - BEFORE) + 16 : 4000;
+        int center = isInside ? stretch * places.get(i - BEFORE) + 16 : 4000;
         int half = random.nextInt(8);
-        boxes[6 * i + 2 * axis] = centre - half;
-        boxes[6 * i + 2 * axis + 1] = centre + half;
+        boxes[6 * i + 2 * axis] = center - half;
+        boxes[6 * i + 2 * axis + 1] = center + half;
       }
     }
     return boxes;

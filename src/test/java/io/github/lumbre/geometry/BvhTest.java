@@ -224,7 +224,7 @@ class BvhTest {
   }
 
   @Test
-  void flatBoxesAndBoxesOfOneCentreMakeATreeOfBoundedDepth() {
+  void flatBoxesAndBoxesOfOneCenterMakeATreeOfBoundedDepth() {
     int n = Effort.count(20_000, 1_000_000);
     double[] concentric = new double[9 * n];
     double[] flat = new double[9 * n];

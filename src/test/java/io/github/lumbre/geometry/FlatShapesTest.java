@@ -45,10 +45,10 @@ class FlatShapesTest {
       Rectangle rectangle = new Rectangle(place, 1, 1, false);
       Vec3 front = place.point(Vec3.Y);
       Vec3 back = place.point(DOWN);
-      Vec3 centre = place.point(Vec3.ZERO);
-      SurfaceHit hit = Shapes.hit(rectangle, new Ray(front, centre.minus(front))).orElseThrow();
-      assertThat(hit.geometricNormal().dot(front.minus(centre))).isPositive();
-      assertThat(Shapes.distance(rectangle, new Ray(back, centre.minus(back)))).isNaN();
+      Vec3 center = place.point(Vec3.ZERO);
+      SurfaceHit hit = Shapes.hit(rectangle, new Ray(front, center.minus(front))).orElseThrow();
+      assertThat(hit.geometricNormal().dot(front.minus(center))).isPositive();
+      assertThat(Shapes.distance(rectangle, new Ray(back, center.minus(back)))).isNaN();
     }
   }
 

@@ -127,11 +127,11 @@ class KernelTest {
   @ValueSource(doubles = {1e3, 1e6, 1e9, 1e12})
   void hitsOfMeshesFarFromTheOriginAreTheSame(double distance) {
     Random random = new Random(2);
-    Vec3 centre = Shapes.direction(random).times(distance);
-    Pair pair = Pair.over(List.of(ball(Transform.translation(centre))));
+    Vec3 center = Shapes.direction(random).times(distance);
+    Pair pair = Pair.over(List.of(ball(Transform.translation(center))));
     int hits = 0;
     for (int i = 0; i < Effort.brief(3000); i++) {
-      Vec3 origin = centre.plus(Shapes.point(random, 2));
+      Vec3 origin = center.plus(Shapes.point(random, 2));
       hits += assertSameAround(pair, new Ray(origin, Shapes.direction(random)), random);
     }
     assertThat(hits).isGreaterThan(Effort.brief(300));
@@ -284,7 +284,7 @@ class KernelTest {
     int hits = 0;
     for (int i = 0; i < 4000; i++) {
       Pair pair = i % 2 == 0 ? large : tiny;
-      Vec3 center = pair.shapes.get(0).bounds().centre();
+      Vec3 center = pair.shapes.get(0).bounds().center();
       Vec3 extent = pair.shapes.get(0).bounds().max().minus(center);
       Vec3 from = center.plus(Shapes.direction(random).times(.5 * extent.maxAbs()));
       hits += assertSame(pair, new Ray(from, Shapes.direction(random))) ? 1 : 0;

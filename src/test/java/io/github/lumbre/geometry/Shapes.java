@@ -180,7 +180,7 @@ final class Shapes {
     return switch (random.nextInt(4)) {
       case 0 -> new Ray(within(random, around), direction(random));
       case 1 -> {
-        Vec3 origin = around.centre().plus(3 * around.radius(), direction(random));
+        Vec3 origin = around.center().plus(3 * around.radius(), direction(random));
         yield new Ray(origin, target.minus(origin).normalized());
       }
       case 2 -> {

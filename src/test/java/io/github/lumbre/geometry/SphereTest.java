@@ -42,8 +42,8 @@ class SphereTest {
 
   @Test
   void segmentsThatEndInsideAreBlocked() {
-    Ray toCentre = new Ray(new Vec3(0, 0, -5), new Vec3(0, 0, 5), 1);
-    assertThat(Shapes.distance(UNIT, toCentre)).isCloseTo(.8, within(1e-15));
+    Ray toCenter = new Ray(new Vec3(0, 0, -5), new Vec3(0, 0, 5), 1);
+    assertThat(Shapes.distance(UNIT, toCenter)).isCloseTo(.8, within(1e-15));
     assertThat(Shapes.distance(UNIT, new Ray(new Vec3(0, 0, -5), Vec3.Z, 4))).isNaN();
     assertThat(Shapes.distance(UNIT, new Ray(Vec3.ZERO, Vec3.Z, 1))).isNaN();
   }
@@ -119,10 +119,10 @@ class SphereTest {
     Random random = new Random(Effort.seed(5));
     Transform place = Shapes.placement(random, 3, 4);
     for (Sphere sphere : new Sphere[] {UNIT, new Sphere(place, 2)}) {
-      Vec3 centre = sphere.bounds().centre();
+      Vec3 center = sphere.bounds().center();
       for (int i = 0; i < Effort.brief(Effort.count(20_000, 1_000_000)); i++) {
         Vec3 from = Shapes.direction(random);
-        Ray ray = new Ray(centre.plus(20, from), from.negated());
+        Ray ray = new Ray(center.plus(20, from), from.negated());
         assertOrthonormal(Shapes.hit(sphere, ray).orElseThrow().shading());
       }
     }

@@ -73,9 +73,9 @@ class SurfaceHitTest {
     private String first = "";
   }
 
-  private static void leave(Shape shape, Random random, double size, Vec3 centre, Spawned spawned) {
-    Vec3 target = centre.plus(Shapes.point(random, .3 * size));
-    Vec3 origin = centre.plus(10 * size, Shapes.direction(random));
+  private static void leave(Shape shape, Random random, double size, Vec3 center, Spawned spawned) {
+    Vec3 target = center.plus(Shapes.point(random, .3 * size));
+    Vec3 origin = center.plus(10 * size, Shapes.direction(random));
     Ray ray = new Ray(origin, target.minus(origin).normalized());
     Optional<SurfaceHit> found = Shapes.hit(shape, ray);
     if (found.isEmpty()) {
@@ -105,11 +105,11 @@ class SurfaceHitTest {
     Random random = new Random(Effort.seed(8));
     for (double scale = 1e-8; scale < 1e9; scale *= 10) {
       Sphere sphere = new Sphere(Transform.translation(Shapes.point(random, 5 * scale)), scale);
-      Vec3 centre = sphere.bounds().centre();
+      Vec3 center = sphere.bounds().center();
       for (int i = 0; i < Effort.brief(Effort.count(300, 50_000)); i++) {
         Vec3 from = Shapes.direction(random);
         SurfaceHit hit =
-            Shapes.hit(sphere, new Ray(centre.plus(3 * scale, from), from.negated())).orElseThrow();
+            Shapes.hit(sphere, new Ray(center.plus(3 * scale, from), from.negated())).orElseThrow();
         Vec3 direction = Shapes.direction(random);
         double cos = direction.dot(hit.geometricNormal());
         double inward = cos > 0 ? -1 : 1;
@@ -126,14 +126,14 @@ class SurfaceHitTest {
     for (int i = 0; i < 1000; i++) {
       Transform place = Shapes.placement(random, 100, 2);
       for (Shape shape : convexShapes(place, 1)) {
-        Vec3 centre = place.point(Vec3.ZERO);
-        Vec3 origin = centre.plus(10, Shapes.direction(random));
-        Ray ray = new Ray(origin, centre.minus(origin).normalized());
+        Vec3 center = place.point(Vec3.ZERO);
+        Vec3 origin = center.plus(10, Shapes.direction(random));
+        Ray ray = new Ray(origin, center.minus(origin).normalized());
         Shapes.hit(shape, ray)
             .ifPresent(
                 hit ->
                     assertThat(hit.error())
-                        .isBetween(0.0, 64 * Math.sqrt(3) * Math.ulp(centre.maxAbs() + 10)));
+                        .isBetween(0.0, 64 * Math.sqrt(3) * Math.ulp(center.maxAbs() + 10)));
       }
     }
   }

@@ -20,10 +20,10 @@ class SurfaceSidesTest {
     Sphere sphere = new Sphere(Transform.translation(new Vec3(1, 2, 3)), 2);
     for (int i = 0; i < 50; i++) {
       Vec3 way = Shapes.direction(random);
-      Vec3 centre = new Vec3(1, 2, 3);
-      SurfaceHit out = Shapes.hit(sphere, new Ray(centre.plus(-5, way), way)).orElseThrow();
+      Vec3 center = new Vec3(1, 2, 3);
+      SurfaceHit out = Shapes.hit(sphere, new Ray(center.plus(-5, way), way)).orElseThrow();
       assertThat(out.isFrontal()).isTrue();
-      SurfaceHit in = Shapes.hit(sphere, new Ray(centre.plus(.5, way), way)).orElseThrow();
+      SurfaceHit in = Shapes.hit(sphere, new Ray(center.plus(.5, way), way)).orElseThrow();
       assertThat(in.isFrontal()).isFalse();
     }
   }
@@ -143,10 +143,10 @@ class SurfaceSidesTest {
   @Test
   void sidesAreThoseOfObliqueRaysToo() {
     Random random = new Random(14);
-    Vec3 centre = new Vec3(1, 2, 3);
-    Sphere sphere = new Sphere(Transform.translation(centre), 2);
+    Vec3 center = new Vec3(1, 2, 3);
+    Sphere sphere = new Sphere(Transform.translation(center), 2);
     for (int i = 0; i < 300; i++) {
-      Vec3 inside = centre.plus(1.8, Shapes.direction(random));
+      Vec3 inside = center.plus(1.8, Shapes.direction(random));
       Vec3 way = Shapes.direction(random);
       SurfaceHit in = Shapes.hit(sphere, new Ray(inside, way)).orElseThrow();
       assertThat(in.isFrontal()).isFalse();

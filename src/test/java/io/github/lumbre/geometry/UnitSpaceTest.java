@@ -26,13 +26,13 @@ class UnitSpaceTest {
       assertThat(Math.getExponent(space.scale)).isEqualTo(Math.round(log2(space.scale)));
       assertThat(space.scale).isEqualTo(Math.scalb(1.0, Math.getExponent(space.scale)));
       assertThat(half * space.scale).isBetween(.5, 1.0);
-      assertThat(space.centreX).isCloseTo(7 * half, within(1e-12 * half));
-      assertThat(space.centreY).isCloseTo(-2 * half, within(1e-12 * half));
-      assertThat(space.centreZ).isCloseTo(half, within(1e-12 * half));
-      assertThat(space.centreReach / space.scale).isCloseTo(7 * half, within(1e-12 * half));
+      assertThat(space.centerX).isCloseTo(7 * half, within(1e-12 * half));
+      assertThat(space.centerY).isCloseTo(-2 * half, within(1e-12 * half));
+      assertThat(space.centerZ).isCloseTo(half, within(1e-12 * half));
+      assertThat(space.centerReach / space.scale).isCloseTo(7 * half, within(1e-12 * half));
       for (int axis = 0; axis < 3; axis++) {
-        double centre = axis == 0 ? 7 * half : axis == 1 ? -2 * half : half;
-        assertThat(space.nearest(axis, centre + .3 * half) / space.scale)
+        double center = axis == 0 ? 7 * half : axis == 1 ? -2 * half : half;
+        assertThat(space.nearest(axis, center + .3 * half) / space.scale)
             .isCloseTo(.3 * half, within(1e-6 * half));
       }
     }
@@ -59,11 +59,11 @@ class UnitSpaceTest {
     UnitSpace space = around(5, -6, 7, 4);
     double slack = UnitSpace.slack(UnitSpace.INSIDE, space.coveredReach);
     double ulp = Math.ulp(1f);
-    double[] centres = {5, -6, 7};
+    double[] centers = {5, -6, 7};
     for (int i = 0; i < 3000; i++) {
       int axis = i % 3;
-      double world = centres[axis] + random.nextDouble(-4, 4);
-      double local = (world - centres[axis]) * space.scale;
+      double world = centers[axis] + random.nextDouble(-4, 4);
+      double local = (world - centers[axis]) * space.scale;
       assertThat((double) space.down(axis, world)).isBetween(local - slack - ulp, local - slack);
       assertThat((double) space.up(axis, world)).isBetween(local + slack, local + slack + ulp);
       assertThat((double) space.nearest(axis, world)).isCloseTo(local, within(ulp / 2));

@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Test;
 
 /** Tests manual and automatic exposure. */
 class ExposureTest {
-  private static double automatic(double... greys) {
-    return Exposure.AUTO.factor(ImageFixture.greys(greys));
+  private static double automatic(double... grays) {
+    return Exposure.AUTO.factor(ImageFixture.grays(grays));
   }
 
   @Test
@@ -22,7 +22,7 @@ class ExposureTest {
   }
 
   @Test
-  void automaticBringsTheGeometricMeanToMiddleGrey() {
+  void automaticBringsTheGeometricMeanToMiddleGray() {
     assertThat(automatic(.5)).isCloseTo(.36, within(1e-12));
     assertThat(automatic(.25, 4)).isCloseTo(.18, within(1e-12));
   }

@@ -114,7 +114,7 @@ class ImageReaderTest {
     ByteArrayOutputStream named = new ByteArrayOutputStream();
     named.writeBytes("linear\0\0".getBytes(StandardCharsets.US_ASCII));
     named.writeBytes(PngFixture.deflated(profile));
-    for (int colorType : new int[] {PngFixture.GREY, PngFixture.RGB}) {
+    for (int colorType : new int[] {PngFixture.GRAY, PngFixture.RGB}) {
       Pixels plain = ImageReader.decode(png(9, 9, 8, colorType, false));
       for (byte[] file :
           new byte[][] {
@@ -180,7 +180,7 @@ class ImageReaderTest {
   }
 
   @Test
-  void jpegGreysAreReadAsTheyAre() throws IOException {
+  void jpegGraysAreReadAsTheyAre() throws IOException {
     BufferedImage picture = new BufferedImage(16, 16, BufferedImage.TYPE_BYTE_GRAY);
     int[] hundred = new int[256];
     Arrays.fill(hundred, 100);
@@ -286,9 +286,9 @@ class ImageReaderTest {
     text.writeBytes(PngFixture.deflated(new byte[1 << 24]));
     byte[] file =
         new PngFixture()
-            .header(2, 2, 8, PngFixture.GREY, false)
+            .header(2, 2, 8, PngFixture.GRAY, false)
             .chunk("zTXt", text.toByteArray())
-            .data(2, 2, 8, PngFixture.GREY, false, noise(8))
+            .data(2, 2, 8, PngFixture.GRAY, false, noise(8))
             .end();
     var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long before = threads.getCurrentThreadAllocatedBytes();

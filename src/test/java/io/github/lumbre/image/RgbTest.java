@@ -22,7 +22,7 @@ class RgbTest {
     assertThat(color.plus(new Rgb(10, 20, 30))).isEqualTo(new Rgb(11, 22, 33));
     assertThat(color.times(new Rgb(10, 20, 30))).isEqualTo(new Rgb(10, 40, 90));
     assertThat(color.times(4)).isEqualTo(new Rgb(4, 8, 12));
-    assertThat(Rgb.grey(2)).isEqualTo(new Rgb(2, 2, 2));
+    assertThat(Rgb.gray(2)).isEqualTo(new Rgb(2, 2, 2));
   }
 
   @Test
@@ -49,8 +49,8 @@ class RgbTest {
   }
 
   @Test
-  void luminanceOfGreyIsItself() {
-    assertThat(Rgb.grey(7).luminance()).isCloseTo(7, within(1e-12));
+  void luminanceOfGrayIsItself() {
+    assertThat(Rgb.gray(7).luminance()).isCloseTo(7, within(1e-12));
     assertThat(only(1, 1).luminance()).isGreaterThan(only(0, 1).luminance());
     assertThat(only(0, 1).luminance()).isGreaterThan(only(2, 1).luminance());
   }

@@ -14,16 +14,16 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Compares tone curves with their formulas. */
 class ToneCurveTest {
-  private static double grey(ToneCurve curve, double v) {
-    return curve.apply(Rgb.grey(v)).g();
+  private static double gray(ToneCurve curve, double v) {
+    return curve.apply(Rgb.gray(v)).g();
   }
 
   @Test
-  void greysFollowTheFormulas() {
-    assertThat(grey(ToneCurve.SRGB, .18)).isEqualTo(Srgb.encode(.18));
-    assertThat(grey(ToneCurve.GAMMA22, .18)).isEqualTo(StrictMath.pow(.18, 1 / 2.2));
-    assertThat(grey(ToneCurve.REINHARD, 3)).isCloseTo(Srgb.encode(.75), within(1e-15));
-    assertThat(grey(ToneCurve.ACES, .5))
+  void graysFollowTheFormulas() {
+    assertThat(gray(ToneCurve.SRGB, .18)).isEqualTo(Srgb.encode(.18));
+    assertThat(gray(ToneCurve.GAMMA22, .18)).isEqualTo(StrictMath.pow(.18, 1 / 2.2));
+    assertThat(gray(ToneCurve.REINHARD, 3)).isCloseTo(Srgb.encode(.75), within(1e-15));
+    assertThat(gray(ToneCurve.ACES, .5))
         .isCloseTo(Srgb.encode(.5 * 1.285 / (.5 * 1.805 + .14)), within(1e-15));
   }
 
@@ -36,11 +36,11 @@ class ToneCurveTest {
     assertThat(shown.b()).isCloseTo(Srgb.encode(1 / (1 + y)), within(1e-15));
   }
 
-  /** The offset of a grey above 0.08 is 0.04; below, it is the square 6.25 x². */
+  /** The offset of a gray above 0.08 is 0.04; below, it is the square 6.25 x². */
   @Test
   void neutralSubtractsAnOffsetAndKeepsColorsThatAreNotBright() {
-    assertThat(grey(ToneCurve.NEUTRAL, .5)).isCloseTo(Srgb.encode(.46), within(1e-15));
-    assertThat(grey(ToneCurve.NEUTRAL, .04)).isCloseTo(Srgb.encode(.01), within(1e-15));
+    assertThat(gray(ToneCurve.NEUTRAL, .5)).isCloseTo(Srgb.encode(.46), within(1e-15));
+    assertThat(gray(ToneCurve.NEUTRAL, .04)).isCloseTo(Srgb.encode(.01), within(1e-15));
     Rgb saturated = ToneCurve.NEUTRAL.apply(new Rgb(.7, .3, 0));
     assertThat(saturated.r()).isCloseTo(Srgb.encode(.7), within(1e-15));
     assertThat(saturated.g()).isCloseTo(Srgb.encode(.3), within(1e-15));
@@ -50,27 +50,27 @@ class ToneCurveTest {
   /** The peak p becomes 1 - 0.24² / (p - 0.52), and the color moves towards white. */
   @Test
   void neutralCompressesHighlights() {
-    assertThat(grey(ToneCurve.NEUTRAL, 1.04))
+    assertThat(gray(ToneCurve.NEUTRAL, 1.04))
         .isCloseTo(Srgb.encode(1 - .0576 / .48), within(1e-14));
     Rgb red = ToneCurve.NEUTRAL.apply(new Rgb(2, 0, 0));
     double peak = 1 - .0576 / 1.48;
     double white = 1 - 1 / (.15 * (2 - peak) + 1);
     assertThat(red.r()).isCloseTo(Srgb.encode(peak), within(1e-14));
     assertThat(red.g()).isCloseTo(Srgb.encode(peak * white), within(1e-14));
-    double below = grey(ToneCurve.NEUTRAL, .8 - 1e-9);
-    assertThat(grey(ToneCurve.NEUTRAL, .8 + 1e-9)).isCloseTo(below, within(1e-8));
+    double below = gray(ToneCurve.NEUTRAL, .8 - 1e-9);
+    assertThat(gray(ToneCurve.NEUTRAL, .8 + 1e-9)).isCloseTo(below, within(1e-8));
   }
 
   @Test
-  void agxKeepsGreysGreyFromBlackToWhite() {
-    assertThat(grey(ToneCurve.AGX, 0)).isZero();
-    // Values of the polynomial at 16.5 stops, its end, and at middle grey, 10 stops above the
+  void agxKeepsGraysGrayFromBlackToWhite() {
+    assertThat(gray(ToneCurve.AGX, 0)).isZero();
+    // Values of the polynomial at 16.5 stops, its end, and at middle gray, 10 stops above the
     // start.
-    assertThat(grey(ToneCurve.AGX, 1e6)).isCloseTo(.99858, within(5e-4));
-    assertThat(grey(ToneCurve.AGX, .18)).isBetween(.4, .55);
+    assertThat(gray(ToneCurve.AGX, 1e6)).isCloseTo(.99858, within(5e-4));
+    assertThat(gray(ToneCurve.AGX, .18)).isBetween(.4, .55);
     double last = 0;
     for (double v = 1e-4; v < 20; v *= 1.1) {
-      Rgb shown = ToneCurve.AGX.apply(Rgb.grey(v));
+      Rgb shown = ToneCurve.AGX.apply(Rgb.gray(v));
       assertThat(shown.r()).isCloseTo(shown.g(), within(1e-3));
       assertThat(shown.b()).isCloseTo(shown.g(), within(1e-3));
       assertThat(shown.g()).isGreaterThanOrEqualTo(last);
@@ -82,7 +82,7 @@ class ToneCurveTest {
   void acesTreatsChannelsAlone() {
     Rgb shown = ToneCurve.ACES.apply(new Rgb(0, .5, 50));
     assertThat(shown.r()).isZero();
-    assertThat(shown.g()).isEqualTo(grey(ToneCurve.ACES, .5));
+    assertThat(shown.g()).isEqualTo(gray(ToneCurve.ACES, .5));
     assertThat(shown.b()).isEqualTo(1);
   }
 
@@ -116,7 +116,7 @@ class ToneCurveTest {
   void brighterNeverLooksDarker(ToneCurve curve) {
     double last = -1;
     for (double v = 1e-6; v < 1e300; v *= 1.1) {
-      double shown = grey(curve, v);
+      double shown = gray(curve, v);
       // For gray, Reinhard's curve approaches 1 from below, up to rounding.
       assertThat(shown).isGreaterThanOrEqualTo(last - 1e-15);
       last = shown;

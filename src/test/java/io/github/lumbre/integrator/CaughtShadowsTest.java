@@ -42,7 +42,7 @@ class CaughtShadowsTest {
   /** The first pixels, in which the shadow is measured, too. */
   private static final int MEASURED = 64;
 
-  private static final ShadowCatcher CATCHER = new ShadowCatcher(Texture.constant(Rgb.grey(.5)));
+  private static final ShadowCatcher CATCHER = new ShadowCatcher(Texture.constant(Rgb.gray(.5)));
 
   private static SceneBuilder caught() {
     return empty().add(floor(), CATCHER);
@@ -145,7 +145,7 @@ class CaughtShadowsTest {
   void panesCastShadowsThatTheirOpacityDims() {
     MetallicRoughness veil =
         MetallicRoughness.builder()
-            .set(BASE_COLOR, ColorChannel.of(Rgb.grey(.5)))
+            .set(BASE_COLOR, ColorChannel.of(Rgb.gray(.5)))
             .set(OPACITY, ScalarChannel.of(.3))
             .build();
     Scene scene = caught().add(ceilingLamp(1, 1, 1), veil).add(point(new Vec3(0, 2, 0), 3)).build();

@@ -89,7 +89,7 @@ class CoincidingSurfacesTest {
     return MetallicRoughness.builder()
         .set(METALLIC, ScalarChannel.of(0))
         .set(SPECULAR, ScalarChannel.of(0))
-        .set(BASE_COLOR, ColorChannel.of(Rgb.grey(albedo)));
+        .set(BASE_COLOR, ColorChannel.of(Rgb.gray(albedo)));
   }
 
   private static Material veil(double opacity) {

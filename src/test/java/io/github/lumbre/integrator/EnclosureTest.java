@@ -32,7 +32,7 @@ class EnclosureTest {
 
   /** Returns a sphere of a given reflectance with an ambient irradiance of π. */
   private static Scene furnace(double albedo) {
-    return empty().add(sphere(0, 0, 0, 1), matte(albedo)).addAmbient(Rgb.grey(Math.PI)).build();
+    return empty().add(sphere(0, 0, 0, 1), matte(albedo)).addAmbient(Rgb.gray(Math.PI)).build();
   }
 
   /** Returns the moments of single samples, each from its own pixel. */
@@ -151,7 +151,7 @@ class EnclosureTest {
   @ParameterizedTest
   @CsvSource({".5, .5", ".9, .9", ".2, .8", ".95, .1"})
   void hemispheresOfDifferentReflectanceLightEachOther(double upper, double lower) {
-    Texture<Rgb> halves = (u, v) -> Rgb.grey(v < .5 ? upper : lower);
+    Texture<Rgb> halves = (u, v) -> Rgb.gray(v < .5 ? upper : lower);
 
     Scene scene =
         empty().add(sphere(0, 0, 0, 1), new Matte(halves)).add(point(Vec3.ZERO, Math.PI)).build();

@@ -35,7 +35,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Compares multiply scattered light in enclosures, mirrors and glass with closed forms. */
 class InterreflectionTest {
-  private static final Ray FROM_THE_CENTRE = new Ray(new Vec3(.1, .2, -.3), new Vec3(.6, .64, .48));
+  private static final Ray FROM_THE_CENTER = new Ray(new Vec3(.1, .2, -.3), new Vec3(.6, .64, .48));
 
   /** A point light of intensity π in the center of a unit sphere: L = ρ (1−ρᴺ) / (1−ρ). */
   @ParameterizedTest
@@ -59,7 +59,7 @@ class InterreflectionTest {
         empty().add(sphere(0, 0, 0, 1), matte(albedo)).add(point(Vec3.ZERO, Math.PI)).build();
     double expected = albedo * (1 - Math.pow(albedo, depth)) / (1 - albedo);
 
-    Estimate estimate = Estimate.of(new PathTracer(scene, depth), FROM_THE_CENTRE, 512);
+    Estimate estimate = Estimate.of(new PathTracer(scene, depth), FROM_THE_CENTER, 512);
 
     assertThat(estimate.error()).isLessThan(5e-3 * expected);
     assertThat(estimate.z(expected)).isLessThan(Estimate.CRITICAL);
@@ -72,7 +72,7 @@ class InterreflectionTest {
     double expected = .5 * (1 - Math.pow(.5, 20)) / (1 - .5);
 
     PathOptions options = PathOptions.toDepth(20).rouletteFrom(vertex);
-    Estimate estimate = Estimate.of(new PathTracer(scene, options), FROM_THE_CENTRE, 512);
+    Estimate estimate = Estimate.of(new PathTracer(scene, options), FROM_THE_CENTER, 512);
 
     assertThat(estimate.error()).isLessThan(5e-3 * expected);
     assertThat(estimate.z(expected)).isLessThan(Estimate.CRITICAL);
@@ -81,7 +81,7 @@ class InterreflectionTest {
   /** L = ρ/π [E + ρΦ / (A(1−ρ))], with E from a light half a radius off the center. */
   @ParameterizedTest
   @CsvSource({"0, 1, 0, 2.5", "0, -1, 0, .7222222222", "1, 0, 0, .8577708764"})
-  void integratingSphereSpreadsAnOffCentreLight(double x, double y, double z, double expected) {
+  void integratingSphereSpreadsAnOffCenterLight(double x, double y, double z, double expected) {
     Scene scene =
         empty().add(sphere(0, 0, 0, 1), matte(.5)).add(point(new Vec3(0, .5, 0), Math.PI)).build();
     Vec3 target = new Vec3(x, y, z);
@@ -106,7 +106,7 @@ class InterreflectionTest {
   @Test
   void emitterSeenInAMirrorKeepsItsRadiance() {
     SceneBuilder builder = empty().addAreaLight(ceilingLamp(1, 1, 1), glow(3));
-    builder.add(floor(), new Mirror(Texture.constant(Rgb.grey(.5))));
+    builder.add(floor(), new Mirror(Texture.constant(Rgb.gray(.5))));
 
     assertThat(radianceOnce(builder.build(), 1, new Ray(new Vec3(0, .5, 0), new Vec3(0, -1, 0))))
         .isEqualTo(1.5);
@@ -302,10 +302,10 @@ class InterreflectionTest {
 
   @Test
   void ambientLightReachesDiffuseSurfacesAtEveryBounce() {
-    Scene scene = empty().add(sphere(0, 0, 0, 1), matte(.5)).addAmbient(Rgb.grey(Math.PI)).build();
+    Scene scene = empty().add(sphere(0, 0, 0, 1), matte(.5)).addAmbient(Rgb.gray(Math.PI)).build();
 
-    assertThat(radianceOnce(scene, 1, FROM_THE_CENTRE)).isCloseTo(.5, within(1e-15));
-    assertThat(radianceOnce(scene, 3, FROM_THE_CENTRE)).isCloseTo(.875, within(1e-15));
+    assertThat(radianceOnce(scene, 1, FROM_THE_CENTER)).isCloseTo(.5, within(1e-15));
+    assertThat(radianceOnce(scene, 3, FROM_THE_CENTER)).isCloseTo(.875, within(1e-15));
   }
 
   private static double radianceOnce(Scene scene, int depth, Ray ray) {

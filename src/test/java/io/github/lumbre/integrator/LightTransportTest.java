@@ -144,11 +144,11 @@ class LightTransportTest {
     "1e-6, 1, 60, 1.5707963267949e-12",
   })
   void sphereLightsAPlane(double radius, double distance, double tilt, double irradiance) {
-    Vec3 centre = turned(tilt, 0, 0).vector(new Vec3(0, distance, 0));
+    Vec3 center = turned(tilt, 0, 0).vector(new Vec3(0, distance, 0));
     Scene scene =
         empty()
             .add(floor(), matte(ALBEDO))
-            .addAreaLight(sphere(centre.x(), centre.y(), centre.z(), radius), glow(1))
+            .addAreaLight(sphere(center.x(), center.y(), center.z(), radius), glow(1))
             .build();
 
     // The view ray comes from the side away from the light, and starts below it.
@@ -211,7 +211,7 @@ class LightTransportTest {
     EnvironmentLight dome =
         EnvironmentLight.image(
             Frame.WORLD,
-            (u, v) -> Rgb.grey(v < .5 ? 0 : Math.pow(Math.sin((v - .5) * Math.PI), n)),
+            (u, v) -> Rgb.gray(v < .5 ? 0 : Math.pow(Math.sin((v - .5) * Math.PI), n)),
             64,
             rows);
     Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();
@@ -243,7 +243,7 @@ class LightTransportTest {
       for (double degrees : new double[] {0, 10, 45, 80, 89, 89.9}) {
         double angle = Math.toRadians(degrees);
         Vec3 position = new Vec3(distance * Math.sin(angle), distance * Math.cos(angle), 0);
-        Light light = new PointLight(position, Rgb.grey(3), falloff);
+        Light light = new PointLight(position, Rgb.gray(3), falloff);
         Scene scene = empty().add(floor(), matte(ALBEDO)).add(light).build();
         double length = position.length();
         double fall = falloff == Falloff.NONE ? 1 : length * length;
@@ -259,7 +259,7 @@ class LightTransportTest {
     for (double degrees = 0; degrees < 90; degrees += 2.9) {
       double angle = Math.toRadians(degrees);
       Vec3 down = new Vec3(Math.sin(angle), -Math.cos(angle), 0).normalized();
-      Light light = new DirectionalLight(down, Rgb.grey(3));
+      Light light = new DirectionalLight(down, Rgb.gray(3));
       Scene scene = empty().add(floor(), matte(ALBEDO)).add(light).build();
       double expected = ALBEDO / Math.PI * 3 * -down.y();
 
@@ -314,7 +314,7 @@ class LightTransportTest {
           empty()
               .add(new Rectangle(at(x, 0, 0), 9, 9, false), matte(ALBEDO))
               .add(sphere(.5 * x, 1, 0, .5), matte(0))
-              .add(new DirectionalLight(down, Rgb.grey(Math.PI)))
+              .add(new DirectionalLight(down, Rgb.gray(Math.PI)))
               .build();
 
       double expected = x == 0 ? 0 : ALBEDO;
@@ -381,7 +381,7 @@ class LightTransportTest {
             .addAreaLight(ceilingLamp(2, 1, 1), glow(1))
             .addAreaLight(sphere(1.5, .6, -.5, .3), glow(3))
             .add(box, Unlit.INSTANCE, new Emission(glow(2).radiance(), true))
-            .add(EnvironmentLight.uniform(Rgb.grey(.2)))
+            .add(EnvironmentLight.uniform(Rgb.gray(.2)))
             .build();
     Estimate both = Estimate.of(new PathTracer(scene, 3), lookingDownAt(0), 1024, 1);
 

@@ -35,7 +35,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** In scenes with many lights, all light samplers give the same mean. */
 class ManyLightsTest {
-  private static final Texture<Rgb> GREY = Texture.constant(Rgb.grey(.5));
+  private static final Texture<Rgb> GRAY = Texture.constant(Rgb.gray(.5));
 
   /** Adds small lights of four kinds between the floor and a height of 4. */
   private static SceneBuilder lights(SceneBuilder scene, int count) {
@@ -138,12 +138,12 @@ class ManyLightsTest {
   void everyStrategyHasTheMeanOfEvenChoices(MisHeuristic strategy) {
     CookTorrance glossy =
         new CookTorrance(
-            GREY,
-            GREY,
+            GRAY,
+            GRAY,
             ScalarTexture.constant(.2),
             ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
             MicrofacetDistribution.GGX);
-    SceneBuilder builder = empty().add(floor(), glossy).add(EnvironmentLight.uniform(Rgb.grey(.1)));
+    SceneBuilder builder = empty().add(floor(), glossy).add(EnvironmentLight.uniform(Rgb.gray(.1)));
     SplittableRandom random = new SplittableRandom(9);
     for (int i = 0; i < 6; i++) {
       Vec3 place = new Vec3(random.nextDouble(-2, 2), 1.5, random.nextDouble(-2, 2));

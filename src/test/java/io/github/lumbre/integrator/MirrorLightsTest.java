@@ -109,7 +109,7 @@ class MirrorLightsTest {
     scene.addAreaLight(sphere(-1, 2, -1.5, .6), glow(6));
     scene.addAreaLight(
         new Rectangle(at(2, 2.5, 1).times(turned(70, 20, 0)), 1, 2, false),
-        new Emission(Texture.constant(Rgb.grey(3)), true));
+        new Emission(Texture.constant(Rgb.gray(3)), true));
     scene.addBackground(.3);
     assertSameMean(scene.build(), 4);
   }
@@ -129,7 +129,7 @@ class MirrorLightsTest {
   @ParameterizedTest
   @CsvSource({"false", "true"})
   void lampsShineFromTheirOwnSide(boolean twoSided) {
-    Emission emission = new Emission(Texture.constant(Rgb.grey(4)), twoSided);
+    Emission emission = new Emission(Texture.constant(Rgb.gray(4)), twoSided);
     Transform facingX = at(1.2, 1.5, 2.2).times(turned(0, 0, -90));
     Scene scene =
         room()

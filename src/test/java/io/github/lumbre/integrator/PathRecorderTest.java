@@ -47,7 +47,7 @@ class PathRecorderTest {
         .add(point(new Vec3(-1, 2, 1), 3))
         .add(EnvironmentLight.uniform(new Rgb(.1, .2, .3)))
         .add(EnvironmentLight.uniform(new Rgb(.7, .05, .01)))
-        .addAmbient(Rgb.grey(.3))
+        .addAmbient(Rgb.gray(.3))
         .build();
   }
 

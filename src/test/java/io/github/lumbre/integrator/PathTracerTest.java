@@ -63,7 +63,7 @@ class PathTracerTest {
   private static Scene furnace(Rgb albedo) {
     return empty()
         .add(sphere(0, 0, 0, 1), new Matte(Texture.constant(albedo)))
-        .addAmbient(Rgb.grey(Math.PI))
+        .addAmbient(Rgb.gray(Math.PI))
         .build();
   }
 
@@ -171,7 +171,7 @@ class PathTracerTest {
   void rouletteSparesPathsOfFullThroughput() {
     PathTracer tracer = new PathTracer(furnace(Rgb.WHITE), PathOptions.toDepth(40).rouletteFrom(0));
     for (int sample = 0; sample < 20; sample++) {
-      assertClose(radiance(tracer, INSIDE, sample, plain), Rgb.grey(40));
+      assertClose(radiance(tracer, INSIDE, sample, plain), Rgb.gray(40));
     }
   }
 
@@ -298,7 +298,7 @@ class PathTracerTest {
         empty()
             .add(floor(), matte(.5))
             .addAreaLight(ceilingLamp(3, 3, 1), glow(radiance))
-            .add(EnvironmentLight.uniform(Rgb.grey(.1)))
+            .add(EnvironmentLight.uniform(Rgb.gray(.1)))
             .build();
     PathTracer tracer =
         new PathTracer(scene, PathOptions.toDepth(1).by(heuristic).by(LightSamplerKind.UNIFORM));
@@ -314,7 +314,7 @@ class PathTracerTest {
       found++;
       FoundLight light = end.contributions().get(0).lights().get(0);
       assertThat(end.hit().orElseThrow().position().y()).isCloseTo(1, rounding());
-      assertThat(light.radiance()).isEqualTo(Rgb.grey(radiance));
+      assertThat(light.radiance()).isEqualTo(Rgb.gray(radiance));
       double cosine = end.ray().direction().y();
       assertThat(light.bsdfPdf()).isCloseTo(cosine / Math.PI, rounding());
       assertThat(light.misWeight())
@@ -341,7 +341,7 @@ class PathTracerTest {
     Scene scene =
         empty()
             .add(floor(), matte(.5))
-            .add(EnvironmentLight.uniform(Rgb.grey(2)))
+            .add(EnvironmentLight.uniform(Rgb.gray(2)))
             .add(EnvironmentLight.uniform(new Rgb(1, 2, 3)))
             .build();
     PathOptions options = PathOptions.toDepth(1).by(heuristic).by(LightSamplerKind.UNIFORM);
@@ -482,7 +482,7 @@ class PathTracerTest {
   @Test
   void pathsSurviveOnNumbersBelowTheProbability() {
     PathTracer tracer =
-        new PathTracer(furnace(Rgb.grey(.5)), PathOptions.toDepth(9).rouletteFrom(0));
+        new PathTracer(furnace(Rgb.gray(.5)), PathOptions.toDepth(9).rouletteFrom(0));
     for (double u : new double[] {0, Math.nextDown(.5), .5, .75}) {
       Sampler constant =
           new Sampler() {
@@ -552,7 +552,7 @@ class PathTracerTest {
             .add(sphere(0, 0, 3, 1), matte(.7))
             .add(sphere(.3, .2, 1.5, .3), glass(1.5))
             .add(point(new Vec3(-1, 2, 1), 3))
-            .add(EnvironmentLight.uniform(Rgb.grey(.1)))
+            .add(EnvironmentLight.uniform(Rgb.gray(.1)))
             .build();
     PathTracer path = new PathTracer(scene, 5);
     RayTracer ray = new RayTracer(scene, 3, 5);

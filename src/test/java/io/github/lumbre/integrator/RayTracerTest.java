@@ -167,10 +167,10 @@ class RayTracerTest {
             .build();
     RayTracer tracer = new RayTracer(scene, 0, 0);
     Rgb seen = radiance(tracer, new Ray(Vec3.ZERO, Vec3.Y), 0, recorded);
-    assertThat(seen).isEqualTo(Rgb.grey(3));
+    assertThat(seen).isEqualTo(Rgb.gray(3));
     PathVertex lamp = recorder.vertices().get(0);
     assertThat(lamp.end()).isEqualTo(End.EMITTER);
-    assertThat(lamp.contributions().get(0).amount()).isEqualTo(Rgb.grey(3));
+    assertThat(lamp.contributions().get(0).amount()).isEqualTo(Rgb.gray(3));
     assertThat(lamp.hit().orElseThrow().position()).isEqualTo(Vec3.Y);
     assertThat(lamp.hit().orElseThrow().bsdf()).isEmpty();
     assertThat(lamp.contributions().get(0).lights().get(0).emitter()).isZero();
@@ -191,7 +191,7 @@ class RayTracerTest {
   @ValueSource(ints = {0, 1, 2, 5})
   void mirrorsAreFollowedToTheirLimit(int limit) {
     Scene closed =
-        empty().add(sphere(0, 0, 0, 1), new Mirror(Texture.constant(Rgb.grey(.5)))).build();
+        empty().add(sphere(0, 0, 0, 1), new Mirror(Texture.constant(Rgb.gray(.5)))).build();
     Ray inside = new Ray(new Vec3(.1, .2, -.3), new Vec3(.6, .64, .48));
     RenderContext context = new RenderContext();
     assertThat(radiance(new RayTracer(closed, limit, 0), inside, 0, context)).isEqualTo(Rgb.BLACK);

@@ -188,7 +188,7 @@ class RefractedLightsTest {
             .addAreaLight(sphere(-1, 1, -1, .4), glow(2))
             .addAreaLight(
                 new Rectangle(at(0, 1.7, -1.5).times(turned(110, 0, 0)), 1, 1, false),
-                new Emission(Texture.constant(Rgb.grey(3)), true))
+                new Emission(Texture.constant(Rgb.gray(3)), true))
             .addBackground(.2)
             .add(point(new Vec3(.5, 3, 0), 3))
             .build();
@@ -263,7 +263,7 @@ class RefractedLightsTest {
     Glass dark =
         new Glass(
             Texture.constant(Rgb.WHITE),
-            Texture.constant(Rgb.grey(.2)),
+            Texture.constant(Rgb.gray(.2)),
             ScalarTexture.constant(ior),
             ScalarTexture.constant(0));
     Scene scene =

@@ -92,7 +92,7 @@ class SamplingVarianceTest {
     EnvironmentLight dome =
         EnvironmentLight.image(
             Frame.WORLD,
-            (u, v) -> Rgb.grey(v > .9 && v < .92 && u > .3 && u < .32 ? 1000 : 0),
+            (u, v) -> Rgb.gray(v > .9 && v < .92 && u > .3 && u < .32 ? 1000 : 0),
             100,
             100);
     Scene scene = empty().add(floor(), matte(ALBEDO)).add(dome).build();

@@ -114,7 +114,7 @@ class SmoothSurfaceTest {
     Scene scene =
         empty()
             .add(ball, matte(1))
-            .add(new DirectionalLight(toLight.negated(), Rgb.grey(Math.PI)))
+            .add(new DirectionalLight(toLight.negated(), Rgb.gray(Math.PI)))
             .build();
     Integrator integrator = isPath ? new PathTracer(scene, 1) : new RayTracer(scene, 1, 1);
     double[] sums = new double[BANDS];
@@ -184,7 +184,7 @@ class SmoothSurfaceTest {
             .add(coarse(), matte(.8))
             .add(Mesh.of(ball(6, 9), Transform.translation(new Vec3(1.2, 1.1, 0))), matte(.5))
             .add(Sphere.of(new Vec3(3, .5, 0), .8), Unlit.INSTANCE, glow(5))
-            .add(EnvironmentLight.uniform(Rgb.grey(.3)))
+            .add(EnvironmentLight.uniform(Rgb.gray(.3)))
             .build();
     Ray ray = new Ray(new Vec3(.25, .1, 5), new Vec3(0, 0, -1));
     PathTracer bsdf = new PathTracer(scene, PathOptions.toDepth(4).by(MisHeuristic.BSDF));

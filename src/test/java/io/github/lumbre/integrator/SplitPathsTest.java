@@ -74,20 +74,20 @@ class SplitPathsTest {
   }
 
   private static Scene glossyUnderDome() {
-    Texture<Rgb> grey = Texture.constant(Rgb.grey(.4));
+    Texture<Rgb> gray = Texture.constant(Rgb.gray(.4));
     return empty()
         .add(
             floor(),
             new CookTorrance(
-                grey,
-                grey,
+                gray,
+                gray,
                 ScalarTexture.constant(.2),
                 ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
                 MicrofacetDistribution.GGX))
         .add(new Box(at(1.5, .5, 0), 1, 1, 1), matte(.7))
         .add(
             EnvironmentLight.image(
-                Frame.WORLD, (u, v) -> Rgb.grey(v > .5 && u > .4 && u < .8 ? 2 : .1), 20, 10))
+                Frame.WORLD, (u, v) -> Rgb.gray(v > .5 && u > .4 && u < .8 ? 2 : .1), 20, 10))
         .build();
   }
 

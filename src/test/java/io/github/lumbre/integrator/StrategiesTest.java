@@ -49,7 +49,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * it is left out there.
  */
 class StrategiesTest {
-  private static final Texture<Rgb> GREY = Texture.constant(Rgb.grey(.4));
+  private static final Texture<Rgb> GRAY = Texture.constant(Rgb.gray(.4));
 
   private static final String NARROWEST = "facets of .001";
   private static final String GROUND = "ground glass";
@@ -58,8 +58,8 @@ class StrategiesTest {
 
   private static Material glossy(double roughness, MicrofacetDistribution kind) {
     return new CookTorrance(
-        GREY,
-        GREY,
+        GRAY,
+        GRAY,
         ScalarTexture.constant(roughness),
         ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
         kind);
@@ -72,7 +72,7 @@ class StrategiesTest {
         new Named<>("facets of .5", glossy(.5, MicrofacetDistribution.BECKMANN)),
         new Named<>("facets of .1", glossy(.1, MicrofacetDistribution.GGX)),
         new Named<>(NARROWEST, glossy(.001, MicrofacetDistribution.GGX)),
-        new Named<>("phong", new Phong(GREY, GREY, ScalarTexture.constant(200))),
+        new Named<>("phong", new Phong(GRAY, GRAY, ScalarTexture.constant(200))),
         new Named<>(
             GROUND,
             new Glass(white, white, ScalarTexture.constant(1.5), ScalarTexture.constant(.3))));
@@ -105,7 +105,7 @@ class StrategiesTest {
                 scene.add(
                     EnvironmentLight.image(
                         Frame.WORLD,
-                        (u, v) -> Rgb.grey(v > .5 && u > .4 && u < .8 ? 2 : .1),
+                        (u, v) -> Rgb.gray(v > .5 && u > .4 && u < .8 ? 2 : .1),
                         20,
                         10))));
     // The ball does not project the floor onto the lamp: light sampling alone would seldom find the

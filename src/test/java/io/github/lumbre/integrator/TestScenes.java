@@ -38,7 +38,7 @@ final class TestScenes {
   }
 
   static Matte matte(double albedo) {
-    return new Matte(Texture.constant(Rgb.grey(albedo)));
+    return new Matte(Texture.constant(Rgb.gray(albedo)));
   }
 
   static Glass glass(double ior) {
@@ -50,11 +50,11 @@ final class TestScenes {
   }
 
   static Emission glow(double radiance) {
-    return new Emission(Texture.constant(Rgb.grey(radiance)), false);
+    return new Emission(Texture.constant(Rgb.gray(radiance)), false);
   }
 
   static PointLight point(Vec3 position, double intensity) {
-    return new PointLight(position, Rgb.grey(intensity), Falloff.INVERSE_SQUARE);
+    return new PointLight(position, Rgb.gray(intensity), Falloff.INVERSE_SQUARE);
   }
 
   static Transform at(double x, double y, double z) {

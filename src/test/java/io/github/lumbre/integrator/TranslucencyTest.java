@@ -44,7 +44,7 @@ class TranslucencyTest {
         .set(SPECULAR, 0)
         .set(BASE_COLOR, Rgb.WHITE)
         .set(DIFFUSE_TRANSMISSION, strength)
-        .set(DIFFUSE_TRANSMISSION_COLOR, Rgb.grey(THROUGH));
+        .set(DIFFUSE_TRANSMISSION_COLOR, Rgb.gray(THROUGH));
   }
 
   /** Returns a wide rectangle at a distance that faces the origin. */
@@ -123,7 +123,7 @@ class TranslucencyTest {
             .add(
                 sphere(0, 0, 3, 1),
                 paper(1)
-                    .set(ATTENUATION_COLOR, Rgb.grey(Math.exp(-1)))
+                    .set(ATTENUATION_COLOR, Rgb.gray(Math.exp(-1)))
                     .set(ATTENUATION_DISTANCE, 1)
                     .build())
             .add(EnvironmentLight.uniform(Rgb.WHITE))

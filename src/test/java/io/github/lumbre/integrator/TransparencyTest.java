@@ -66,7 +66,7 @@ class TransparencyTest {
     return MetallicRoughness.builder()
         .set(METALLIC, ScalarChannel.of(0))
         .set(SPECULAR, ScalarChannel.of(0))
-        .set(BASE_COLOR, ColorChannel.of(Rgb.grey(albedo)));
+        .set(BASE_COLOR, ColorChannel.of(Rgb.gray(albedo)));
   }
 
   private static Material veil(double albedo, double opacity) {
@@ -280,7 +280,7 @@ class TransparencyTest {
         plastic(1)
             .set(TRANSMISSION, ScalarChannel.of(1))
             .set(IOR, 1)
-            .set(ATTENUATION_COLOR, passed(Rgb.grey(.5)))
+            .set(ATTENUATION_COLOR, passed(Rgb.gray(.5)))
             .set(ATTENUATION_DISTANCE, 1)
             .build();
     Rectangle inside = new Rectangle(at(0, 0, 3).times(turned(-90, 0, 0)), .5, .5, true);
@@ -298,7 +298,7 @@ class TransparencyTest {
   void emittersThatScatterDoBoth() {
     Scene scene =
         empty()
-            .add(wall(1), matte(.6), new Emission(Texture.constant(Rgb.grey(.3)), true))
+            .add(wall(1), matte(.6), new Emission(Texture.constant(Rgb.gray(.3)), true))
             .add(point(Vec3.ZERO, 1))
             .build();
     double expected = .3 + .6 / Math.PI;
@@ -315,7 +315,7 @@ class TransparencyTest {
             .add(
                 new Box(at(0, 0, 0), 4, 4, 4),
                 matte(.5),
-                new Emission(Texture.constant(Rgb.grey(.25)), true))
+                new Emission(Texture.constant(Rgb.gray(.25)), true))
             .build();
     Estimate estimate = Estimate.of(new PathTracer(scene, 5), FORWARD, SAMPLES);
     double expected = .25 * (1 - Math.pow(.5, 6)) / .5;
@@ -442,7 +442,7 @@ class TransparencyTest {
         plastic(1)
             .set(TRANSMISSION, ScalarChannel.of(1))
             .set(IOR, 1)
-            .set(ATTENUATION_COLOR, passed(Rgb.grey(.5)))
+            .set(ATTENUATION_COLOR, passed(Rgb.gray(.5)))
             .set(ATTENUATION_DISTANCE, 1)
             .set(OPACITY, ScalarChannel.of(.25))
             .build();
@@ -489,7 +489,7 @@ class TransparencyTest {
             new Emission(Texture.constant(new Rgb(1, 2, 3)), true))
         .add(point(new Vec3(-1, 5, 1), 3))
         .add(EnvironmentLight.uniform(new Rgb(.1, .2, .3)))
-        .addAmbient(Rgb.grey(.3))
+        .addAmbient(Rgb.gray(.3))
         .backplate(new Rgb(.3, .2, .1))
         .build();
   }

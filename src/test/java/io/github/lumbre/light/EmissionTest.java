@@ -33,9 +33,9 @@ class EmissionTest {
   @Test
   void meanRadianceIsTheMeanOfTheStrongestComponentOverTheTexture() {
     assertThat(mean((u, v) -> new Rgb(0, .7, .2))).isCloseTo(.7, within(1e-12));
-    assertThat(mean((u, v) -> Rgb.grey(u))).isCloseTo(.5, within(1e-12));
-    assertThat(mean((u, v) -> Rgb.grey(v))).isCloseTo(.5, within(1e-12));
-    assertThat(mean((u, v) -> Rgb.grey(u < .25 && v > .5 ? 8 : 0))).isCloseTo(1, within(1e-12));
+    assertThat(mean((u, v) -> Rgb.gray(u))).isCloseTo(.5, within(1e-12));
+    assertThat(mean((u, v) -> Rgb.gray(v))).isCloseTo(.5, within(1e-12));
+    assertThat(mean((u, v) -> Rgb.gray(u < .25 && v > .5 ? 8 : 0))).isCloseTo(1, within(1e-12));
     assertThat(mean((u, v) -> new Rgb(u, 1 - u, 0))).isCloseTo(.75, within(1e-12));
   }
 
@@ -46,7 +46,7 @@ class EmissionTest {
   @Test
   void emissionIsBlackOnlyIfItIsConstantAndBlack() {
     assertThat(new Emission(Texture.constant(Rgb.BLACK), false).isBlack()).isTrue();
-    assertThat(new Emission(Texture.constant(Rgb.grey(1e-300)), false).isBlack()).isFalse();
+    assertThat(new Emission(Texture.constant(Rgb.gray(1e-300)), false).isBlack()).isFalse();
     assertThat(new Emission((u, v) -> Rgb.BLACK, false).isBlack()).isFalse();
   }
 }

@@ -43,7 +43,7 @@ class EnvironmentLightTest {
     return (u, v) -> {
       int row = Math.floorMod((int) Math.floor(v * rows.length), rows.length);
       int column = Math.floorMod((int) Math.floor(u * rows[0].length), rows[0].length);
-      return Rgb.grey(rows[row][column]);
+      return Rgb.gray(rows[row][column]);
     };
   }
 
@@ -100,8 +100,8 @@ class EnvironmentLightTest {
     }
     // The zenith shows the top texel and not, by repetition, the bottom one.
     EnvironmentLight sky = dome(Frame.WORLD, new double[][] {{1}, {2}});
-    assertThat(sky.from(Vec3.Y)).isEqualTo(Rgb.grey(2));
-    assertThat(sky.from(Vec3.Y.negated())).isEqualTo(Rgb.grey(1));
+    assertThat(sky.from(Vec3.Y)).isEqualTo(Rgb.gray(2));
+    assertThat(sky.from(Vec3.Y.negated())).isEqualTo(Rgb.gray(1));
   }
 
   /**
@@ -205,7 +205,7 @@ class EnvironmentLightTest {
   void horizontalPlaneUnderACosineDomeReceivesItsIntegral() {
     // Radiance sin^n of the latitude: E = 2π/(n + 2), tabulated in fine rows.
     for (int n : new int[] {1, 2, 10}) {
-      Texture<Rgb> sky = (u, v) -> Rgb.grey(Math.pow(Math.max(0, Math.sin(Math.PI * (v - .5))), n));
+      Texture<Rgb> sky = (u, v) -> Rgb.gray(Math.pow(Math.max(0, Math.sin(Math.PI * (v - .5))), n));
       EnvironmentLight light = EnvironmentLight.image(Frame.WORLD, sky, 4, 256);
       double exact = 2 * Math.PI / (n + 2);
       // Samples in proportion to the light vary by the cosine alone: for n = 1 by 0.354 E, and
@@ -227,7 +227,7 @@ class EnvironmentLightTest {
       Vec3 normal = axes.toWorld(new Vec3(.6, .8, 0));
       for (int i = 0; i < 10_000; i++) {
         LightSample sample = sample(light, point());
-        assertThat(sample.radiance()).isEqualTo(Rgb.grey(1e6));
+        assertThat(sample.radiance()).isEqualTo(Rgb.gray(1e6));
         irradiance.add(1e6 * Math.max(0, sample.wi().dot(normal)) / sample.pdf());
       }
       assertThat(Statistics.deviation(irradiance.z(1e6 * texelCosine())))
@@ -255,8 +255,8 @@ class EnvironmentLightTest {
   @Test
   void lightAtTheSidesOfTexelsIsFound() {
     for (double from : new double[] {0, .99}) {
-      Texture<Rgb> columns = (u, v) -> Rgb.grey(isIn(u * 4, from) ? 1 : 0);
-      Texture<Rgb> rows = (u, v) -> Rgb.grey(isIn(v * 2, from) ? 1 : 0);
+      Texture<Rgb> columns = (u, v) -> Rgb.gray(isIn(u * 4, from) ? 1 : 0);
+      Texture<Rgb> rows = (u, v) -> Rgb.gray(isIn(v * 2, from) ? 1 : 0);
       for (Texture<Rgb> lines : List.of(columns, rows)) {
         EnvironmentLight light = EnvironmentLight.image(Frame.WORLD, lines, 4, 2);
         assertThat(light.isBlack()).isFalse();
@@ -271,7 +271,7 @@ class EnvironmentLightTest {
   }
 
   @Test
-  void directionsNearTheCentreOfTheImageKeepTheirDigits() {
+  void directionsNearTheCenterOfTheImageKeepTheirDigits() {
     EnvironmentLight light = dome(Frame.WORLD, new double[][] {{1}});
     for (double steps : new double[] {1, 3}) {
       double turns = steps * EPS / 2;

@@ -81,7 +81,7 @@ class SpotLightTest {
       assertThat(bounds.spread()).isCloseTo(Math.toRadians(60 - penumbra), within(1e-8));
       assertThat(bounds.spread() + bounds.fall()).isCloseTo(Math.toRadians(60), within(1e-8));
       assertThat(bounds.axis()).isEqualTo(Vec3.Z);
-      assertThat(bounds.box().centre()).isEqualTo(Vec3.ZERO);
+      assertThat(bounds.box().center()).isEqualTo(Vec3.ZERO);
       assertThat(bounds.intensity()).isEqualTo(1);
     }
   }

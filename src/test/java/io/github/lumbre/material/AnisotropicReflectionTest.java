@@ -61,8 +61,8 @@ class AnisotropicReflectionTest {
   @Test
   void equalRoughnessIsIsotropic() {
     for (double alpha : ALPHAS) {
-      Lobe isotropic = new SchlickReflection(Rgb.grey(.3), 1, new Ggx(alpha));
-      Lobe found = new AnisotropicReflection(Rgb.grey(.3), 1, alpha, alpha, .6, .8, ThinFilm.NONE);
+      Lobe isotropic = new SchlickReflection(Rgb.gray(.3), 1, new Ggx(alpha));
+      Lobe found = new AnisotropicReflection(Rgb.gray(.3), 1, alpha, alpha, .6, .8, ThinFilm.NONE);
       for (int i = 0; i < 200; i++) {
         Vec3 wo = direction(random);
         BsdfSample sample = isotropic.sample(wo, .5, BsdfLaws.point(random));

@@ -76,8 +76,8 @@ class ClearcoatNormalsTest {
 
   @Test
   void bumpsOfTheBaseAreThoseOfASurfaceWithoutACoat() {
-    Material bare = new NormalMapped(layered(Rgb.grey(.6), 0).build(), BUMPS);
-    assertAlike(new NormalMapped(layered(Rgb.grey(.6), 1e-10).build(), BUMPS), bare);
+    Material bare = new NormalMapped(layered(Rgb.gray(.6), 0).build(), BUMPS);
+    assertAlike(new NormalMapped(layered(Rgb.gray(.6), 1e-10).build(), BUMPS), bare);
     assertThat(hit(bare).shadingNormal().dot(SLOPE)).isCloseTo(1, within(1e-12));
   }
 
@@ -97,16 +97,16 @@ class ClearcoatNormalsTest {
 
   @Test
   void bumpsOfTheCoatLeaveTheBaseSmooth() {
-    Material bare = layered(Rgb.grey(.6), 0).build();
+    Material bare = layered(Rgb.gray(.6), 0).build();
     assertAlike(
-        layered(Rgb.grey(.6), 1e-10).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build(),
+        layered(Rgb.gray(.6), 1e-10).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build(),
         bare);
   }
 
   @Test
   void samplesHaveTheWeightOfTheirDensity() {
     Material coat =
-        layered(Rgb.grey(.6), 1).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build();
+        layered(Rgb.gray(.6), 1).set(CLEARCOAT_NORMAL, new NormalChannel(BUMPS, 0)).build();
     for (Material material : new Material[] {coat, new NormalMapped(coat, BUMPS)}) {
       Bsdf bsdf = material.at(hit(material));
       BsdfLaws.assertWeightIsEvalOverPdf(bsdf, WO, 200, random, 1e-12);

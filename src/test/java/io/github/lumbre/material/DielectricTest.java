@@ -155,7 +155,7 @@ class DielectricTest {
   @Test
   void glassThatReflectsAsMuchAsPassesLosesNothing() {
     double fresnel = Fresnel.dielectric(1, 1.5);
-    Dielectric glass = new Dielectric(Rgb.grey(1 - fresnel), Rgb.grey(fresnel), 1.5);
+    Dielectric glass = new Dielectric(Rgb.gray(1 - fresnel), Rgb.gray(fresnel), 1.5);
     double expected = 2 * fresnel * (1 - fresnel);
     assertThat(BsdfLaws.sampledAlbedo(glass, Vec3.Z, 1000)).isCloseTo(expected, within(1e-12));
     assertThat(glass.choosesLobe()).isTrue();

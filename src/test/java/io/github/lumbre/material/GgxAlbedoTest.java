@@ -25,7 +25,7 @@ class GgxAlbedoTest {
 
   private static double quadrature(double f0, double f90, double cosine, double alpha) {
     FacetMap map = new FacetMap(MicrofacetDistribution.GGX, alpha);
-    Bsdf bsdf = new SchlickReflection(Rgb.grey(f0), f90, new Ggx(alpha));
+    Bsdf bsdf = new SchlickReflection(Rgb.gray(f0), f90, new Ggx(alpha));
     Vec3 wo = direction(cosine);
     return map.integral(wo, 0, 200, wi -> bsdf.evaluate(wo, wi).f().g());
   }

@@ -73,7 +73,7 @@ class MetallicRoughnessTest {
               .set(TRANSMISSION, ScalarChannel.of(transmission))
               .set(CLEARCOAT, ScalarChannel.of(coat))
               .set(CLEARCOAT_ROUGHNESS, ScalarChannel.of(.2))
-              .set(SHEEN_COLOR, ColorChannel.of(Rgb.grey(sheen)))
+              .set(SHEEN_COLOR, ColorChannel.of(Rgb.gray(sheen)))
               .set(SHEEN_ROUGHNESS, ScalarChannel.of(.4));
       return isThin ? builder : builder.set(ATTENUATION_DISTANCE, Double.POSITIVE_INFINITY);
     }
@@ -403,7 +403,7 @@ class MetallicRoughnessTest {
     assertThat(matte.diffuseAlbedo()).isEqualTo(COLOR);
   }
 
-  /** The limit of a smooth grey metal of reflectance 1: a mirror. */
+  /** The limit of a smooth gray metal of reflectance 1: a mirror. */
   @Test
   void smoothWhiteMetalReflectsAllLight() {
     Bsdf mirror = new Look(1, 0, 0, 0, 0, true).bsdf(Rgb.WHITE);
@@ -446,7 +446,7 @@ class MetallicRoughnessTest {
   void opacityDividesLightBetweenScatteringAndPassing() {
     Look plastic = new Look(0, .5, 0, 0, 0, true);
     MetallicRoughness veil = plastic.builder(COLOR).set(OPACITY, ScalarChannel.of(.25)).build();
-    assertThat(veil.transmittance(seenFrom(Vec3.Z))).isEqualTo(Rgb.grey(.75));
+    assertThat(veil.transmittance(seenFrom(Vec3.Z))).isEqualTo(Rgb.gray(.75));
     Vec3 wo = direction(.7);
     Vec3 wi = direction(.3);
     assertThat(veil.at(0, 0).evaluate(wo, wi).f())

@@ -141,7 +141,7 @@ class MultipleScatteringTest {
         List.of(
             glass(1.5, .49).withMultipleScattering(),
             metal(COLOR, CookTorrance.DEFAULT_IOR, .5).withMultipleScattering(),
-            CookTorrance.of(Rgb.grey(.5), Rgb.grey(.4), .5).withMultipleScattering())) {
+            CookTorrance.of(Rgb.gray(.5), Rgb.gray(.4), .5).withMultipleScattering())) {
       Bsdf bsdf = material.at(0, 0);
       for (double cosine : new double[] {.9, -.6}) {
         ChiSquare test =

@@ -43,7 +43,7 @@ class NormalMappedTest {
   private static Scene scene(Shape shape) {
     return Scene.builder()
         .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
-        .add(shape, Matte.GREY)
+        .add(shape, Matte.GRAY)
         .build();
   }
 
@@ -56,7 +56,7 @@ class NormalMappedTest {
   private static Vec3 normal(SurfaceHit hit, Rgb tilt, UvMapping mapping) {
     NormalMap map = new NormalMap(Texture.constant(tilt), mapping, 1);
     Frame unbent = hit.shading();
-    new NormalMapped(Matte.GREY, map).perturb(hit);
+    new NormalMapped(Matte.GRAY, map).perturb(hit);
     Vec3 perturbed = hit.shading().normal();
     hit.shadeBy(unbent);
     return perturbed;
@@ -190,7 +190,7 @@ class NormalMappedTest {
     Vec3 perturbed = normal(hit, new Rgb(.48, .36, .8), UvMapping.IDENTITY);
     NormalMap tilt = new NormalMap(Texture.constant(new Rgb(.48, .36, .8)), UvMapping.IDENTITY, 1);
     NormalMap flat = new NormalMap(Texture.constant(new Rgb(0, 0, 1)), UvMapping.IDENTITY, 1);
-    new NormalMapped(new NormalMapped(Matte.GREY, tilt), flat).perturb(hit);
+    new NormalMapped(new NormalMapped(Matte.GRAY, tilt), flat).perturb(hit);
     assertThat(hit.shading().normal()).isEqualTo(perturbed).isNotEqualTo(hit.geometricNormal());
   }
 

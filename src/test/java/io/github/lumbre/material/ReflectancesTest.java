@@ -48,7 +48,7 @@ class ReflectancesTest {
   void colorsThatReflectTooMuchTogetherAreScaledAndKeepTheirHue() {
     Reflectances scaled = Reflectances.of(new Rgb(1, .5, 0), new Rgb(1, .5, .25));
     assertThat(scaled).isEqualTo(new Reflectances(new Rgb(.5, .25, 0), new Rgb(.5, .25, .125)));
-    assertThat(Reflectances.of(Rgb.grey(1e300), Rgb.BLACK).diffuse()).isEqualTo(Rgb.WHITE);
+    assertThat(Reflectances.of(Rgb.gray(1e300), Rgb.BLACK).diffuse()).isEqualTo(Rgb.WHITE);
   }
 
   @Test
@@ -64,7 +64,7 @@ class ReflectancesTest {
     assertThat(new Reflectances(Rgb.BLACK, Rgb.WHITE).with(lobe)).isSameAs(lobe);
     assertThat(new Reflectances(Rgb.WHITE, Rgb.BLACK).with(lobe))
         .isEqualTo(new Lambertian(Rgb.WHITE));
-    assertThat(new Reflectances(Rgb.grey(.5), Rgb.grey(.5)).with(lobe)).isInstanceOf(Mixture.class);
+    assertThat(new Reflectances(Rgb.gray(.5), Rgb.gray(.5)).with(lobe)).isInstanceOf(Mixture.class);
   }
 
   @Test

@@ -69,7 +69,7 @@ class RoughDielectricTest {
   @Test
   void tintsScaleWhatIsReflectedAndWhatPasses() {
     for (double alpha : new double[] {.1, .5}) {
-      RoughDielectric tinted = new RoughDielectric(Rgb.grey(.9), Rgb.grey(.2), 1.5, new Ggx(alpha));
+      RoughDielectric tinted = new RoughDielectric(Rgb.gray(.9), Rgb.gray(.2), 1.5, new Ggx(alpha));
       for (double cos : new double[] {.9, -.9, .3, -.3}) {
         Vec3 wo = direction(cos);
         double reflected = albedo(glass(1.5, alpha), wo, false, 150);
@@ -109,7 +109,7 @@ class RoughDielectricTest {
     for (double alpha : new double[] {1e-3, .1, .5, 1}) {
       for (double ior : new double[] {.6, 1.5}) {
         RoughDielectric glass =
-            new RoughDielectric(Rgb.grey(.9), Rgb.grey(.4), ior, new Ggx(alpha));
+            new RoughDielectric(Rgb.gray(.9), Rgb.gray(.4), ior, new Ggx(alpha));
         for (double cos : new double[] {1, -.9, .5, -.5, .1, -.1, .01, -.01}) {
           Vec3 wo = direction(cos);
           new FacetMap(MicrofacetDistribution.GGX, alpha)

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 /** Tests that simplified materials scatter as the original ones do. */
 class SimplifiedMaterialTest {
-  private static final Texture<Rgb> HALF = Texture.constant(Rgb.grey(.5));
+  private static final Texture<Rgb> HALF = Texture.constant(Rgb.gray(.5));
   private static final Texture<Rgb> VARYING = (u, v) -> new Rgb(u, v, .1);
   private static final ScalarTexture ROUGH = ScalarTexture.constant(.3);
   private static final ScalarTexture INDEX = ScalarTexture.constant(1.5);
@@ -42,9 +42,9 @@ class SimplifiedMaterialTest {
   @Test
   void onlyEvenMirrorsHaveAReflectance() {
     Material mirror = new Mirror(HALF);
-    assertThat(mirror.mirrorReflectance()).contains(Rgb.grey(.5));
-    assertThat(mirror.simplified().mirrorReflectance()).contains(Rgb.grey(.5));
-    assertThat(new Mirror(Texture.constant(Rgb.grey(2))).mirrorReflectance()).contains(Rgb.WHITE);
+    assertThat(mirror.mirrorReflectance()).contains(Rgb.gray(.5));
+    assertThat(mirror.simplified().mirrorReflectance()).contains(Rgb.gray(.5));
+    assertThat(new Mirror(Texture.constant(Rgb.gray(2))).mirrorReflectance()).contains(Rgb.WHITE);
     assertThat(new Mirror(VARYING).mirrorReflectance()).isEmpty();
     NormalMap flat = new NormalMap(Texture.constant(new Rgb(.5, .5, 1)), UvMapping.IDENTITY, 1);
     assertThat(new NormalMapped(mirror, flat).mirrorReflectance()).isEmpty();

@@ -286,7 +286,7 @@ class ThinFilmTest {
     }
     assertThat(volume(0, 1.8, 300).set(IRIDESCENCE, 0).build().at(0, 0))
         .isEqualTo(new Dielectric(Rgb.WHITE, Rgb.WHITE, 1.5));
-    assertThat(volume(0, 1.8, 300).set(BASE_COLOR, Rgb.grey(.5)).build().at(0, 0).albedo())
-        .isEqualTo(Rgb.grey(.5));
+    assertThat(volume(0, 1.8, 300).set(BASE_COLOR, Rgb.gray(.5)).build().at(0, 0).albedo())
+        .isEqualTo(Rgb.gray(.5));
   }
 }

@@ -61,7 +61,7 @@ class TranslucentTest {
             leaf(strength).set(METALLIC, .4),
             leaf(strength).set(TRANSMISSION, .5),
             leaf(strength).set(ANISOTROPY, .8),
-            leaf(strength).set(SHEEN_COLOR, Rgb.grey(.5)),
+            leaf(strength).set(SHEEN_COLOR, Rgb.gray(.5)),
             leaf(strength).set(CLEARCOAT, 1),
             leaf(strength).set(BASE_COLOR, Rgb.BLACK));
     if (isColored) {
@@ -209,7 +209,7 @@ class TranslucentTest {
         List.of(
             colored(.6).set(ROUGHNESS, .8),
             colored(1).set(SPECULAR, 0),
-            colored(.5).set(ROUGHNESS, .8).set(SHEEN_COLOR, Rgb.grey(.5)))) {
+            colored(.5).set(ROUGHNESS, .8).set(SHEEN_COLOR, Rgb.gray(.5)))) {
       Bsdf bsdf = bsdf(builder);
       for (double cosine : new double[] {.9, -.6}) {
         Vec3 wo = direction(cosine);

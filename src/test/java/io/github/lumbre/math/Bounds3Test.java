@@ -14,7 +14,7 @@ class Bounds3Test {
   void boxAroundPointsIsTheSmallest() {
     Bounds3 box = Bounds3.of(new Vec3(4, -2, 0), new Vec3(-1, 5, 6), new Vec3(0, 0, -3));
     assertThat(box).isEqualTo(new Bounds3(LOW, HIGH));
-    assertThat(box.centre()).isEqualTo(new Vec3(1.5, 1.5, 1.5));
+    assertThat(box.center()).isEqualTo(new Vec3(1.5, 1.5, 1.5));
     assertThat(box.radius()).isEqualTo(new Vec3(2.5, 3.5, 4.5).length());
   }
 
@@ -33,7 +33,7 @@ class Bounds3Test {
     Bounds3 point = Bounds3.of(HIGH);
     assertThat(point.isEmpty()).isFalse();
     assertThat(point.radius()).isZero();
-    assertThat(point.centre()).isEqualTo(HIGH);
+    assertThat(point.center()).isEqualTo(HIGH);
   }
 
   @Test
@@ -53,11 +53,11 @@ class Bounds3Test {
   }
 
   @Test
-  void hugeBoxesHaveFiniteCentreAndRadius() {
+  void hugeBoxesHaveFiniteCenterAndRadius() {
     double huge = 1e308;
     Bounds3 box = Bounds3.of(new Vec3(-huge, huge, huge), new Vec3(huge, huge, huge));
     assertThat(box.isFinite()).isTrue();
-    assertThat(box.centre()).isEqualTo(new Vec3(0, huge, huge));
+    assertThat(box.center()).isEqualTo(new Vec3(0, huge, huge));
     assertThat(box.radius()).isEqualTo(huge);
     assertThat(new Bounds3(LOW, new Vec3(1, Double.POSITIVE_INFINITY, 1)).isFinite()).isFalse();
   }

@@ -432,7 +432,7 @@ class TransformTest {
         corners = corners.union(t.point(local.corner(corner)));
       }
       assertThat(world).isEqualTo(corners);
-      Vec3 inside = t.point(local.centre());
+      Vec3 inside = t.point(local.center());
       assertThat(world.union(inside)).isEqualTo(world);
     }
   }

@@ -68,7 +68,7 @@ class OutlinesTest {
   private static Scene scene(Lens lens, Shape... shapes) {
     SceneBuilder builder = looking(lens);
     for (Shape shape : shapes) {
-      builder.add(shape, Matte.of(Rgb.grey(.5)));
+      builder.add(shape, Matte.of(Rgb.gray(.5)));
     }
     return builder.build().framed(1);
   }

@@ -132,7 +132,7 @@ class CameraReaderTest {
   }
 
   @Test
-  void greyMasksAreWarnedOfAndBlackOnesRefused() {
+  void grayMasksAreWarnedOfAndBlackOnesRefused() {
     String camera = "'cameraType': 'ThinLens', 'bokehTextureId': 5";
     assertThat(fixture.parse(seenBy(camera, texture(5, png(0x808080, 0), ""))).warnings())
         .map(Object::toString)

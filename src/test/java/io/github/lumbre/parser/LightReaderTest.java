@@ -82,9 +82,9 @@ class LightReaderTest {
     assertThat(
             light(
                 "'lightType': 'Point', 'intensity': 3, 'localPosition': {'x': 1, 'y': 2, 'z': 3}"))
-        .isEqualTo(new PointLight(new Vec3(1, 2, 3), Rgb.grey(3), Falloff.NONE));
+        .isEqualTo(new PointLight(new Vec3(1, 2, 3), Rgb.gray(3), Falloff.NONE));
     assertThat(light("'lightType': 'Point', 'intensity': 3, 'falloff': 'inverseSquare'"))
-        .isEqualTo(new PointLight(Vec3.ZERO, Rgb.grey(3), Falloff.INVERSE_SQUARE));
+        .isEqualTo(new PointLight(Vec3.ZERO, Rgb.gray(3), Falloff.INVERSE_SQUARE));
   }
 
   private static double spotAt(Light spot, double degrees) {
@@ -127,7 +127,7 @@ class LightReaderTest {
   void ambientLightAddsUp() {
     String one = json("{'type': 'Light', 'lightType': 'Ambient', 'intensity': 0.25}");
     SceneFile file = fixture.parse(scene(one + "," + one, ""));
-    assertThat(file.scene().ambient()).isEqualTo(Rgb.grey(.5));
+    assertThat(file.scene().ambient()).isEqualTo(Rgb.gray(.5));
     assertThat(ParsedScene.of(file).contents().lights()).isEqualTo(2);
   }
 
@@ -276,7 +276,7 @@ class LightReaderTest {
   void domesAddUp() {
     String one = json("{'type': 'Light', 'lightType': 'Dome', 'intensity': 0.25}");
     Scene scene = fixture.parse(scene(one + "," + one, "")).scene();
-    assertThat(scene.background(Vec3.X)).isEqualTo(Rgb.grey(.5));
+    assertThat(scene.background(Vec3.X)).isEqualTo(Rgb.gray(.5));
     assertThat(scene.lights()).hasSize(2).allMatch(EnvironmentLight.class::isInstance);
   }
 

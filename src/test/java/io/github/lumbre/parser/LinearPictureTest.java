@@ -108,7 +108,7 @@ class LinearPictureTest {
                 + found);
     Texture<Rgb> sky = read.scene().environments().get(0).radiance();
     assertThat(sky.at(2.5 / 4, 1.5 / 3)).isEqualTo(new Rgb(2, 0, 2));
-    assertThat(sky.at(.5 / 4, .5 / 3)).isEqualTo(Rgb.grey(2));
+    assertThat(sky.at(.5 / 4, .5 / 3)).isEqualTo(Rgb.gray(2));
   }
 
   @Test
@@ -148,7 +148,7 @@ class LinearPictureTest {
     for (Texture<Rgb> texture : List.of(radiance, matte.albedo(), bumpy.map().normals())) {
       for (double u : new double[] {.2, .8}) {
         Rgb gray = texture.at(u, .5);
-        assertThat(gray).isEqualTo(Rgb.grey(gray.r()));
+        assertThat(gray).isEqualTo(Rgb.gray(gray.r()));
         assertThat(gray.r()).isCloseTo(u < .5 ? .25 : .75, within(.002));
       }
     }
@@ -185,7 +185,7 @@ class LinearPictureTest {
   @CsvSource({"1, .25", "0, .25", ".5, .125", "1.25, .3125"})
   void radianceOfASkyIsTheColorInTheFile(float alpha, float stored) throws Exception {
     SceneFile file = scene(.25f, alpha, SKY);
-    assertThat(sky(file)).isEqualTo(Rgb.grey(stored));
+    assertThat(sky(file)).isEqualTo(Rgb.gray(stored));
     assertThat(file.warnings())
         .extracting(Problem::message)
         .noneMatch(message -> message.contains("alpha"));
@@ -196,7 +196,7 @@ class LinearPictureTest {
   void colorOfASurfaceIsDividedByAlpha(float alpha, float straight) throws Exception {
     SceneFile file = scene(.25f, alpha, SKY + BALL + BALL);
     Matte matte = (Matte) file.scene().primitives().get(0).material();
-    assertThat(matte.albedo().at(.5, .5)).isEqualTo(Rgb.grey(straight));
+    assertThat(matte.albedo().at(.5, .5)).isEqualTo(Rgb.gray(straight));
     List<String> warnings =
         file.warnings().stream().map(Problem::message).filter(m -> m.contains("alpha")).toList();
     if (alpha > 1) {

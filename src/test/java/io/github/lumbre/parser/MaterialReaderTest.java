@@ -93,8 +93,8 @@ class MaterialReaderTest {
   }
 
   @Test
-  void surfacesWithoutMaterialAreGrey() {
-    assertThat(only(parse("'materialType': 'None'")).material()).isSameAs(Matte.GREY);
+  void surfacesWithoutMaterialAreGray() {
+    assertThat(only(parse("'materialType': 'None'")).material()).isSameAs(Matte.GRAY);
     assertThat(only(parse("'materialType': 'Diffuse'")).material()).isInstanceOf(Matte.class);
   }
 

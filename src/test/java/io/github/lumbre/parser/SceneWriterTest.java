@@ -122,7 +122,7 @@ class SceneWriterTest {
     assertThat(ParsedScene.of(file).contents().shapes()).isEqualTo(1);
     assertThat(SceneAudit.of(file)).isNotNull();
     assertThat(new PixelReplay(file.scene(), SETTINGS).pixel(8, 5, 1).brightest()).isNotEmpty();
-    Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GREY).build();
+    Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GRAY).build();
     assertThat(SceneWriter.file(other, SETTINGS).hash()).isNotEqualTo(file.hash());
     assertThat(SceneWriter.file(simple().build(), SETTINGS).hash()).isEqualTo(file.hash());
   }
@@ -135,7 +135,7 @@ class SceneWriterTest {
         SETTINGS.toBuilder().set(Setting.SHUTTER, .1).set(Setting.POSES, 4).build();
     assertThat(SceneWriter.file(still, moving).scene().poses()).hasSize(moving.poses());
     assertThat(SceneWriter.file(still, SETTINGS).scene().poses()).hasSize(1);
-    Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GREY).build();
+    Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GRAY).build();
     Scene inMotion = Scene.inMotion(List.of(still, other));
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SceneWriter.file(inMotion, SETTINGS))
@@ -162,7 +162,7 @@ class SceneWriterTest {
 
   @Test
   void whatTheFormatLacksIsNamed() {
-    Matte computed = new Matte((u, v) -> Rgb.grey(u));
+    Matte computed = new Matte((u, v) -> Rgb.gray(u));
     TriangleMesh mesh =
         TriangleMesh.of(
             new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
@@ -172,7 +172,7 @@ class SceneWriterTest {
     List<Scene> scenes =
         List.of(
             simple().add("odd", Sphere.of(Vec3.Y, 1), computed).build(),
-            simple().add("odd", Mesh.baked(mesh, Transform.IDENTITY), Matte.GREY).build(),
+            simple().add("odd", Mesh.baked(mesh, Transform.IDENTITY), Matte.GRAY).build(),
             simple()
                 .add(
                     "odd",
@@ -186,7 +186,7 @@ class SceneWriterTest {
           .isThrownBy(() -> SceneWriter.file(scene, SETTINGS))
           .withMessageMatching("\"odd\": (\\w+: )?expected .*, found .*");
     }
-    Scene glowing = simple().add(Sphere.of(Vec3.Y, 1), Matte.GREY, Emission.of(Rgb.WHITE)).build();
+    Scene glowing = simple().add(Sphere.of(Vec3.Y, 1), Matte.GRAY, Emission.of(Rgb.WHITE)).build();
     assertThatIllegalArgumentException()
         .isThrownBy(() -> SceneWriter.file(glowing, SETTINGS))
         .withMessageMatching("\"object \\d+\": expected .*, found .*");

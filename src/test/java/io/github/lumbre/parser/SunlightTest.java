@@ -36,7 +36,7 @@ class SunlightTest {
   /** Angle between the center and the edge of the sun, in degrees. */
   private static final double RADIUS = .266272;
 
-  /** The albedo of {@link Matte#GREY}. */
+  /** The albedo of {@link Matte#GRAY}. */
   private static final double ALBEDO = .5;
 
   private static final RenderSettings SETTINGS =
@@ -53,7 +53,7 @@ class SunlightTest {
   private static SceneBuilder floor() {
     return Scene.builder()
         .lookingAt(new Vec3(0, 2, -4), Vec3.ZERO, 40)
-        .add(Plane.floor(0), Matte.GREY);
+        .add(Plane.floor(0), Matte.GRAY);
   }
 
   /** Returns the part of a disk on one side of a chord at a distance from its center, in radii. */
@@ -74,7 +74,7 @@ class SunlightTest {
     double step = 3. / columns;
     Scene scene =
         floor()
-            .add(Box.of(new Vec3(-50, height, 0), new Vec3(100, 1e-3, 100)), Matte.GREY)
+            .add(Box.of(new Vec3(-50, height, 0), new Vec3(100, 1e-3, 100)), Matte.GRAY)
             .add(sun(90))
             .lookingAt(
                 new Vec3(0, height / 2, 0),
@@ -168,7 +168,7 @@ class SunlightTest {
   void rendersTheSameBitsEverywhere() throws InterruptedException {
     Scene scene =
         floor()
-            .add(Sphere.of(new Vec3(0, .5, 0), .5), Matte.GREY)
+            .add(Sphere.of(new Vec3(0, .5, 0), .5), Matte.GRAY)
             .add(sun(30))
             .add(sky(30))
             .build();

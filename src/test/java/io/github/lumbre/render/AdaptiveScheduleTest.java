@@ -215,7 +215,7 @@ class AdaptiveScheduleTest {
   private static void fill(Film film, int pixel, int count, boolean noisy) {
     for (int i = 0; i < count; i++) {
       double white = 2.0 * i < count ? 0 : 1;
-      film.add(pixel, Rgb.grey(noisy ? white : .5), true);
+      film.add(pixel, Rgb.gray(noisy ? white : .5), true);
     }
   }
 

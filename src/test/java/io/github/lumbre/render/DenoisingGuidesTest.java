@@ -36,7 +36,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** A surface in front of the camera, inside an orange ball: what guides of denoisers show. */
 class DenoisingGuidesTest {
   private static final Rgb ORANGE = new Rgb(.8, .4, .1);
-  private static final Rgb PALE = Rgb.grey(.9);
+  private static final Rgb PALE = Rgb.gray(.9);
 
   private static MetallicRoughness.Builder surface(double metallic, double roughness) {
     return MetallicRoughness.builder()
@@ -87,7 +87,7 @@ class DenoisingGuidesTest {
             "coated metal", surface(1, 0).set(MaterialParameter.CLEARCOAT, 1).build(), .95),
         Arguments.of(
             "metal under sheen",
-            surface(1, .05).set(MaterialParameter.SHEEN_COLOR, Rgb.grey(.3)).build(),
+            surface(1, .05).set(MaterialParameter.SHEEN_COLOR, Rgb.gray(.3)).build(),
             .7),
         Arguments.of(
             "brushed metal that is smooth",
@@ -105,7 +105,7 @@ class DenoisingGuidesTest {
         Arguments.of("glass that is hardly rough", glass(.003), .99),
         Arguments.of("smooth reflection", CookTorrance.of(Rgb.BLACK, Rgb.WHITE, 0), .99),
         Arguments.of("mirror of narrow facets", CookTorrance.of(Rgb.BLACK, Rgb.WHITE, .003), .99),
-        Arguments.of("narrow lobe", Phong.of(Rgb.grey(.1), Rgb.grey(.8), 1e6), .8));
+        Arguments.of("narrow lobe", Phong.of(Rgb.gray(.1), Rgb.gray(.8), 1e6), .8));
   }
 
   @ParameterizedTest(name = "{0}")
@@ -129,7 +129,7 @@ class DenoisingGuidesTest {
             "coated plastic", surface(0, .5).set(MaterialParameter.CLEARCOAT, 1).build()),
         Arguments.of("half metal, half plastic", surface(.4, 0).build()),
         Arguments.of("rough glass", glass(.1)),
-        Arguments.of("wide lobe", Phong.of(Rgb.grey(.1), Rgb.grey(.8), 100)));
+        Arguments.of("wide lobe", Phong.of(Rgb.gray(.1), Rgb.gray(.8), 100)));
   }
 
   @ParameterizedTest(name = "{0}")

@@ -81,11 +81,11 @@ class DepthOfFieldTest {
 
     assertThat(lens.rgb()).isEqualTo(pinhole.rgb());
     // Its border runs through pixels.
-    int grey = 0;
+    int gray = 0;
     for (float value : lens.rgb()) {
-      grey += value > 0 && value < 1 ? 1 : 0;
+      gray += value > 0 && value < 1 ? 1 : 0;
     }
-    assertThat(grey).isPositive();
+    assertThat(gray).isPositive();
   }
 
   /** Returns a length at a depth in pixels of the film. */

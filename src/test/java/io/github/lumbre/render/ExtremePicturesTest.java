@@ -128,7 +128,7 @@ class ExtremePicturesTest {
   private static SceneBuilder stillLife(Camera camera) {
     return Scene.builder()
         .seenBy(camera)
-        .add(new Plane(Transform.IDENTITY, false), Matte.GREY)
+        .add(new Plane(Transform.IDENTITY, false), Matte.GRAY)
         .add(new Sphere(at(-.8, .7, 0), .7), matte(new Rgb(.8, .3, .2)))
         .add(
             new Box(at(1, .5, .3).times(Transform.rotationDegrees(new Vec3(0, 30, 0))), 1, 1, 1),
@@ -136,7 +136,7 @@ class ExtremePicturesTest {
         .addAreaLight(
             new Rectangle(
                 at(.5, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 0))), 1, 2, false),
-            glow(Rgb.grey(4)));
+            glow(Rgb.gray(4)));
   }
 
   /** A sphere fills the same fraction of a frame of 1.5 radii from any distance. */
@@ -317,10 +317,10 @@ class ExtremePicturesTest {
     Transform lamp = at(2, 3, -1).times(Transform.rotationDegrees(new Vec3(180, 0, 20)));
     return Scene.builder()
         .seenBy(camera)
-        .add(new Plane(all, false), Matte.GREY)
+        .add(new Plane(all, false), Matte.GRAY)
         .add(Mesh.baked(tetrahedron(), all.times(at(-.9, .1, 0))), matte(new Rgb(.2, .8, .4)))
-        .add(new Sphere(all.times(at(1.1, .6, .4)), .6), Matte.GREY)
-        .addAreaLight(new Rectangle(all.times(lamp), 1, 2, false), glow(Rgb.grey(6)))
+        .add(new Sphere(all.times(at(1.1, .6, .4)), .6), Matte.GRAY)
+        .addAreaLight(new Rectangle(all.times(lamp), 1, 2, false), glow(Rgb.gray(6)))
         .build();
   }
 
@@ -366,8 +366,8 @@ class ExtremePicturesTest {
     SceneBuilder scene =
         Scene.builder()
             .seenBy(Lens.pinhole(40).camera(new Vec3(0, 0, -8), Frame.WORLD, settings.aspect()))
-            .addAreaLight(new Sphere(at(3, 6, -6), 1), glow(Rgb.grey(9)))
-            .addAreaLight(new Sphere(at(-5, 2, -7), .5), glow(Rgb.grey(9)));
+            .addAreaLight(new Sphere(at(3, 6, -6), 1), glow(Rgb.gray(9)))
+            .addAreaLight(new Sphere(at(-5, 2, -7), .5), glow(Rgb.gray(9)));
     for (int i = 0; i < places.size(); i++) {
       double shade = (double) i / places.size();
       scene.add(shape.apply(places.get(i)), matte(new Rgb(shade, .5, 1 - shade)));

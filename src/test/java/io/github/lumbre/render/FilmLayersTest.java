@@ -76,9 +76,9 @@ class FilmLayersTest {
     return scene()
         .add("wall", new Rectangle(Transform.translation(Vec3.Z).times(UPRIGHT), 3, 9, true), MATTE)
         .add("ball", sphere(-.8, 0, .5), glass())
-        .add("bead", sphere(.8, 0, .4), new Mirror(Texture.constant(Rgb.grey(.9))))
+        .add("bead", sphere(.8, 0, .4), new Mirror(Texture.constant(Rgb.gray(.9))))
         .lightGroup("lamp")
-        .addAreaLight(sphere(0, 1.2, .2), new Emission(Texture.constant(Rgb.grey(9)), false))
+        .addAreaLight(sphere(0, 1.2, .2), new Emission(Texture.constant(Rgb.gray(9)), false))
         .lightGroup("sun")
         .add(new DirectionalLight(new Vec3(1, -1, 2).normalized(), new Rgb(1, .8, .6)))
         .lightGroup("")
@@ -249,9 +249,9 @@ class FilmLayersTest {
   private static SceneBuilder lit(SceneBuilder scene) {
     return room(scene)
         .lightGroup("left")
-        .addAreaLight(sphere(-2, 0, .5), new Emission(Texture.constant(Rgb.grey(5)), false))
+        .addAreaLight(sphere(-2, 0, .5), new Emission(Texture.constant(Rgb.gray(5)), false))
         .lightGroup("right")
-        .addAreaLight(sphere(2, 0, .5), new Emission(Texture.constant(Rgb.grey(2)), false));
+        .addAreaLight(sphere(2, 0, .5), new Emission(Texture.constant(Rgb.gray(2)), false));
   }
 
   /**
@@ -263,7 +263,7 @@ class FilmLayersTest {
     Film both = film(settings(Set.of(Layer.LIGHTS)).samples(256).build(), lit(scene()).build());
     Scene black =
         room(scene())
-            .addAreaLight(sphere(-2, 0, .5), new Emission(Texture.constant(Rgb.grey(5)), false))
+            .addAreaLight(sphere(-2, 0, .5), new Emission(Texture.constant(Rgb.gray(5)), false))
             .add(sphere(2, 0, .5), new Matte(Texture.constant(Rgb.BLACK)))
             .build();
     double alone = sum(film(settings(Set.of()).samples(256).build(), black).develop().rgb());

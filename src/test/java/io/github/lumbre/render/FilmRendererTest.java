@@ -37,7 +37,7 @@ class FilmRendererTest {
   private static final Scene SCENE =
       Scene.builder()
           .seenBy(Lens.fishEye(100).camera(new Vec3(0, 0, -3), Frame.WORLD, 1.5))
-          .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
+          .add(new Sphere(Transform.IDENTITY, 1), Matte.GRAY)
           .addBackground(Rgb.WHITE)
           .build();
 

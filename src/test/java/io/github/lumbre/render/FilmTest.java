@@ -27,7 +27,7 @@ class FilmTest {
   private static float develop(double... values) {
     Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (double value : values) {
-      film.add(0, Rgb.grey(value), true);
+      film.add(0, Rgb.gray(value), true);
     }
     return film.develop().rgb()[0];
   }
@@ -50,12 +50,12 @@ class FilmTest {
     Film empty = film.copy();
     film.add(0, new Rgb(.1, 2, 3e5), true);
     film.add(0, new Rgb(.3, 0, 1), false);
-    film.add(1, Rgb.grey(7), true);
+    film.add(1, Rgb.gray(7), true);
     Film copy = film.copy();
     byte[] before = encoded(film);
     assertThat(encoded(copy)).isEqualTo(before).isNotEqualTo(encoded(empty));
     assertThat(copy.firstSample()).isEqualTo(9);
-    film.add(1, Rgb.grey(1), true);
+    film.add(1, Rgb.gray(1), true);
     assertThat(encoded(copy)).isEqualTo(before).isNotEqualTo(encoded(film));
     film.set(copy);
     assertThat(encoded(film)).isEqualTo(before);
@@ -153,7 +153,7 @@ class FilmTest {
       long units = (long) (value * 0x1p53);
       high += units >>> 32;
       low += units & 0xffff_ffffL;
-      film.add(0, Rgb.grey(value), true);
+      film.add(0, Rgb.gray(value), true);
     }
     ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
     film.encode(0, bytes);
@@ -188,12 +188,12 @@ class FilmTest {
     int n = 1 << 20;
     for (int i = 0; i < n; i++) {
       // 2^-44 - 2^-64 and 2^-64 alternately: 2^-44 per pair.
-      film.add(0, Rgb.grey(i % 2 == 0 ? 0x1p-44 - GRID : GRID), true);
+      film.add(0, Rgb.gray(i % 2 == 0 ? 0x1p-44 - GRID : GRID), true);
     }
     assertThat(film.develop().rgb()[0]).isEqualTo(0x1p-45f);
     Film carry = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (int i = 0; i < 1 << 12; i++) {
-      carry.add(0, Rgb.grey(Math.nextDown(1.0)), true);
+      carry.add(0, Rgb.gray(Math.nextDown(1.0)), true);
     }
     assertThat(carry.develop().rgb()[0]).isEqualTo((float) Math.nextDown(1.0));
     assertThat(develop(.75, .75, .75, .75)).isEqualTo(.75f);
@@ -219,7 +219,7 @@ class FilmTest {
     Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     film.add(0, Rgb.WHITE, true);
     film.add(0, Rgb.BLACK, false);
-    assertThat(film.develop().pixel(0, 0)).isEqualTo(Rgb.grey(.5));
+    assertThat(film.develop().pixel(0, 0)).isEqualTo(Rgb.gray(.5));
     assertThat(film.develop().hasAlpha()).isFalse();
   }
 
@@ -269,7 +269,7 @@ class FilmTest {
   void valuesThatAreNoRadianceAreBugs() {
     Film film = new Film(new Crop(0, 0, 1, 1), false, 0);
     for (double value : new double[] {Double.NaN, -1, Double.POSITIVE_INFINITY}) {
-      assertThatThrownBy(() -> film.add(0, Rgb.grey(value), true))
+      assertThatThrownBy(() -> film.add(0, Rgb.gray(value), true))
           .isInstanceOf(AssertionError.class);
     }
   }
@@ -283,7 +283,7 @@ class FilmTest {
       Rgb value = new Rgb(random.nextDouble() * scale, random.nextDouble(), 0);
       film.add(random.nextInt(150), value, random.nextBoolean());
     }
-    film.add(199, Rgb.grey(Film.LARGEST), true);
+    film.add(199, Rgb.gray(Film.LARGEST), true);
     ByteBuffer bytes = ByteBuffer.allocate(200 * Film.MAX_PIXEL_BYTES);
     for (int pixel = 0; pixel < 200; pixel++) {
       int before = bytes.position();
@@ -462,13 +462,13 @@ class FilmTest {
   void pixelMayBeCoveredByAllOfItsSamplesAndBeAsBrightAsCanBe() {
     Film film = new Film(new Crop(0, 0, 1, 1), true, 0);
     for (int i = 0; i < 200; i++) {
-      film.add(0, Rgb.grey(Film.LARGEST), true);
+      film.add(0, Rgb.gray(Film.LARGEST), true);
     }
     ByteBuffer bytes = ByteBuffer.allocate(Film.MAX_PIXEL_BYTES);
     film.encode(0, bytes);
     Film read = new Film(new Crop(0, 0, 1, 1), true, 0);
     read.decode(0, bytes.flip());
-    assertThat(read.develop().pixel(0, 0)).isEqualTo(Rgb.grey(Film.LARGEST));
+    assertThat(read.develop().pixel(0, 0)).isEqualTo(Rgb.gray(Film.LARGEST));
     assertThat(read.develop().alpha(0, 0)).isEqualTo(1);
     assertThat(read.samples(0, 0)).isEqualTo(200);
   }

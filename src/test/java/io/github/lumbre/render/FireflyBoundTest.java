@@ -30,7 +30,7 @@ class FireflyBoundTest {
       for (int i = 0; i < samples; i++) {
         double base = light.base * (.5 + random.nextDouble());
         double extra = random.nextDouble() < light.probability ? light.brightness : 0;
-        film.add(pixel, Rgb.grey(base + extra), true);
+        film.add(pixel, Rgb.gray(base + extra), true);
       }
     }
     return film;

@@ -211,7 +211,7 @@ class GuidePilotTest {
   void anInfinitePlaneIsLearned() throws Exception {
     Scene plane =
         seen()
-            .add(new Plane(Transform.IDENTITY, false), new Matte(Texture.constant(Rgb.grey(.5))))
+            .add(new Plane(Transform.IDENTITY, false), new Matte(Texture.constant(Rgb.gray(.5))))
             .addBackground(Rgb.WHITE)
             .build();
     RenderSettings settings = scene("cornell-box", Guiding.ON).settings();

@@ -34,7 +34,7 @@ class MotionTest {
   private static Scene ball(double x) {
     return Scene.builder()
         .seenBy(Lens.pinhole(60).camera(new Vec3(0, 0, -4), Frame.WORLD, 1))
-        .add(new Sphere(Transform.translation(new Vec3(x, 0, 0)), .8), Matte.GREY)
+        .add(new Sphere(Transform.translation(new Vec3(x, 0, 0)), .8), Matte.GRAY)
         .addBackground(Rgb.WHITE)
         .build();
   }
@@ -181,7 +181,7 @@ class MotionTest {
   private static Scene balls(double y) {
     SceneBuilder scene = Scene.builder().seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1));
     for (int i = 0; i < 20; i++) {
-      scene.add(new Sphere(Transform.translation(new Vec3(3 * i, y, 9)), 1), Matte.GREY);
+      scene.add(new Sphere(Transform.translation(new Vec3(3 * i, y, 9)), 1), Matte.GRAY);
     }
     return scene.build();
   }

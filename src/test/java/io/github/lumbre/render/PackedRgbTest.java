@@ -27,7 +27,7 @@ class PackedRgbTest {
   @Test
   void powersOfTwoAndWhatIsJustBelowThemAreKept() {
     for (double v : new double[] {0x1p-64, .5, 1, 2, 0x1p32, 0}) {
-      assertThat(PackedRgb.unpacked(PackedRgb.of(v, v, v))).isEqualTo(Rgb.grey(v));
+      assertThat(PackedRgb.unpacked(PackedRgb.of(v, v, v))).isEqualTo(Rgb.gray(v));
       double below = Math.nextDown(v + 1);
       assertThat(PackedRgb.unpacked(PackedRgb.of(below, 0, 0)).r())
           .isCloseTo(below, within((v + 1) * 0x1p-18));

@@ -147,8 +147,8 @@ class PictureLawsTest {
       throws InterruptedException {
     CookTorrance material =
         new CookTorrance(
-            Texture.constant(Rgb.grey(.2)),
-            Texture.constant(Rgb.grey(.8)),
+            Texture.constant(Rgb.gray(.2)),
+            Texture.constant(Rgb.gray(.8)),
             ScalarTexture.constant(roughness),
             ScalarTexture.constant(CookTorrance.DEFAULT_IOR),
             kind);

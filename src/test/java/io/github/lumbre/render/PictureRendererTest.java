@@ -41,7 +41,7 @@ class PictureRendererTest {
   private static Scene sceneSeenBy(Camera camera) {
     return Scene.builder()
         .seenBy(camera)
-        .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
+        .add(new Sphere(Transform.IDENTITY, 1), Matte.GRAY)
         .addBackground(Rgb.WHITE)
         .build();
   }
@@ -233,7 +233,7 @@ class PictureRendererTest {
 
     // The first pass takes one sample of each pixel, row by row from the left.
     for (int x = 0; x < 4; x++) {
-      assertThat(result.image().pixel(x, 0)).isEqualTo(Rgb.grey(7 / 8.0));
+      assertThat(result.image().pixel(x, 0)).isEqualTo(Rgb.gray(7 / 8.0));
     }
     assertThat(result.image().pixel(4, 0)).isEqualTo(Rgb.WHITE);
     assertThat(result.statistics().rejected()).isEqualTo(4);
@@ -250,8 +250,8 @@ class PictureRendererTest {
     Scene glowing =
         Scene.builder()
             .seenBy(pinhole())
-            .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
-            .addAmbient(Rgb.grey(Math.PI))
+            .add(new Sphere(Transform.IDENTITY, 1), Matte.GRAY)
+            .addAmbient(Rgb.gray(Math.PI))
             .build();
     RenderSettings settings = small().samples(64).transparent(true).build();
     Image image = new PictureRenderer(settings).render(glowing);
@@ -312,18 +312,18 @@ class PictureRendererTest {
   @Test
   void samplesTooBrightForTheFilmAreCounted() throws InterruptedException {
     RenderSettings settings = small().build();
-    assertThat(statistics(settings, Rgb.grey(Film.LARGEST)).saturated()).isZero();
-    RenderStatistics above = statistics(settings, Rgb.grey(Math.nextUp(Film.LARGEST)));
+    assertThat(statistics(settings, Rgb.gray(Film.LARGEST)).saturated()).isZero();
+    RenderStatistics above = statistics(settings, Rgb.gray(Math.nextUp(Film.LARGEST)));
     assertThat(above.saturated()).isEqualTo(2400);
     assertThat(above.clamped()).isZero();
-    RenderStatistics both = statistics(small().clamp(1e6).build(), Rgb.grey(1e12));
+    RenderStatistics both = statistics(small().clamp(1e6).build(), Rgb.gray(1e12));
     assertThat(both.saturated()).isEqualTo(2400);
     assertThat(both.clamped()).isEqualTo(2400);
   }
 
   @Test
   void theFirstTenRejectedSamplesAreNamed() throws InterruptedException {
-    RenderStatistics bad = statistics(small().threads(1).samples(1).build(), Rgb.grey(-1));
+    RenderStatistics bad = statistics(small().threads(1).samples(1).build(), Rgb.gray(-1));
     assertThat(bad.rejected()).isEqualTo(600);
     assertThat(bad.firstRejected()).hasSize(10);
     assertThat(bad.firstRejected().get(7)).isEqualTo(new RenderStatistics.RejectedSample(7, 0, 0));

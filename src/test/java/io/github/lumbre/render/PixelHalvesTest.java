@@ -15,9 +15,9 @@ class PixelHalvesTest {
   @Test
   void errorOfOneChannelIsAThirdOfThatOfAll() {
     PixelHalves red = new PixelHalves(4, new Rgb(3, 0, 0), 2, new Rgb(1, 0, 0));
-    PixelHalves grey = new PixelHalves(4, Rgb.grey(3), 2, Rgb.WHITE);
+    PixelHalves gray = new PixelHalves(4, Rgb.gray(3), 2, Rgb.WHITE);
     double expected = 4.0 * 4 * 2 / 36 / (3 + PixelHalves.FLOOR);
-    assertThat(grey.relativeSquaredError()).isCloseTo(expected, within(1e-15));
+    assertThat(gray.relativeSquaredError()).isCloseTo(expected, within(1e-15));
     assertThat(red.relativeSquaredError()).isCloseTo(expected / 3, within(1e-15));
     PixelHalves green = new PixelHalves(4, new Rgb(0, 3, 0), 2, new Rgb(0, 1, 0));
     PixelHalves blue = new PixelHalves(4, new Rgb(0, 0, 3), 2, new Rgb(0, 0, 1));
@@ -27,28 +27,28 @@ class PixelHalvesTest {
 
   @Test
   void evenPixelsHaveNoError() {
-    assertThat(new PixelHalves(8, Rgb.grey(5), 8, Rgb.grey(5)).relativeSquaredError()).isZero();
+    assertThat(new PixelHalves(8, Rgb.gray(5), 8, Rgb.gray(5)).relativeSquaredError()).isZero();
     assertThat(new PixelHalves(8, Rgb.BLACK, 8, Rgb.BLACK).relativeSquaredError()).isZero();
   }
 
   /** Rounding may make the mean of a dark second half slightly negative. */
   @Test
   void slightlyNegativeMeansAreComparedWithTheFloor() {
-    PixelHalves halves = new PixelHalves(1, Rgb.grey(1), 1, Rgb.grey(-1e-6));
+    PixelHalves halves = new PixelHalves(1, Rgb.gray(1), 1, Rgb.gray(-1e-6));
     double expected = (1 + 1e-6) * (1 + 1e-6) / 4 / PixelHalves.FLOOR;
     assertThat(halves.relativeSquaredError()).isCloseTo(expected, within(1e-9 * expected));
   }
 
   private static PixelHalves even(double first, double second) {
-    return new PixelHalves(16, Rgb.grey(first), 16, Rgb.grey(second));
+    return new PixelHalves(16, Rgb.gray(first), 16, Rgb.gray(second));
   }
 
   /** A pixel of .3 and one sample of 182.7 in 32: its error is 2.85² / (.3² + .01). */
   @Test
   void aBrightSampleIsComparedWithWhatSurroundsIt() {
     double expected = 2.85 * 2.85 / .1;
-    assertThat(even(6, .3).squaredErrorAmong(Rgb.grey(.3))).isCloseTo(expected, within(1e-9));
-    assertThat(even(.3, 6).squaredErrorAmong(Rgb.grey(.3))).isCloseTo(expected, within(1e-9));
+    assertThat(even(6, .3).squaredErrorAmong(Rgb.gray(.3))).isCloseTo(expected, within(1e-9));
+    assertThat(even(.3, 6).squaredErrorAmong(Rgb.gray(.3))).isCloseTo(expected, within(1e-9));
     assertThat(even(6, .3).relativeSquaredError()).isLessThan(.06 * expected);
   }
 
@@ -58,9 +58,9 @@ class PixelHalvesTest {
    */
   @Test
   void aBrightSampleOfUnevenHalvesIsComparedWithWhatSurroundsIt() {
-    PixelHalves first = new PixelHalves(32, Rgb.grey(4.5), 16, Rgb.BLACK);
-    PixelHalves second = new PixelHalves(32, Rgb.BLACK, 16, Rgb.grey(9));
-    assertThat(first.mean()).isEqualTo(Rgb.grey(3)).isEqualTo(second.mean());
+    PixelHalves first = new PixelHalves(32, Rgb.gray(4.5), 16, Rgb.BLACK);
+    PixelHalves second = new PixelHalves(32, Rgb.BLACK, 16, Rgb.gray(9));
+    assertThat(first.mean()).isEqualTo(Rgb.gray(3)).isEqualTo(second.mean());
     assertThat(first.squaredErrorAmong(Rgb.BLACK)).isCloseTo(4.5 * 4.5 * 2 / 9 / .01, within(1e-9));
     assertThat(second.squaredErrorAmong(Rgb.BLACK)).isCloseTo(81 * 2 / 9. / .01, within(1e-9));
   }

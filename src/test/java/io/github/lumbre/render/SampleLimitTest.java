@@ -14,7 +14,7 @@ class SampleLimitTest {
 
   @Test
   void samplesUpToTheClampAreKept() {
-    for (Rgb kept : new Rgb[] {Rgb.BLACK, new Rgb(2, 1, .5), new Rgb(0, 2, 0), Rgb.grey(2)}) {
+    for (Rgb kept : new Rgb[] {Rgb.BLACK, new Rgb(2, 1, .5), new Rgb(0, 2, 0), Rgb.gray(2)}) {
       assertThat(LIMIT.isClamped(kept)).isFalse();
       assertThat(LIMIT.apply(kept)).isEqualTo(kept);
     }
@@ -30,7 +30,7 @@ class SampleLimitTest {
       assertThat(found.r() * bright.max()).isCloseTo(bright.r() * 2, within(1e-12));
       assertThat(found.g() / found.max()).isCloseTo(bright.g() / bright.max(), within(1e-15));
     }
-    assertThat(LIMIT.isClamped(Rgb.grey(Math.nextUp(2.0)))).isTrue();
+    assertThat(LIMIT.isClamped(Rgb.gray(Math.nextUp(2.0)))).isTrue();
   }
 
   @Test

@@ -38,7 +38,7 @@ class SharedThreadsTest {
   private static final Scene SCENE =
       Scene.builder()
           .seenBy(Lens.pinhole(50).camera(new Vec3(0, 0, -3), Frame.WORLD, 1.5))
-          .add(new Sphere(Transform.IDENTITY, 1), Matte.GREY)
+          .add(new Sphere(Transform.IDENTITY, 1), Matte.GRAY)
           .addBackground(Rgb.WHITE)
           .build();
 

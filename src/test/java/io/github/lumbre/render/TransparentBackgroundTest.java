@@ -126,7 +126,7 @@ class TransparentBackgroundTest {
   void mirrorsStillReceiveTheSky(Mode mode) throws InterruptedException {
     Scene scene =
         scene()
-            .add(new Sphere(at(0, 0, 0), 1), new Mirror(Texture.constant(Rgb.grey(.5))))
+            .add(new Sphere(at(0, 0, 0), 1), new Mirror(Texture.constant(Rgb.gray(.5))))
             .addBackground(SKY)
             .build();
     Image image = film(settings(Set.of()).mode(mode).build(), scene).develop();

@@ -54,9 +54,9 @@ class DiskEvennessTest {
       List<Point2> points = points(map, set);
       for (int i = 0; i < 200; i++) {
         double radius = .1 + .3 * random.nextDouble();
-        Point2 centre = Warp.concentricDisk(new Point2(random.nextDouble(), random.nextDouble()));
-        double x = centre.x() * (1 - radius);
-        double y = centre.y() * (1 - radius);
+        Point2 center = Warp.concentricDisk(new Point2(random.nextDouble(), random.nextDouble()));
+        double x = center.x() * (1 - radius);
+        double y = center.y() * (1 - radius);
         long inside =
             points.stream().filter(p -> Math.hypot(p.x() - x, p.y() - y) < radius).count();
         double error = (double) inside / points.size() - radius * radius;

@@ -39,7 +39,7 @@ class AnimatedSceneTest {
   private static Scene single(ModelFile lantern, int moved, int seen) {
     return Scene.builder()
         .lookingAt(eye(seen), new Vec3(0, 12, 0), Lens.pinhole(50))
-        .add("floor", Plane.floor(0), Matte.GREY)
+        .add("floor", Plane.floor(0), Matte.GRAY)
         .group("turntable", turn(moved), group -> group.add(lantern))
         .addBackground(Rgb.WHITE)
         .build();

@@ -105,7 +105,7 @@ class HierarchiesTest {
     Scene first =
         Scene.builder()
             .lookingAt(new Vec3(0, 0, 3), Vec3.ZERO, 60)
-            .add(WALL_TO_THE_LEFT, new Matte(Texture.constant(Rgb.grey(.5))))
+            .add(WALL_TO_THE_LEFT, new Matte(Texture.constant(Rgb.gray(.5))))
             .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
             .build();
     Scene second =
@@ -122,7 +122,7 @@ class HierarchiesTest {
   /** Returns a room whose wall hides the light from the rest if the light is on the left. */
   private static SceneAssembly room(Camera camera, double x) {
     return new SceneAssembly(camera)
-        .add(WALL_TO_THE_LEFT, Matte.GREY)
+        .add(WALL_TO_THE_LEFT, Matte.GRAY)
         .add(new PointLight(new Vec3(x, 0, 0), Rgb.WHITE, Falloff.INVERSE_SQUARE));
   }
 

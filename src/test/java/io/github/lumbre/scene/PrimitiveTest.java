@@ -20,23 +20,23 @@ class PrimitiveTest {
   @Test
   void everyPartIsNamedIfItIsMissing() {
     assertThatNullPointerException()
-        .isThrownBy(() -> new Primitive(null, Matte.GREY, Optional.empty()))
+        .isThrownBy(() -> new Primitive(null, Matte.GRAY, Optional.empty()))
         .withMessage("shape");
     assertThatNullPointerException()
         .isThrownBy(() -> new Primitive(SHAPE, null, Optional.empty()))
         .withMessage("material");
     assertThatNullPointerException()
-        .isThrownBy(() -> new Primitive(SHAPE, Matte.GREY, null))
+        .isThrownBy(() -> new Primitive(SHAPE, Matte.GRAY, null))
         .withMessage("emission");
   }
 
   @Test
   void simplifiedOnesScatterAndShineAlike() {
-    Primitive primitive = new Primitive(SHAPE, Matte.GREY, Optional.of(EMISSION));
+    Primitive primitive = new Primitive(SHAPE, Matte.GRAY, Optional.of(EMISSION));
     Primitive simplified = primitive.simplified();
     assertThat(simplified.shape()).isSameAs(SHAPE);
     assertThat(simplified.emission()).contains(EMISSION);
-    assertThat(simplified.material().at(.2, .3)).isEqualTo(Matte.GREY.at(.2, .3));
+    assertThat(simplified.material().at(.2, .3)).isEqualTo(Matte.GRAY.at(.2, .3));
     assertThat(simplified.material().at(0, 0)).isSameAs(simplified.material().at(.2, .3));
   }
 }

@@ -46,7 +46,7 @@ class SceneBuilderTest {
   @Test
   void unfinishedScenesSayWhatIsMissing() {
     assertThatIllegalStateException()
-        .isThrownBy(() -> Scene.builder().add(Plane.floor(0), Matte.GREY).build())
+        .isThrownBy(() -> Scene.builder().add(Plane.floor(0), Matte.GRAY).build())
         .withMessage("camera: expected lookingAt or seenBy, found neither");
   }
 
@@ -73,7 +73,7 @@ class SceneBuilderTest {
         () -> CookTorrance.of(Rgb.BLACK, Rgb.WHITE, Double.NaN),
         "roughness: expected a number from 0 to 1, found NaN");
     assertRefused(
-        () -> Emission.of(Rgb.grey(-1)),
+        () -> Emission.of(Rgb.gray(-1)),
         "radiance: expected finite components >= 0, found Rgb[r=-1.0, g=-1.0, b=-1.0]");
     assertRefused(
         () -> Lens.pinhole(180), "fovDegrees: expected a number in (0, 180), found 180.0");
@@ -100,7 +100,7 @@ class SceneBuilderTest {
         () -> DirectionalLight.along(Vec3.ZERO, Rgb.WHITE),
         "direction: expected a finite vector other than 0, found " + Vec3.ZERO);
     assertRefused(
-        () -> empty().add("", Plane.floor(0), Matte.GREY),
+        () -> empty().add("", Plane.floor(0), Matte.GRAY),
         "name: expected 1 to 60 characters, found 0");
     assertRefused(
         () -> empty().group("a", Transform.scale(Vec3.X), group -> {}),
@@ -116,7 +116,7 @@ class SceneBuilderTest {
                 SIDE,
                 outer ->
                     outer
-                        .add("ball", Sphere.of(Vec3.ZERO, 1), Matte.GREY)
+                        .add("ball", Sphere.of(Vec3.ZERO, 1), Matte.GRAY)
                         .add(PointLight.of(Vec3.Y, Rgb.WHITE))
                         .group(
                             "inner",
@@ -155,7 +155,7 @@ class SceneBuilderTest {
             .name(red, "red")
             .add("ball", Sphere.of(Vec3.ZERO, 1), red)
             .add("ball", Sphere.of(Vec3.X, 1), red)
-            .add(Plane.floor(-1), Matte.GREY)
+            .add(Plane.floor(-1), Matte.GRAY)
             .addAreaLight("lamp", Sphere.of(Vec3.Y, .1), Rgb.WHITE)
             .build();
     assertThat(scene.names().objects()).containsExactly("ball", "ball 2", "object 2", "lamp");
@@ -167,9 +167,9 @@ class SceneBuilderTest {
     MeshInstance mesh = MeshInstance.of(triangle());
     Scene first =
         empty()
-            .add("still", Sphere.of(Vec3.ZERO, 1), Matte.GREY)
-            .group("arm", SIDE, arm -> arm.add("mesh", mesh, Matte.GREY))
-            .group("base", SIDE, base -> base.add("foot", Sphere.of(Vec3.Y, 1), Matte.GREY))
+            .add("still", Sphere.of(Vec3.ZERO, 1), Matte.GRAY)
+            .group("arm", SIDE, arm -> arm.add("mesh", mesh, Matte.GRAY))
+            .group("base", SIDE, base -> base.add("foot", Sphere.of(Vec3.Y, 1), Matte.GRAY))
             .build();
     Transform up = Transform.translation(Vec3.Y);
     Scene moved = first.toBuilder().place("arm", up).build();

@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Test;
 
 class SceneTest {
   private static final Camera CAMERA = Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1);
-  private static final Material PAINTED = new Matte((u, v) -> Rgb.grey(.5 + .5 * Math.sin(u)));
+  private static final Material PAINTED = new Matte((u, v) -> Rgb.gray(.5 + .5 * Math.sin(u)));
   private static final Plane FLOOR = new Plane(Transform.IDENTITY, false);
 
   private final NearestHit hit = new NearestHit();
@@ -52,11 +52,11 @@ class SceneTest {
   }
 
   private static Emission glow(double radiance) {
-    return new Emission(Texture.constant(Rgb.grey(radiance)), false);
+    return new Emission(Texture.constant(Rgb.gray(radiance)), false);
   }
 
   private static Light point(double intensity) {
-    return new PointLight(Vec3.ZERO, Rgb.grey(intensity), Falloff.INVERSE_SQUARE);
+    return new PointLight(Vec3.ZERO, Rgb.gray(intensity), Falloff.INVERSE_SQUARE);
   }
 
   /** Returns a ray towards +x that begins at some x. */
@@ -77,7 +77,7 @@ class SceneTest {
     assertThat(MeshInstance.of(mesh)).hasToString("MeshInstance of 1 triangles");
     assertThat(Mesh.of(mesh)).hasToString("Mesh of 1 triangles");
     assertThat(CAMERA).asString().startsWith("PinholeCamera at Vec3[");
-    assertThat(empty().add(sphere(0), Matte.GREY))
+    assertThat(empty().add(sphere(0), Matte.GRAY))
         .hasToString("SceneBuilder with 1 objects, groups, models and lights");
     assertThat(Transform.translation(Vec3.X))
         .hasToString("[[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]");
@@ -91,8 +91,8 @@ class SceneTest {
   void primitivesHaveTheNamesOfTheirObjectsAndMaterials() {
     Scene scene =
         empty()
-            .name(Matte.GREY, "gray")
-            .add("ball", sphere(0), Matte.GREY)
+            .name(Matte.GRAY, "gray")
+            .add("ball", sphere(0), Matte.GRAY)
             .add(sphere(3), Matte.of(.5, .4, .3))
             .build();
     assertThat(scene.objectName(0)).isEqualTo("ball");
@@ -123,7 +123,7 @@ class SceneTest {
 
   @Test
   void raysHitTheNearestPrimitive() {
-    Scene scene = empty().add(sphere(5), Matte.GREY).add(sphere(10), PAINTED).build();
+    Scene scene = empty().add(sphere(5), Matte.GRAY).add(sphere(10), PAINTED).build();
     assertThat(scene.intersect(from(0), hit)).isTrue();
     assertThat(hit.t()).isCloseTo(4, within(1e-12));
     assertThat(scene.primitiveAt(hit).shape()).isSameAs(scene.primitives().get(0).shape());
@@ -138,7 +138,7 @@ class SceneTest {
 
   @Test
   void raysAreOccludedByWhatLiesOnThem() {
-    Scene scene = empty().add(sphere(5), Matte.GREY).build();
+    Scene scene = empty().add(sphere(5), Matte.GRAY).build();
     for (double end : new double[] {3.9, 4.1}) {
       hit.aim(new Ray(Vec3.ZERO, Vec3.X, end));
       assertThat(scene.isOccluded(hit)).isEqualTo(end > 4);
@@ -206,7 +206,7 @@ class SceneTest {
   void assemblyCountsWhatItHas() {
     SceneAssembly builder = new SceneAssembly(CAMERA);
     assertThat(builder.primitiveCount()).isZero();
-    builder.add(sphere(0), Matte.GREY).add(point(1)).add(sphere(5), Unlit.INSTANCE, glow(1));
+    builder.add(sphere(0), Matte.GRAY).add(point(1)).add(sphere(5), Unlit.INSTANCE, glow(1));
     assertThat(builder.primitiveCount()).isEqualTo(2);
     assertThat(builder.emitterCount()).isEqualTo(2);
   }
@@ -215,7 +215,7 @@ class SceneTest {
   void emittersAreFoundFromWhatIsHit() {
     Scene scene =
         new SceneAssembly(CAMERA)
-            .add(sphere(3), Matte.GREY)
+            .add(sphere(3), Matte.GRAY)
             .add(point(1))
             .add(sphere(6), Unlit.INSTANCE, glow(1))
             .addAreaLight(sphere(9), glow(2))
@@ -237,7 +237,7 @@ class SceneTest {
             .addBackground(Rgb.WHITE)
             .add(point(1))
             .addAreaLight(FLOOR, glow(1))
-            .add(EnvironmentLight.uniform(Rgb.grey(2)))
+            .add(EnvironmentLight.uniform(Rgb.gray(2)))
             .add(point(1))
             .build();
     assertThat(scene.emitters()).hasSize(6);
@@ -271,9 +271,9 @@ class SceneTest {
 
   @Test
   void radiusIsThatOfEverythingFinite() {
-    SceneBuilder builder = empty().add(FLOOR, Matte.GREY);
+    SceneBuilder builder = empty().add(FLOOR, Matte.GRAY);
     assertThat(builder.build().radius()).isZero();
-    builder.add(sphere(-5), Matte.GREY).add(sphere(5), Matte.GREY);
+    builder.add(sphere(-5), Matte.GRAY).add(sphere(5), Matte.GRAY);
     assertThat(builder.build().radius()).isCloseTo(new Vec3(6, 1, 1).length(), within(1e-6));
   }
 
@@ -289,12 +289,12 @@ class SceneTest {
   void uniformMaterialsScatterByTheSameBsdfEverywhere() {
     Scene painted = empty().add(sphere(5), PAINTED).build();
     assertThat(painted.takes(Specialization.UNIFORM_MATERIALS)).isFalse();
-    Scene scene = empty().add(sphere(5), Matte.GREY).add(sphere(10), PAINTED).build();
+    Scene scene = empty().add(sphere(5), Matte.GRAY).add(sphere(10), PAINTED).build();
     assertThat(scene.takes(Specialization.UNIFORM_MATERIALS)).isTrue();
     Material uniform = materialAt(scene, 0);
-    assertThat(uniform.at(0, 0)).isSameAs(uniform.at(.3, .7)).isEqualTo(Matte.GREY.at(0, 0));
+    assertThat(uniform.at(0, 0)).isSameAs(uniform.at(.3, .7)).isEqualTo(Matte.GRAY.at(0, 0));
     assertThat(materialAt(scene, 7)).isSameAs(PAINTED);
-    assertThat(scene.primitives().get(0).material()).isSameAs(Matte.GREY);
+    assertThat(scene.primitives().get(0).material()).isSameAs(Matte.GRAY);
   }
 
   private Material materialAt(Scene scene, double x) {
@@ -305,7 +305,7 @@ class SceneTest {
   private static SceneBuilder one() {
     return empty()
         .addAreaLight(sphere(5), glow(3))
-        .add(sphere(10), Matte.GREY)
+        .add(sphere(10), Matte.GRAY)
         .addAmbient(Rgb.WHITE);
   }
 
@@ -321,7 +321,7 @@ class SceneTest {
       assertSameContent(without, scene);
     }
     Scene general = scene.without(Specialization.UNIFORM_MATERIALS);
-    assertThat(materialAt(general, 7)).isSameAs(Matte.GREY);
+    assertThat(materialAt(general, 7)).isSameAs(Matte.GRAY);
   }
 
   private void assertSameContent(Scene scene, Scene expected) {

@@ -49,8 +49,8 @@ class MotionCoverageTest {
     double x = -1 + 2 * (pose + .5) / POSES;
     return Scene.builder()
         .seenBy(Lens.pinhole(60).camera(new Vec3(0, 0, -4), Frame.WORLD, 1))
-        .add(new Sphere(Transform.translation(new Vec3(x, 0, 0)), .8), Matte.GREY)
-        .addBackground(Rgb.grey(.2 + pose))
+        .add(new Sphere(Transform.translation(new Vec3(x, 0, 0)), .8), Matte.GRAY)
+        .addBackground(Rgb.gray(.2 + pose))
         .build();
   }
 

@@ -29,8 +29,8 @@ class NoiseEstimatorTest {
       double sum = 0;
       int pixels = 200_000;
       for (int i = 0; i < pixels; i++) {
-        Rgb a = Rgb.grey(10 + random.nextGaussian() / Math.sqrt(n[0]));
-        Rgb b = Rgb.grey(10 + random.nextGaussian() / Math.sqrt(n[1]));
+        Rgb a = Rgb.gray(10 + random.nextGaussian() / Math.sqrt(n[0]));
+        Rgb b = Rgb.gray(10 + random.nextGaussian() / Math.sqrt(n[1]));
         sum += new PixelHalves(n[0], a, n[1], b).relativeSquaredError();
       }
       double expected = 1.0 / (n[0] + n[1]) / 100.01;
@@ -42,7 +42,7 @@ class NoiseEstimatorTest {
   /** For a spot of value V that one of 2 n samples hits, the error is V² p / (n 0.01) for any V. */
   @Test
   void brightSpotsDoNotHideInTheirOwnBrightness() {
-    Rgb bright = Rgb.grey(1000);
+    Rgb bright = Rgb.gray(1000);
     double error = new PixelHalves(32, bright, 32, Rgb.BLACK).relativeSquaredError();
     assertThat(error).isCloseTo(1000 * 1000 / 4.0 / .01, within(1.0));
   }
@@ -114,7 +114,7 @@ class NoiseEstimatorTest {
       }
       rows[y] = new HalvesRow(new PixelHalves[3], means);
     }
-    assertThat(HalvesRow.surroundings(rows[0], rows[1], rows[2], 1)).isEqualTo(Rgb.grey(5));
+    assertThat(HalvesRow.surroundings(rows[0], rows[1], rows[2], 1)).isEqualTo(Rgb.gray(5));
     assertThat(HalvesRow.surroundings(rows[0], rows[1], rows[2], 0).g())
         .isCloseTo((1 + 2 + 5 + 7 + 8) / 5.0, within(1e-12));
     assertThat(HalvesRow.surroundings(HalvesRow.NONE, rows[0], rows[1], 2).b())

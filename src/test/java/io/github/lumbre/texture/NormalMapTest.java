@@ -38,7 +38,7 @@ class NormalMapTest {
   private static Frame perturbed(NormalMap map, Frame shading, Vec3 geometricNormal) {
     SurfaceHit hit =
         new SurfaceHit().set(Vec3.ZERO, geometricNormal, shading, POINT, geometricNormal, 0);
-    new NormalMapped(Matte.GREY, map).perturb(hit);
+    new NormalMapped(Matte.GRAY, map).perturb(hit);
     return hit.shading();
   }
 

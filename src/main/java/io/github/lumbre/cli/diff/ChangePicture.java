@@ -132,7 +132,7 @@ final class ChangePicture {
       ChangePicture before, Image oldPicture, ChangePicture after, Image nowPicture, int x, int y) {
     double shade = brightness(nowPicture, x, y);
     double oldShade = brightness(oldPicture, x, y);
-    Rgb pale = Rgb.grey(1 - PALE + PALE * shade);
+    Rgb pale = Rgb.gray(1 - PALE + PALE * shade);
     Rgb sum = Rgb.BLACK;
     for (int i = 0; i < GRID * GRID; i++) {
       double u = (x + (i % GRID + .5) / GRID) / nowPicture.width();

@@ -118,9 +118,9 @@ final class LightInvariants {
   private static double spheres() {
     double worst = 0;
     for (double[] s : SPHERES) {
-      Vec3 centre =
+      Vec3 center =
           new Vec3(Elementary.sinDegrees(s[2]), Elementary.cosDegrees(s[2]), 0).times(s[1]);
-      Light light = new AreaLight(new Sphere(Transform.translation(centre), s[0]), white());
+      Light light = new AreaLight(new Sphere(Transform.translation(center), s[0]), white());
       double ratio = s[0] / s[1];
       double expected = Math.PI * ratio * ratio * Elementary.cosDegrees(s[2]);
       worst = Math.max(worst, Math.abs(irradiance(light) / expected - 1));

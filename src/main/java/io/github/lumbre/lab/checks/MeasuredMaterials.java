@@ -47,7 +47,7 @@ final class MeasuredMaterials {
   static List<Material> opaque(double leastRoughness, double mostExponent) {
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
     Texture<Rgb> black = Texture.constant(Rgb.BLACK);
-    Texture<Rgb> half = Texture.constant(Rgb.grey(.5));
+    Texture<Rgb> half = Texture.constant(Rgb.gray(.5));
     List<Material> materials = new ArrayList<>();
     materials.add(new Matte(white));
     for (double exponent : EXPONENTS) {

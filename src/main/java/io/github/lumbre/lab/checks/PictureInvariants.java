@@ -92,8 +92,8 @@ final class PictureInvariants {
             .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
             .add(
                 new Sphere(Transform.IDENTITY, 1),
-                new Matte(Texture.constant(Rgb.grey(reflectance))))
-            .addAmbient(Rgb.grey(Math.PI))
+                new Matte(Texture.constant(Rgb.gray(reflectance))))
+            .addAmbient(Rgb.gray(Math.PI))
             .build();
     Integrator integrator = new PathTracer(scene, depth);
     Sampler sampler = new SobolSampler(41);
@@ -125,19 +125,19 @@ final class PictureInvariants {
   private static Scene scene(double scale) {
     Transform whole = Transform.scale(new Vec3(scale, scale, scale));
     Texture<Rgb> white = Texture.constant(Rgb.WHITE);
-    Texture<Rgb> grey = Texture.constant(Rgb.grey(.5));
+    Texture<Rgb> gray = Texture.constant(Rgb.gray(.5));
     return Scene.builder()
         .seenBy(Lens.pinhole(50).camera(new Vec3(0, 1, -4).times(scale), Frame.WORLD, 4.0 / 3))
-        .add(new Rectangle(whole, 20, 20, false), new Matte(grey))
+        .add(new Rectangle(whole, 20, 20, false), new Matte(gray))
         .add(
             new Sphere(whole.times(at(-1, .7, .3)), .7),
             new Glass(white, white, ScalarTexture.constant(1.5), ScalarTexture.constant(0)))
         .add(
             new Box(whole.times(at(1, .5, .5)), 1, 1, 1),
-            new Phong(grey, grey, ScalarTexture.constant(20)))
-        .add(Mesh.baked(Ball.of(8, .1).mesh(), whole.times(at(0, 1, 2))), new Matte(grey))
+            new Phong(gray, gray, ScalarTexture.constant(20)))
+        .add(Mesh.baked(Ball.of(8, .1).mesh(), whole.times(at(0, 1, 2))), new Matte(gray))
         .addAreaLight(new Sphere(whole.times(at(0, 3, -1)), .5), new Emission(white, false))
-        .add(new DirectionalLight(new Vec3(.6, -.8, 0), Rgb.grey(.7)))
+        .add(new DirectionalLight(new Vec3(.6, -.8, 0), Rgb.gray(.7)))
         .addBackground(new Rgb(.2, .3, .4))
         .build();
   }

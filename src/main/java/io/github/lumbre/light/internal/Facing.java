@@ -31,7 +31,7 @@ public final class Facing {
   private final double size;
 
   private Facing(Bounds3 box, Vec3 axis) {
-    Vec3 center = box.centre();
+    Vec3 center = box.center();
     Vec3 half = box.max().minus(center);
     x = center.x();
     y = center.y();

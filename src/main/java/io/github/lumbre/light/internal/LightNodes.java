@@ -10,7 +10,7 @@ import io.github.lumbre.math.internal.Elementary;
  */
 final class LightNodes {
   // Offsets of a node's values in the array.
-  private static final int CENTRE = 0;
+  private static final int CENTER = 0;
   private static final int RADIUS = 3;
   private static final int AXIS = 4;
   private static final int COS_SPREAD = 7;
@@ -32,10 +32,10 @@ final class LightNodes {
   }
 
   private void put(int at, LightBounds bounds) {
-    Vec3 centre = bounds.box().centre();
+    Vec3 center = bounds.box().center();
     double radius = bounds.box().radius();
     for (int axis = 0; axis < 3; axis++) {
-      nodes[at + CENTRE + axis] = centre.get(axis);
+      nodes[at + CENTER + axis] = center.get(axis);
       nodes[at + AXIS + axis] = bounds.axis().get(axis);
     }
     nodes[at + RADIUS] = radius;
@@ -58,9 +58,9 @@ final class LightNodes {
    */
   double importance(int node, LightChoice receiver) {
     int at = STRIDE * node;
-    double x = receiver.x - nodes[at + CENTRE];
-    double y = receiver.y - nodes[at + CENTRE + 1];
-    double z = receiver.z - nodes[at + CENTRE + 2];
+    double x = receiver.x - nodes[at + CENTER];
+    double y = receiver.y - nodes[at + CENTER + 1];
+    double z = receiver.z - nodes[at + CENTER + 2];
     double distanceSquared = x * x + y * y + z * z;
     double radius = nodes[at + RADIUS];
     if (!(distanceSquared > radius * radius)) {

@@ -21,7 +21,7 @@ import io.github.lumbre.math.internal.Elementary;
  */
 final class LightTreeBounds {
   // Offsets of a node's values in the array.
-  private static final int CENTRE = 0;
+  private static final int CENTER = 0;
   private static final int RADIUS = 3;
   private static final int AXIS = 4;
   private static final int COS_SPREAD = 7;
@@ -58,7 +58,7 @@ final class LightTreeBounds {
    * @param all bounds of all lights
    */
   LightTreeBounds(Bounds3 all, LightBounds... bounds) {
-    origin = all.centre();
+    origin = all.center();
     double radius = all.radius();
     scale = radius > Double.MIN_NORMAL ? 1 / radius : 1;
     nodes = new float[STRIDE * bounds.length];
@@ -68,9 +68,9 @@ final class LightTreeBounds {
   }
 
   private void put(int at, LightBounds bounds) {
-    Vec3 centre = bounds.box().centre().minus(origin).times(scale);
+    Vec3 center = bounds.box().center().minus(origin).times(scale);
     for (int axis = 0; axis < 3; axis++) {
-      nodes[at + CENTRE + axis] = (float) centre.get(axis);
+      nodes[at + CENTER + axis] = (float) center.get(axis);
       nodes[at + AXIS + axis] = (float) bounds.axis().get(axis);
     }
     nodes[at + RADIUS] = (float) (bounds.box().radius() * scale * (1 + 0x1p-20) + POSITION_ERROR);
@@ -117,9 +117,9 @@ final class LightTreeBounds {
     boolean isOpen = receiver.isOpen();
     double sum = 0;
     for (int node = first, at = first * STRIDE; node < end; node++, at += STRIDE) {
-      float x = px - p[at + CENTRE];
-      float y = py - p[at + CENTRE + 1];
-      float z = pz - p[at + CENTRE + 2];
+      float x = px - p[at + CENTER];
+      float y = py - p[at + CENTER + 1];
+      float z = pz - p[at + CENTER + 2];
       float radius = p[at + RADIUS];
       float squared = x * x + y * y + z * z;
       float weight = p[at + INTENSITY];

@@ -82,7 +82,7 @@ final class LightTreeBuilder {
 
   private static void sort(List<Item> items, int axis) {
     items.sort(
-        Comparator.comparingDouble((Item item) -> item.bounds.box().centre().get(axis))
+        Comparator.comparingDouble((Item item) -> item.bounds.box().center().get(axis))
             .thenComparingInt(item -> item.emitter));
   }
 

@@ -99,9 +99,9 @@ public record ChromaticGlass(Rgb tint, Rgb iors, ThinFilm film, Rgb carried)
    */
   public static Bsdf rough(Rgb tint, Rgb iors, ThinFilm film, Microfacets facets) {
     return new ThreeColors(
-        new RoughDielectric(Rgb.WHITE, Rgb.grey(tint.r()), iors.r(), facets, film, 0),
-        new RoughDielectric(Rgb.WHITE, Rgb.grey(tint.g()), iors.g(), facets, film, 1),
-        new RoughDielectric(Rgb.WHITE, Rgb.grey(tint.b()), iors.b(), facets, film, 2),
+        new RoughDielectric(Rgb.WHITE, Rgb.gray(tint.r()), iors.r(), facets, film, 0),
+        new RoughDielectric(Rgb.WHITE, Rgb.gray(tint.g()), iors.g(), facets, film, 1),
+        new RoughDielectric(Rgb.WHITE, Rgb.gray(tint.b()), iors.b(), facets, film, 2),
         Rgb.WHITE);
   }
 }

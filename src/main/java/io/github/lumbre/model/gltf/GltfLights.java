@@ -77,7 +77,7 @@ final class GltfLights {
     }
     values.replaced(
         json.location("color"), "a finite light", color + " times " + intensity, "white");
-    return Rgb.grey(intensity);
+    return Rgb.gray(intensity);
   }
 
   /** Returns the cone of a spot light; its edge is hard if both angles are the same. */

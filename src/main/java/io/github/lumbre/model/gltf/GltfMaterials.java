@@ -155,11 +155,11 @@ final class GltfMaterials {
     // With the index 0, the specular color alone is the reflectance (KHR_materials_ior).
     out.glossy(true)
         .set(MaterialParameter.BASE_COLOR, new MaterialInput(rgb(color), diffuse, 0))
-        .set(MaterialParameter.OPACITY, new MaterialInput(Rgb.grey(opacity), diffuse, 3))
+        .set(MaterialParameter.OPACITY, new MaterialInput(Rgb.gray(opacity), diffuse, 3))
         .set(MaterialParameter.METALLIC, 0)
         .set(MaterialParameter.IOR, 0)
         .set(MaterialParameter.SPECULAR_COLOR, new MaterialInput(rgb(f0), specular, 0))
-        .set(MaterialParameter.ROUGHNESS, new MaterialInput(Rgb.grey(glossiness), specular, 3));
+        .set(MaterialParameter.ROUGHNESS, new MaterialInput(Rgb.gray(glossiness), specular, 3));
   }
 
   /** Returns whether the parameters of an object count: a volume needs a thickness. */
@@ -191,7 +191,7 @@ final class GltfMaterials {
       case NUMBER ->
           Optional.of(
               new MaterialInput(
-                  Rgb.grey(number(json, parameter)), texture, parameter.gltfChannel()));
+                  Rgb.gray(number(json, parameter)), texture, parameter.gltfChannel()));
     };
   }
 
@@ -223,7 +223,7 @@ final class GltfMaterials {
       GltfJson json, String member, Optional<ModelTexture> texture) {
     double scale =
         values.object(json, member).map(info -> values.number(info, "scale", 1)).orElse(1.);
-    return texture.map(map -> new MaterialInput(Rgb.grey(scale), Optional.of(map), 0));
+    return texture.map(map -> new MaterialInput(Rgb.gray(scale), Optional.of(map), 0));
   }
 
   private double number(GltfJson json, MaterialParameter parameter) {

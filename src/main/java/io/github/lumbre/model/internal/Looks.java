@@ -51,7 +51,7 @@ final class Looks {
     double gray = isWhite ? 1 : PlainModel.ALBEDO;
     ModelMaterial.Builder plain =
         PlainModel.matte(m.name(), m.location())
-            .set(MaterialParameter.BASE_COLOR, Rgb.grey(gray))
+            .set(MaterialParameter.BASE_COLOR, Rgb.gray(gray))
             .doubleSided(m.doubleSided());
     MaterialInput opacity = m.input(MaterialParameter.OPACITY);
     boolean isMask = m.alphaMode() == AlphaMode.MASK;

@@ -25,7 +25,7 @@ public record MaterialInput(Rgb factor, Optional<ModelTexture> texture, int chan
 
   /** Returns a constant number. */
   public static MaterialInput of(double factor) {
-    return of(Rgb.grey(factor));
+    return of(Rgb.gray(factor));
   }
 
   /** Returns the factor of a number or of a normal map. */

@@ -22,7 +22,7 @@ import java.util.function.Predicate;
 final class PartSelection {
   /** The material of parts beside highlighted ones: paler than that of parts without material. */
   private static final ModelMaterial PALE =
-      PlainModel.matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.grey(.85)).build();
+      PlainModel.matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.gray(.85)).build();
 
   /** The material of highlighted parts if all of them are gray: orange. */
   private static final ModelMaterial ACCENT =

@@ -21,7 +21,7 @@ public final class PlainModel {
    * Returns the material of surfaces that have none: diffuse light gray, visible from both sides.
    */
   public static ModelMaterial defaultMaterial() {
-    return matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.grey(ALBEDO)).build();
+    return matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.gray(ALBEDO)).build();
   }
 
   /**

@@ -81,7 +81,7 @@ final class MtlConversion {
   }
 
   ModelMaterial material() throws ModelFormatException, IOException {
-    out.set(BASE_COLOR, color("kd", Rgb.grey(PlainModel.ALBEDO)));
+    out.set(BASE_COLOR, color("kd", Rgb.gray(PlainModel.ALBEDO)));
     out.emission(color("ke", Rgb.BLACK));
     out.normalMap(normalMap());
     if (MaterialParameter.all().stream().anyMatch(p -> in.has(p.mtl()))) {
@@ -215,7 +215,7 @@ final class MtlConversion {
       warnings.add(in.location(), "the material is invisible: its opacity, d or 1 - Tr, is 0");
     }
     if (opacity < 1 || map.isPresent()) {
-      out.set(OPACITY, new MaterialInput(Rgb.grey(opacity), texture, channel));
+      out.set(OPACITY, new MaterialInput(Rgb.gray(opacity), texture, channel));
       out.alphaMode(AlphaMode.BLEND);
     }
   }
@@ -238,7 +238,7 @@ final class MtlConversion {
     }
     return Optional.of(
         new MaterialInput(
-            Rgb.grey(map.get().bumpScale()), Optional.of(textures.texture(map.get())), 0));
+            Rgb.gray(map.get().bumpScale()), Optional.of(textures.texture(map.get())), 0));
   }
 
   private MaterialInput color(String key, Rgb otherwise) throws ModelFormatException, IOException {
@@ -270,7 +270,7 @@ final class MtlConversion {
       return MaterialInput.of(factor);
     }
     return new MaterialInput(
-        Rgb.grey(factor == 0 ? 1 : factor),
+        Rgb.gray(factor == 0 ? 1 : factor),
         Optional.of(textures.texture(map.get())),
         Math.max(0, map.get().channel()));
   }

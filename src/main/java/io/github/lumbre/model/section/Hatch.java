@@ -36,7 +36,7 @@ record Hatch(Rgb paper, Rgb ink, double across, double upwards) implements Textu
   static Hatch of(int number, Rgb color, double distance) {
     double[] direction = DIRECTIONS[number % DIRECTIONS.length];
     double factor = DISTANCES[number / 2 % DISTANCES.length] * distance;
-    Rgb paper = color.times(.5).plus(Rgb.grey(.4));
+    Rgb paper = color.times(.5).plus(Rgb.gray(.4));
     return new Hatch(paper, paper.times(.15), direction[0] / factor, direction[1] / factor);
   }
 

@@ -12,7 +12,7 @@ public final class MarbleTexture implements TexelTexture {
 
   private final long seed;
   private final Noise noise;
-  private final Texels grey;
+  private final Texels gray;
 
   /**
    * Creates a texture.
@@ -25,13 +25,13 @@ public final class MarbleTexture implements TexelTexture {
   public MarbleTexture(long seed, int width, int height) {
     this.seed = seed;
     noise = new Noise(seed, width, height, COARSEST);
-    grey = new Texels(width, height, this::grey);
+    gray = new Texels(width, height, this::gray);
   }
 
-  private double grey(int column, int row) {
+  private double gray(int column, int row) {
     double halfTurns =
-        VEINS_ACROSS * column / grey.width()
-            + VEINS_DOWN * row / grey.height()
+        VEINS_ACROSS * column / gray.width()
+            + VEINS_DOWN * row / gray.height()
             + BENDING * noise.turbulence(column, row);
     return Math.abs(Elementary.sinTurns(halfTurns / 2));
   }
@@ -43,16 +43,16 @@ public final class MarbleTexture implements TexelTexture {
 
   @Override
   public int width() {
-    return grey.width();
+    return gray.width();
   }
 
   @Override
   public int height() {
-    return grey.height();
+    return gray.height();
   }
 
   @Override
   public Rgb texel(int column, int row) {
-    return Rgb.grey(grey.at(column, row));
+    return Rgb.gray(gray.at(column, row));
   }
 }

@@ -96,7 +96,7 @@ public final class VoronoiTexture implements TexelTexture {
   public Rgb texel(int column, int row) {
     int cell = (int) nearest.at(column, row);
     return blackAndWhite
-        ? Rgb.grey(random(cell, 2))
+        ? Rgb.gray(random(cell, 2))
         : new Rgb(random(cell, 2), random(cell, 3), random(cell, 4));
   }
 }

@@ -110,7 +110,7 @@ class SummaryTest {
 
   /** Returns a scene of a sphere, at a distance in front of the camera, that covers the center. */
   private static Scene scene(double distance) {
-    return scene(distance, Matte.GREY);
+    return scene(distance, Matte.GRAY);
   }
 
   private static Scene scene(double distance, Material material) {
@@ -174,7 +174,7 @@ class SummaryTest {
     for (int pixel : new int[] {11, 12, 19, 20}) {
       Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, luminance);
     }
-    assertThat(automaticFactor(rgb, scene(2.236, Matte.GREY)) * luminance)
+    assertThat(automaticFactor(rgb, scene(2.236, Matte.GRAY)) * luminance)
         .isCloseTo(.18, within(1e-6));
   }
 
@@ -187,7 +187,7 @@ class SummaryTest {
     for (int pixel : new int[] {11, 12, 19, 20}) {
       Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, pixel == 11 ? luminance : 0);
     }
-    assertThat(automaticFactor(rgb, scene(2.236, Matte.GREY)) * luminance)
+    assertThat(automaticFactor(rgb, scene(2.236, Matte.GRAY)) * luminance)
         .isCloseTo(.18, within(1e-6));
   }
 
@@ -201,7 +201,7 @@ class SummaryTest {
     for (int pixel : new int[] {11, 12, 19, 20}) {
       Arrays.fill(rgb, 3 * pixel, 3 * pixel + 3, .3f);
     }
-    Scene both = scene(2.236, Matte.GREY).toBuilder().add(pane, clear).build();
+    Scene both = scene(2.236, Matte.GRAY).toBuilder().add(pane, clear).build();
     assertThat(automaticFactor(rgb, both) * .3).isCloseTo(.18, within(1e-6));
     Arrays.fill(rgb, 3e3f);
     assertThat(automaticFactor(rgb, scene(2.236, clear)) * 3e3).isCloseTo(.18, within(1e-6));

@@ -106,9 +106,9 @@ class ExrFormsTest {
   @Test
   void grayAndOneLayerArePictures() throws ImageFormatException {
     ExrBuilder gray = new ExrBuilder(4, 2, 0).channel("Y", FLOAT, (x, y) -> x);
-    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(3));
+    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.gray(3));
     gray.channel("A", HALF, (x, y) -> .5);
-    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(6));
+    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.gray(6));
     ExrBuilder layer = new ExrBuilder(45, 2, 0).rgb("a.b.", ExrFormsTest::value);
     layer.channel("depth.Z", FLOAT, (x, y) -> 0).channel("R", FLOAT, (x, y) -> 0);
     assertValues(LinearReader.decode(layer.file()), 45, 2);
@@ -172,7 +172,7 @@ class ExrFormsTest {
     assertThat(converted(value, .5, 2, 1, 2)).isEqualTo(new Rgb(value, .5, 2));
     ExrBuilder gray = new ExrBuilder(4, 2, 0).channel("Y", FLOAT, (x, y) -> x);
     gray.chromaticities(.708, .292, .17, .797, .131, .046, .3127, .329);
-    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(3));
+    assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.gray(3));
   }
 
   @Test
@@ -192,12 +192,12 @@ class ExrFormsTest {
   void oneChannelIsGray(String name) throws ImageFormatException {
     ExrBuilder gray = new ExrBuilder(4, 2, 3).channel(name, FLOAT, (x, y) -> x + y);
     Image image = LinearReader.decode(gray.file());
-    assertThat(image.pixel(3, 1)).isEqualTo(Rgb.grey(4));
+    assertThat(image.pixel(3, 1)).isEqualTo(Rgb.gray(4));
     assertThat(image.hasAlpha()).isFalse();
     String alpha = name.substring(0, name.lastIndexOf('.') + 1) + "A";
     if (!name.equals("A")) {
       gray.channel(alpha, HALF, (x, y) -> .5);
-      assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.grey(8));
+      assertThat(LinearReader.decode(gray.file()).pixel(3, 1)).isEqualTo(Rgb.gray(8));
     }
   }
 

@@ -30,7 +30,7 @@ class HostileWorkTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 10, 99, 100})
   void asManyScansAsScriptsMayHaveAreDecoded(int scans) throws IOException {
-    Pixels pixels = ImageReader.decode(ProgressiveJpeg.grey(2, scans));
+    Pixels pixels = ImageReader.decode(ProgressiveJpeg.gray(2, scans));
     assertThat(pixels.width()).isEqualTo(16);
     assertThat(pixels.raw(15, 15, 1)).isEqualTo(128);
   }
@@ -39,7 +39,7 @@ class HostileWorkTest {
   @ValueSource(ints = {101, 400, 896})
   void moreScansAreRefused(int scans) {
     assertRefused(
-        ProgressiveJpeg.grey(2, scans),
+        ProgressiveJpeg.gray(2, scans),
         "JPEG has "
             + scans
             + " scans, expected at most 100; save it again as a baseline JPEG or as a PNG");
@@ -48,7 +48,7 @@ class HostileWorkTest {
   /** A decoder skips these bytes between scans, so the counter must not stop at them. */
   @Test
   void scansAreNotHiddenByWhatLiesBetweenThem() {
-    byte[] file = ProgressiveJpeg.grey(2, 101);
+    byte[] file = ProgressiveJpeg.gray(2, 101);
     byte[][] disguises = {
       {(byte) 0xff, (byte) 0xff},
       {(byte) 0xff, (byte) 0xd0},
@@ -81,7 +81,7 @@ class HostileWorkTest {
   @Test
   void commentsAreNotCounted() throws IOException {
     byte[] comment = {(byte) 0xff, (byte) 0xfe, 0, 6, (byte) 0xff, (byte) 0xda, 0, 8};
-    byte[] file = beforeEachScan(ProgressiveJpeg.grey(2, 60), comment);
+    byte[] file = beforeEachScan(ProgressiveJpeg.gray(2, 60), comment);
     assertThat(ImageReader.decode(file).raw(0, 0, 0)).isEqualTo(128);
   }
 

@@ -29,7 +29,7 @@ public final class ImageFixture {
   }
 
   /** Returns a picture of one row of grays. */
-  public static Image greys(double... values) {
+  public static Image grays(double... values) {
     float[] rgb = new float[3 * values.length];
     for (int i = 0; i < rgb.length; i++) {
       rgb[i] = (float) values[i / 3];

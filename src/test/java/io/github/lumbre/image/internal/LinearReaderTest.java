@@ -78,7 +78,7 @@ class LinearReaderTest {
 
   @Test
   void pngIsDecodedToLinearLight() throws IOException {
-    Image image = ImageFixture.greys(0, .001, .2140411, .7, 1, 3);
+    Image image = ImageFixture.grays(0, .001, .2140411, .7, 1, 3);
     float[] read = LinearReader.decode(written(image, "a.png")).rgb();
     assertThat(read[0]).isZero();
     // Half of an 8-bit step where the curve is steepest for these values.

@@ -138,7 +138,7 @@ class JpegFileTest {
   }
 
   @Test
-  void greyIsOneComponent() throws IOException {
+  void grayIsOneComponent() throws IOException {
     assertMeans(finished(new JpegFixture(), "\1"), 1, (channel, v) -> v[0]);
   }
 

@@ -22,7 +22,7 @@ public final class ProgressiveJpeg {
    * @param blocks the number of 8x8 blocks per side
    * @param scans the number of scans, 1 to 896
    */
-  public static byte[] grey(int blocks, int scans) {
+  public static byte[] gray(int blocks, int scans) {
     ProgressiveJpeg file = new ProgressiveJpeg();
     file.header(8 * blocks);
     for (int scan = 0; scan < scans; scan++) {

@@ -75,7 +75,7 @@ class PngDecoderTest {
         for (int x = 0; x < WIDTH; x++) {
           for (int c = 0; c < channels; c++) {
             int band = Math.min(c == 3 ? raster.getNumBands() - 1 : c, raster.getNumBands() - 1);
-            band = colorType == PngFixture.GREY_ALPHA && c < 3 ? 0 : band;
+            band = colorType == PngFixture.GRAY_ALPHA && c < 3 ? 0 : band;
             int shift = 8 * (2 - c);
             int value =
                 colorType == PngFixture.PALETTE
@@ -101,7 +101,7 @@ class PngDecoderTest {
   void unknownFiltersAreDamage() {
     byte[] file =
         new PngFixture()
-            .header(2, 1, 8, PngFixture.GREY, false)
+            .header(2, 1, 8, PngFixture.GRAY, false)
             .chunk("IDAT", PngFixture.deflated(new byte[] {(byte) 200, 1, 2}))
             .end();
     assertThatThrownBy(() -> ImageReader.decode(file))

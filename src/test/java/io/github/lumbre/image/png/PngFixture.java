@@ -11,10 +11,10 @@ import java.util.zip.DeflaterOutputStream;
 
 /** Builds valid and invalid PNG files chunk by chunk. */
 public final class PngFixture {
-  public static final int GREY = 0;
+  public static final int GRAY = 0;
   public static final int RGB = 2;
   public static final int PALETTE = 3;
-  static final int GREY_ALPHA = 4;
+  static final int GRAY_ALPHA = 4;
   public static final int RGBA = 6;
 
   private static final int[][] WHOLE = {{0, 0, 1, 1}};
@@ -33,7 +33,7 @@ public final class PngFixture {
   public static int channels(int colorType) {
     return switch (colorType) {
       case RGB -> 3;
-      case GREY_ALPHA -> 2;
+      case GRAY_ALPHA -> 2;
       case RGBA -> 4;
       default -> 1;
     };

@@ -21,8 +21,8 @@ class PngTransparencyTest {
   /** All color types without alpha, with their bit depths. */
   static Stream<Arguments> forms() {
     int[][] forms = {
-      {PngFixture.GREY, 1}, {PngFixture.GREY, 2}, {PngFixture.GREY, 4}, {PngFixture.GREY, 8},
-      {PngFixture.GREY, 16}, {PngFixture.RGB, 8}, {PngFixture.RGB, 16}, {PngFixture.PALETTE, 1},
+      {PngFixture.GRAY, 1}, {PngFixture.GRAY, 2}, {PngFixture.GRAY, 4}, {PngFixture.GRAY, 8},
+      {PngFixture.GRAY, 16}, {PngFixture.RGB, 8}, {PngFixture.RGB, 16}, {PngFixture.PALETTE, 1},
       {PngFixture.PALETTE, 2}, {PngFixture.PALETTE, 4}, {PngFixture.PALETTE, 8}
     };
     return Stream.of(forms)
@@ -96,7 +96,7 @@ class PngTransparencyTest {
   @CsvSource({"0, 8, 1", "0, 8, 3", "2, 8, 2", "2, 16, 7", "3, 8, 0", "6, 8, 6", "4, 8, 2"})
   void chunksOfWrongSizesAreIgnored(int type, int depth, int bytes) throws ImageFormatException {
     Pixels pixels = ImageReader.decode(file(type, depth, false, new byte[bytes]));
-    assertThat(pixels.hasAlpha()).isEqualTo(type >= PngFixture.GREY_ALPHA);
+    assertThat(pixels.hasAlpha()).isEqualTo(type >= PngFixture.GRAY_ALPHA);
   }
 
   @Test

@@ -87,9 +87,9 @@ class PngWriterTest {
     "ACES, 1, 232",
     "ACES, 3e38, 255",
   })
-  void eightBitsAreTheRoundedCurve(ToneCurve curve, double grey, int expected) throws IOException {
+  void eightBitsAreTheRoundedCurve(ToneCurve curve, double gray, int expected) throws IOException {
     int[] pixel = new int[3];
-    raster(ImageFixture.greys(grey), ImageFixture.options(curve, 8)).getPixel(0, 0, pixel);
+    raster(ImageFixture.grays(gray), ImageFixture.options(curve, 8)).getPixel(0, 0, pixel);
     assertThat(pixel).containsOnly(expected);
   }
 
@@ -101,7 +101,7 @@ class PngWriterTest {
       float above = Math.nextUp((float) tie);
       float below = Math.nextDown((float) tie);
       Raster raster =
-          raster(ImageFixture.greys(below, above), ImageFixture.options(ToneCurve.SRGB, 8));
+          raster(ImageFixture.grays(below, above), ImageFixture.options(ToneCurve.SRGB, 8));
       assertThat(raster.getSample(0, 0, 0)).isEqualTo(k);
       assertThat(raster.getSample(1, 0, 0)).isEqualTo(k + 1);
     }
@@ -142,7 +142,7 @@ class PngWriterTest {
   void exposureComesBeforeTheCurve() throws IOException {
     Raster raster =
         raster(
-            ImageFixture.greys(.25),
+            ImageFixture.grays(.25),
             new ImageWriter.Options(Exposure.of(1), ToneCurve.SRGB, 8, Map.of()));
     assertThat(raster.getSample(0, 0, 0)).isEqualTo(188);
   }
@@ -153,7 +153,7 @@ class PngWriterTest {
     for (double stops : new double[] {-5000, 5000}) {
       Raster raster =
           raster(
-              ImageFixture.greys(0, 1e-30, 3e38, Float.POSITIVE_INFINITY, Float.NaN),
+              ImageFixture.grays(0, 1e-30, 3e38, Float.POSITIVE_INFINITY, Float.NaN),
               new ImageWriter.Options(new Exposure(OptionalDouble.of(stops)), curve, 8, Map.of()));
       int lit = stops > 0 ? 255 : 0;
       assertThat(raster.getSample(0, 0, 0)).isZero();

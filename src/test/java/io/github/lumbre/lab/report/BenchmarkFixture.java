@@ -39,8 +39,8 @@ public final class BenchmarkFixture {
   static ReportRow rayRow(String note) {
     return new ReportRow(
         9,
-        "Grey",
-        "grey",
+        "Gray",
+        "gray",
         new Size(8, 4),
         Mode.RAY,
         4,

@@ -130,7 +130,7 @@ class LightSamplerTest {
   }
 
   private static Light bulb(double height, double intensity) {
-    return new PointLight(new Vec3(0, height, 0), Rgb.grey(intensity), Falloff.INVERSE_SQUARE);
+    return new PointLight(new Vec3(0, height, 0), Rgb.gray(intensity), Falloff.INVERSE_SQUARE);
   }
 
   private static List<Light> bulbs(double... intensities) {
@@ -171,7 +171,7 @@ class LightSamplerTest {
   @Test
   void manyLightsInOnePlaceCountTogetherAgainstASun() {
     List<Light> lights = new ArrayList<>(bulbs(1, 2, 3, 4, 5, 6, 7, 8, 9));
-    lights.add(new DirectionalLight(Vec3.Y.negated(), Rgb.grey(15)));
+    lights.add(new DirectionalLight(Vec3.Y.negated(), Rgb.gray(15)));
     LightSampler selector = LightSampler.over(lights);
 
     // The near lights get at least a quarter and the sun an eighth; the rest depends on the
@@ -183,7 +183,7 @@ class LightSamplerTest {
   @Test
   void sunThatOutshinesAllLeavesThemAQuarter() {
     List<Light> lights =
-        List.of(bulb(1, 1e-200), new DirectionalLight(Vec3.Y.negated(), Rgb.grey(1e200)));
+        List.of(bulb(1, 1e-200), new DirectionalLight(Vec3.Y.negated(), Rgb.gray(1e200)));
     LightSampler selector = LightSampler.over(lights);
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0)).isCloseTo(.25, within(1e-12));

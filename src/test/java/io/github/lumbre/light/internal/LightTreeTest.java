@@ -50,7 +50,7 @@ class LightTreeTest {
     SplittableRandom random = new SplittableRandom(seed);
     List<Light> lights = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      Rgb color = Rgb.grey(Math.exp(random.nextDouble(-3, 3)));
+      Rgb color = Rgb.gray(Math.exp(random.nextDouble(-3, 3)));
       Vec3 position = point(random, SCENE);
       Transform place =
           Transform.translation(position)
@@ -249,9 +249,9 @@ class LightTreeTest {
   void nearAndFarLightsAreChosenByIrradiance() {
     List<Light> lights =
         List.of(
-            new DirectionalLight(Vec3.Y.negated(), Rgb.grey(3)),
-            new PointLight(new Vec3(0, 1, 0), Rgb.grey(8), Falloff.INVERSE_SQUARE),
-            new PointLight(new Vec3(0, 1, 0), Rgb.grey(1), Falloff.INVERSE_SQUARE));
+            new DirectionalLight(Vec3.Y.negated(), Rgb.gray(3)),
+            new PointLight(new Vec3(0, 1, 0), Rgb.gray(8), Falloff.INVERSE_SQUARE),
+            new PointLight(new Vec3(0, 1, 0), Rgb.gray(1), Falloff.INVERSE_SQUARE));
     LightSampler selector = LightSampler.over(lights);
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 0))
@@ -268,7 +268,7 @@ class LightTreeTest {
   void oneLampIsChosenByPlaceAgainstASky() {
     EnvironmentLight sky =
         EnvironmentLight.image(Frame.WORLD, (u, v) -> v > .5 ? Rgb.WHITE : Rgb.BLACK, 16, 8);
-    Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(2 * Math.PI), Falloff.INVERSE_SQUARE);
+    Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.gray(2 * Math.PI), Falloff.INVERSE_SQUARE);
     LightSampler selector = LightSampler.over(List.of(sky, bulb));
 
     assertThat(probability(selector, Vec3.ZERO, Vec3.Y, 1))
@@ -280,7 +280,7 @@ class LightTreeTest {
   /** Scattered rays find light of constant radiance best. */
   @Test
   void evenDomesAreNeverChosen() {
-    Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.grey(Math.PI), Falloff.INVERSE_SQUARE);
+    Light bulb = new PointLight(new Vec3(0, 1, 0), Rgb.gray(Math.PI), Falloff.INVERSE_SQUARE);
     EnvironmentLight even = EnvironmentLight.uniform(Rgb.WHITE);
     LightSampler selector = LightSampler.over(List.of(even, bulb));
     for (double height : new double[] {0, .999, 9}) {
@@ -303,8 +303,8 @@ class LightTreeTest {
     for (int i = 0; i < 200; i++) {
       double size = sizes[i % sizes.length];
       Vec3 position = new Vec3(size * (i % 3), 0, 0);
-      lights.add(new PointLight(position, Rgb.grey(size), Falloff.INVERSE_SQUARE));
-      Emission glow = new Emission(Texture.constant(Rgb.grey(1 / size)), false);
+      lights.add(new PointLight(position, Rgb.gray(size), Falloff.INVERSE_SQUARE));
+      Emission glow = new Emission(Texture.constant(Rgb.gray(1 / size)), false);
       lights.add(new AreaLight(new Sphere(Transform.translation(position), size), glow));
     }
     LightSampler selector = LightSampler.over(lights);

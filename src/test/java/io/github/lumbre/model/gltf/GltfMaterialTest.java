@@ -403,7 +403,7 @@ class GltfMaterialTest {
             """);
     ModelMaterial material = model.parts().get(0).material();
     assertThat(material.input(IOR)).isEqualTo(MaterialInput.of(0));
-    assertThat(material.emission().factor()).isEqualTo(Rgb.grey(3));
+    assertThat(material.emission().factor()).isEqualTo(Rgb.gray(3));
     assertThat(model.warnings())
         .containsExactly(
             "materials[0].extensions.KHR_materials_pbrSpecularGlossiness.glossinessFactor:"

@@ -32,7 +32,7 @@ class EmissiveTrianglesTest {
 
   /** One of 64 squares of the texture is bright, one is dim, the others are black. */
   private static final Texture<Rgb> SPOTS =
-      (u, v) -> Rgb.grey(u < .125 && v < .125 ? 64 : u > .875 && v > .875 ? 2 : 0);
+      (u, v) -> Rgb.gray(u < .125 && v < .125 ? 64 : u > .875 && v > .875 ? 2 : 0);
 
   private static final Transform ABOVE =
       Transform.translation(new Vec3(0, 1, 0)).times(Transform.scale(new Vec3(4, 1, 6)));
@@ -106,7 +106,7 @@ class EmissiveTrianglesTest {
 
   @Test
   void textureBrighterThanNumbersIsNotDivided() {
-    Texture<Rgb> infinite = (u, v) -> Rgb.grey(u < .5 ? Double.POSITIVE_INFINITY : 1);
+    Texture<Rgb> infinite = (u, v) -> Rgb.gray(u < .5 ? Double.POSITIVE_INFINITY : 1);
     assertThat(emitters(infinite)).hasSize(1);
   }
 
@@ -114,7 +114,7 @@ class EmissiveTrianglesTest {
   private static double[] light(List<Emitter> emitters) {
     SceneAssembly builder = new SceneAssembly(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1));
     Shape floor = new Rectangle(Transform.IDENTITY, 100, 100, false);
-    builder.add(floor, new Matte(Texture.constant(Rgb.grey(.5))));
+    builder.add(floor, new Matte(Texture.constant(Rgb.gray(.5))));
     emitters.forEach(e -> builder.add(e.shape(), Unlit.INSTANCE, e.emission()));
     PathTracer tracer = new PathTracer(builder.build(), 1);
     IndependentSampler sampler = new IndependentSampler(7);

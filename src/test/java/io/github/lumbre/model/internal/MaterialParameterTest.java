@@ -104,7 +104,7 @@ class MaterialParameterTest {
   }
 
   private static Rgb factor(MaterialParameter parameter) {
-    return parameter.kind() == Kind.COLOR ? COLOR : Rgb.grey(number(parameter));
+    return parameter.kind() == Kind.COLOR ? COLOR : Rgb.gray(number(parameter));
   }
 
   private static Rgb texel(ImageTexture.Role role) {
@@ -139,7 +139,7 @@ class MaterialParameterTest {
     for (MaterialParameter parameter : all()) {
       boolean isLayer = parameter.missing().isBlack() || parameter == MaterialParameter.METALLIC;
       if (parameter.kind() == Kind.COLOR && parameter != MaterialParameter.ATTENUATION_COLOR) {
-        builder.set(parameter, Rgb.grey(.5));
+        builder.set(parameter, Rgb.gray(.5));
       } else if (parameter.kind() == Kind.NUMBER && isLayer) {
         // Not .6: such a coat has the index of the thin film, which is then invisible.
         builder.set(parameter, .55);
@@ -246,8 +246,8 @@ class MaterialParameterTest {
       Rgb texel =
           parameter.kind() == Kind.COLOR
               ? texel(ImageTexture.Role.COLOR)
-              : Rgb.grey(TEXEL[2] / 255.);
-      assertValue(material.stated(parameter).orElseThrow(), isMap ? texel : Rgb.grey(.25));
+              : Rgb.gray(TEXEL[2] / 255.);
+      assertValue(material.stated(parameter).orElseThrow(), isMap ? texel : Rgb.gray(.25));
     }
   }
 

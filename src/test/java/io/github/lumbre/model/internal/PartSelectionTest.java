@@ -185,7 +185,7 @@ public class PartSelectionTest {
     assertThat(color(parts.get(0))).isEqualTo(new Rgb(1, 0, 0));
     assertThat(parts.get(0).material().name()).isEqualTo("red");
     assertThat(parts.get(0).geometry().colors()).isNotEmpty();
-    assertThat(color(parts.get(1))).isEqualTo(Rgb.grey(.85));
+    assertThat(color(parts.get(1))).isEqualTo(Rgb.gray(.85));
     assertThat(parts.get(1).geometry().colors()).isEmpty();
   }
 
@@ -193,7 +193,7 @@ public class PartSelectionTest {
   void highlightedPartsThatAreGrayBecomeOrange() throws ModelFormatException {
     List<ModelPart> parts = stl(3).with(highlighting("piece 2")).read().parts();
     assertThat(color(parts.get(1)).r()).isGreaterThan(4 * color(parts.get(1)).g());
-    assertThat(color(parts.get(0))).isEqualTo(Rgb.grey(.85));
+    assertThat(color(parts.get(0))).isEqualTo(Rgb.gray(.85));
     assertThat(parts.get(2).material()).isSameAs(parts.get(0).material());
   }
 
@@ -202,7 +202,7 @@ public class PartSelectionTest {
     ModelOptions both = hiding("piece 1").with(ModelOption.HIGHLIGHT, List.of("piece 1"));
     List<ModelPart> parts = stl(2).with(both).read().parts();
     assertThat(parts).hasSize(1);
-    assertThat(color(parts.get(0))).isEqualTo(Rgb.grey(.85));
+    assertThat(color(parts.get(0))).isEqualTo(Rgb.gray(.85));
   }
 
   @Test

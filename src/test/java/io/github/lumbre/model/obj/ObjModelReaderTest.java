@@ -139,7 +139,7 @@ class ObjModelReaderTest {
                     + "norm no.png;map_Pr other.png;map_Pm a.png")
             .read();
     ModelMaterial material = model.parts().get(0).material();
-    assertThat(material.input(BASE_COLOR)).isEqualTo(MaterialInput.of(Rgb.grey(.5)));
+    assertThat(material.input(BASE_COLOR)).isEqualTo(MaterialInput.of(Rgb.gray(.5)));
     assertThat(material.emission()).isEqualTo(MaterialInput.of(Rgb.BLACK));
     assertThat(material.alphaMode()).isEqualTo(AlphaMode.OPAQUE);
     assertThat(material.normalMap()).isEmpty();
@@ -188,7 +188,7 @@ class ObjModelReaderTest {
         .startsWith(1, (float) Srgb.decode(.5), 0, 1, gray, gray, gray, 1);
     ModelPart plain = obj("v 0 0 1 1 1 1;o a;f 1 2 3").part();
     assertThat(plain.geometry().colors()).isEmpty();
-    assertThat(plain.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
+    assertThat(plain.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.gray(PlainModel.ALBEDO));
   }
 
   /** With a material of a library, colors are factors of its base color; others are 1. */
@@ -199,7 +199,7 @@ class ObjModelReaderTest {
                 "a.obj", "mtllib a.mtl\nusemtl m\nv 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
             .with("a.mtl", "newmtl m\nKd .5")
             .part();
-    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(.5));
+    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.gray(.5));
     assertThat(part.geometry().colors()).startsWith(1, (float) Srgb.decode(.5), 0, 1, 1, 1, 1, 1);
   }
 
@@ -259,7 +259,7 @@ class ObjModelReaderTest {
     assertThat(material.input(BASE_COLOR).factor()).isEqualTo(new Rgb(.1, .2, .3));
     assertThat(material.input(METALLIC).number()).isZero();
     assertThat(material.input(ROUGHNESS).number()).isEqualTo(.25);
-    assertThat(material.input(SPECULAR_COLOR).factor()).isEqualTo(Rgb.grey(1));
+    assertThat(material.input(SPECULAR_COLOR).factor()).isEqualTo(Rgb.gray(1));
     assertThat(material.input(SPECULAR).number()).isEqualTo(1);
     assertThat(material.input(IOR).number()).isEqualTo(1.5);
     assertThat(material.doubleSided()).isTrue();
@@ -282,7 +282,7 @@ class ObjModelReaderTest {
         .isSameAs(material.input(ROUGHNESS).texture().orElseThrow().image());
     assertThat(material.input(CLEARCOAT).number()).isEqualTo(.5);
     assertThat(material.input(CLEARCOAT_ROUGHNESS).number()).isEqualTo(.25);
-    assertThat(material.input(SHEEN_COLOR).factor()).isEqualTo(Rgb.grey(.125));
+    assertThat(material.input(SHEEN_COLOR).factor()).isEqualTo(Rgb.gray(.125));
     assertThat(material.emission().factor()).isEqualTo(new Rgb(2, 3, 4));
     assertThat(material.input(IOR).number()).isEqualTo(1.4);
     assertThat(read("map_Pr a.png").input(ROUGHNESS).number()).isEqualTo(1);
@@ -364,7 +364,7 @@ class ObjModelReaderTest {
   void factorsOfZeroDoNotHidePictures() throws ModelFormatException {
     assertThat(read("Kd 0 0 0;map_Kd a.png").input(BASE_COLOR).factor()).isEqualTo(Rgb.WHITE);
     assertThat(read("map_Ke a.png").emission().factor()).isEqualTo(Rgb.WHITE);
-    assertThat(read("Kd .5;map_Kd a.png").input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(.5));
+    assertThat(read("Kd .5;map_Kd a.png").input(BASE_COLOR).factor()).isEqualTo(Rgb.gray(.5));
   }
 
   private static byte[] png(int rgb) {

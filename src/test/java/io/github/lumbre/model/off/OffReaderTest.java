@@ -100,7 +100,7 @@ class OffReaderTest {
   @Test
   void materialIsLightGray() throws ModelFormatException {
     ModelPart part = off("OFF;4 1 0;" + SQUARE + "4 0 1 2 3;").part();
-    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
+    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.gray(PlainModel.ALBEDO));
     assertThat(part.material().doubleSided()).isTrue();
   }
 

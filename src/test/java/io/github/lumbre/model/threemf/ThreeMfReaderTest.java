@@ -77,7 +77,7 @@ class ThreeMfReaderTest {
     assertThat(part.location()).isEqualTo("3D/root.model object 1");
     assertThat(part.geometry().positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
     assertThat(part.geometry().indices()).containsExactly(0, 1, 2, 0, 2, 3);
-    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.grey(PlainModel.ALBEDO));
+    assertThat(part.material().input(BASE_COLOR).factor()).isEqualTo(Rgb.gray(PlainModel.ALBEDO));
     assertNear(ModelFixture.mapped(part, 1000, 2000, 3000), 1, 3, -2);
   }
 

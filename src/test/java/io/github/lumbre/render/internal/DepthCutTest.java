@@ -26,7 +26,7 @@ class DepthCutTest {
     Scene room =
         Scene.builder()
             .seenBy(Lens.pinhole(60).camera(Vec3.ZERO, Frame.WORLD, 1))
-            .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(.5))))
+            .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.gray(.5))))
             .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
             .build();
     for (int depth = 1; depth < 5; depth++) {
@@ -50,7 +50,7 @@ class DepthCutTest {
   private static Scene room(Camera camera, double reflectance) {
     return Scene.builder()
         .seenBy(camera)
-        .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.grey(reflectance))))
+        .add(new Sphere(Transform.IDENTITY, 1), new Matte(Texture.constant(Rgb.gray(reflectance))))
         .add(new PointLight(Vec3.ZERO, Rgb.WHITE, Falloff.INVERSE_SQUARE))
         .build();
   }

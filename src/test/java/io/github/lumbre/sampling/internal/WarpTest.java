@@ -107,7 +107,7 @@ class WarpTest {
   }
 
   @Test
-  void centreGoesToTheCentreAndAllElseIsInside() {
+  void centerGoesToTheCenterAndAllElseIsInside() {
     assertThat(Warp.concentricDisk(new Point2(.5, .5))).isEqualTo(new Point2(0, 0));
     for (Point2 u : extremes()) {
       assertThat(length(Warp.concentricDisk(u))).isLessThanOrEqualTo(1 + 2 * EPS);

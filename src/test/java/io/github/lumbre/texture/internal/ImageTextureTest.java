@@ -177,9 +177,9 @@ class ImageTextureTest {
     ImageTexture normal = new ImageTexture(pixels, Role.NORMAL, Filter.NEAREST);
     for (int i = 0; i < 256; i++) {
       TexturePoint p = new TexturePoint((i + .5) / 256, 0);
-      assertThat(color.at(p)).isEqualTo(Rgb.grey(Srgb.decode(i / 255.0)));
-      assertThat(data.at(p)).isEqualTo(Rgb.grey(i / 255.0));
-      assertThat(normal.at(p)).isEqualTo(Rgb.grey(Math.max(-1, (i - 128) / 127.0)));
+      assertThat(color.at(p)).isEqualTo(Rgb.gray(Srgb.decode(i / 255.0)));
+      assertThat(data.at(p)).isEqualTo(Rgb.gray(i / 255.0));
+      assertThat(normal.at(p)).isEqualTo(Rgb.gray(Math.max(-1, (i - 128) / 127.0)));
     }
   }
 
@@ -198,7 +198,7 @@ class ImageTextureTest {
 
   @ParameterizedTest
   @CsvSource({"3, 5", "1000, 999", "1, 1", "2, 1"})
-  void bilinearIsTheWeightedMeanOfFourCentres(int width, int height) {
+  void bilinearIsTheWeightedMeanOfFourCenters(int width, int height) {
     Pixels pixels = random(width, height, 3);
     ImageTexture texture = new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR);
     SplittableRandom random = new SplittableRandom(6);
@@ -244,14 +244,14 @@ class ImageTextureTest {
   }
 
   @Test
-  void bilinearMeetsTheTexelsAtTheirCentres() {
+  void bilinearMeetsTheTexelsAtTheirCenters() {
     Pixels pixels = random(8, 4, 3);
     ImageTexture nearest = new ImageTexture(pixels, Role.COLOR, Filter.NEAREST);
     ImageTexture bilinear = new ImageTexture(pixels, Role.COLOR, Filter.BILINEAR);
     for (int y = 0; y < 4; y++) {
       for (int x = 0; x < 8; x++) {
-        TexturePoint centre = new TexturePoint((x + .5) / 8, (y + .5) / 4);
-        assertThat(bilinear.at(centre)).isEqualTo(nearest.at(centre));
+        TexturePoint center = new TexturePoint((x + .5) / 8, (y + .5) / 4);
+        assertThat(bilinear.at(center)).isEqualTo(nearest.at(center));
       }
     }
   }

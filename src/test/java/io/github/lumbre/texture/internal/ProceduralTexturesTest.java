@@ -48,7 +48,7 @@ class ProceduralTexturesTest {
         return new VoronoiTexture(seed, width, height, 10, false);
       }
     },
-    GREY_VORONOI {
+    GRAY_VORONOI {
       @Override
       TexelTexture texture(long seed, int width, int height) {
         return new VoronoiTexture(seed, width, height, 200, true);
@@ -158,7 +158,7 @@ class ProceduralTexturesTest {
     "MARBLE, 0.9900392614940966, 0.9973833150342428",
     "CLOUD, 0.8650740724350635, 0.8468785944328776",
     "VORONOI, 0.3280767391525029, 0.9007606806068834",
-    "GREY_VORONOI, 0.6447043917399394, 0.01678829452815611"
+    "GRAY_VORONOI, 0.6447043917399394, 0.01678829452815611"
   })
   void valuesAreTheSameOnEveryMachine(Kind kind, double inside, double lastCorner) {
     TexelTexture texture = kind.texture(7, 500, 300);
@@ -196,11 +196,11 @@ class ProceduralTexturesTest {
     TexelTexture texture = kind.texture(4, 30, 20);
     BilinearTexture smooth = new BilinearTexture(texture);
     for (int i = 0; i < 600; i++) {
-      TexturePoint centre = new TexturePoint((i % 30 + .5) / 30, (i / 30 + .5) / 20);
-      assertThat(distance(smooth.at(centre), texture.at(centre))).isLessThan(SMALL);
-      Rgb between = smooth.at(new TexturePoint((i % 30 + 1.0) / 30, centre.v()));
-      Rgb next = texture.at(new TexturePoint((i % 30 + 1.5) / 30, centre.v()));
-      assertThat(distance(between, texture.at(centre).plus(next).times(.5))).isLessThan(SMALL);
+      TexturePoint center = new TexturePoint((i % 30 + .5) / 30, (i / 30 + .5) / 20);
+      assertThat(distance(smooth.at(center), texture.at(center))).isLessThan(SMALL);
+      Rgb between = smooth.at(new TexturePoint((i % 30 + 1.0) / 30, center.v()));
+      Rgb next = texture.at(new TexturePoint((i % 30 + 1.5) / 30, center.v()));
+      assertThat(distance(between, texture.at(center).plus(next).times(.5))).isLessThan(SMALL);
     }
   }
 
@@ -224,7 +224,7 @@ class ProceduralTexturesTest {
     for (int i = 0; i < 400; i++) {
       int row = i * 7 % 200;
       double halfTurns = 5 * i / 400.0 + 10 * row / 200.0 + 4 * noise.turbulence(i, row);
-      assertThat(distance(marble.texel(i, row), Rgb.grey(Math.abs(Math.sin(Math.PI * halfTurns)))))
+      assertThat(distance(marble.texel(i, row), Rgb.gray(Math.abs(Math.sin(Math.PI * halfTurns)))))
           .isLessThan(SMALL);
     }
   }
@@ -266,11 +266,11 @@ class ProceduralTexturesTest {
   }
 
   @Test
-  void blackAndWhiteCellsAreGrey() {
+  void blackAndWhiteCellsAreGray() {
     TexelTexture texture = new VoronoiTexture(6, 100, 100, 30, true);
     for (int i = 0; i < 10_000; i++) {
       Rgb c = texture.texel(i % 100, i / 100);
-      assertThat(c).isEqualTo(Rgb.grey(c.r()));
+      assertThat(c).isEqualTo(Rgb.gray(c.r()));
     }
   }
 

@@ -13,11 +13,11 @@ class StudioSkyTest {
   }
 
   @Test
-  void lightIsGreyAndFinite() {
+  void lightIsGrayAndFinite() {
     for (int i = 0; i <= 64; i++) {
       for (int j = 0; j <= 32; j++) {
         Rgb light = StudioSky.INSTANCE.at(i / 64.0, j / 32.0);
-        assertThat(light).isEqualTo(Rgb.grey(light.g()));
+        assertThat(light).isEqualTo(Rgb.gray(light.g()));
         assertThat(light.g()).isBetween(.2, 7.5);
       }
     }
