@@ -1,9 +1,9 @@
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.compare.PictureError;
-import io.github.lumbre.denoise.BuiltInDenoiser;
-import io.github.lumbre.denoise.Denoised;
-import io.github.lumbre.denoise.NoisyPicture;
-import io.github.lumbre.denoise.OpenImageDenoise;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.image.compare.PictureError;
+import io.github.lumbre.render.denoise.BuiltInDenoiser;
+import io.github.lumbre.render.denoise.Denoised;
+import io.github.lumbre.render.denoise.NoisyPicture;
+import io.github.lumbre.render.denoise.OpenImageDenoise;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.LinearReader;

@@ -1,6 +1,6 @@
 import com.sun.management.OperatingSystemMXBean;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;

@@ -3,7 +3,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.sampling.internal.Hash;
+import io.github.lumbre.math.sampling.internal.Hash;
 import io.github.lumbre.texture.internal.CloudTexture;
 import io.github.lumbre.texture.internal.MarbleTexture;
 import io.github.lumbre.texture.internal.TexelTexture;

@@ -1,7 +1,7 @@
-import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.image.compare.PictureError;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.Progress;

@@ -1,4 +1,4 @@
-"""The denoiser's network in PyTorch; io.github.lumbre.denoise computes the same in Java.
+"""The denoiser's network in PyTorch; io.github.lumbre.render.denoise computes the same in Java.
 
 A U-Net sees 16 planes of features. At each of its five levels it predicts, for each pixel, a kernel of 5x5 weights, how
 far the coarser level replaces the low frequencies of this one, and a weight with which the pixel enters the next

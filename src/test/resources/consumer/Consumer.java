@@ -2,9 +2,9 @@ package consumer;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.file.Path;
 
 /** Renders the scene that the first argument names to the picture that the second names. */

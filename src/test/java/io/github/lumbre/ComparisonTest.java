@@ -2,7 +2,7 @@ package io.github.lumbre;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.StringWriter;
 import java.net.URISyntaxException;
 import java.nio.file.Path;

@@ -3,7 +3,6 @@ package io.github.lumbre;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
-import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
@@ -15,8 +14,6 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
-import com.tngtech.archunit.library.dependencies.SliceAssignment;
-import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.io.InputStream;
@@ -26,125 +23,53 @@ import java.net.URI;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Packages form layers with downward dependencies only, and the library does not affect its host
- * program. A package of the library and the packages inside it, such as {@code internal} and those
- * of file formats, are one layer; the module exports at most the outer one.
+ * The layers of the code use only what is below them, and the library does not affect its host
+ * program. The module exports no package that is internal or of formats.
  */
 class LayersTest {
   private static final String ROOT = "io.github.lumbre.";
-  private static final String LIBRARY =
-      "math image drawing sampling texture geometry file text limit json path material camera light"
-          + " scene outline label model guiding integrator render parser checkpoint denoise"
-          + " stopping preview audit compare thumbnail difference base";
 
-  /** The packages that each package may use, in addition to itself and Java. */
-  private static final Map<String, String> MAY_USE =
-      Map.ofEntries(
-          Map.entry("math", "text"),
-          Map.entry("file", ""),
-          Map.entry("text", ""),
-          Map.entry("base", "file"),
-          Map.entry("limit", ""),
-          Map.entry("json", "text limit"),
-          Map.entry("image", "file limit"),
-          Map.entry("path", "math image"),
-          Map.entry("drawing", "image"),
-          Map.entry("sampling", "math"),
-          Map.entry("texture", "math image sampling"),
-          Map.entry("geometry", "math image sampling texture limit"),
-          Map.entry("difference", "math image geometry limit text material model"),
-          Map.entry("material", "math image sampling texture geometry"),
-          Map.entry("camera", "math sampling"),
-          Map.entry("light", "math image sampling texture geometry"),
-          Map.entry("scene", "math image geometry text material camera light"),
-          Map.entry("outline", "math image drawing geometry limit material camera scene"),
-          Map.entry("label", "math image drawing text camera"),
-          Map.entry("guiding", ""),
-          Map.entry(
-              "integrator",
-              "math image sampling texture geometry path material camera light scene guiding"),
-          Map.entry("render", "limit math image sampling path camera scene guiding integrator"),
-          Map.entry(
-              "model", "math image texture geometry file text limit json material light scene"),
-          Map.entry(
-              "parser",
-              "math image drawing sampling texture geometry file text limit json material camera"
-                  + " light scene outline label model"),
-          Map.entry("checkpoint", "file image scene render"),
-          Map.entry("denoise", "file math image sampling scene render"),
-          Map.entry("stopping", "math image scene render"),
-          Map.entry("preview", "image scene render checkpoint stopping"),
-          Map.entry(
-              "audit",
-              "math image sampling texture geometry path material camera light scene render"
-                  + " parser"),
-          Map.entry("compare", "math image"),
-          Map.entry("thumbnail", "image limit text scene model render parser denoise"),
-          Map.entry("lab", "base image text scene render parser"),
-          Map.entry("lab.metrics", "math image"),
-          Map.entry("lab.perf", "base image text scene render parser lab lab.metrics"),
-          Map.entry("lab.report", "base text scene render parser lab lab.perf"),
-          Map.entry(
-              "lab.checks",
-              "math image sampling texture geometry text material camera light scene integrator"
-                  + " render stopping lab"),
-          Map.entry(
-              "lab.trade",
-              "math image sampling geometry text scene integrator render denoise stopping lab"
-                  + " lab.metrics lab.perf compare"),
-          Map.entry(
-              "cli.output",
-              "math image sampling geometry file text path material camera light scene model"
-                  + " render parser checkpoint stopping base"),
-          Map.entry(
-              "cli.run",
-              "image drawing file text limit scene render parser checkpoint denoise"
-                  + " stopping base cli.output"),
-          Map.entry(
-              "cli.option",
-              "image geometry file text scene model parser checkpoint denoise stopping base"
-                  + " cli.output cli.run"),
-          Map.entry(
-              "cli.view",
-              "math image geometry path camera scene render parser checkpoint denoise"
-                  + " text stopping preview base cli.output cli.run"),
-          Map.entry("cli.diff", "image drawing geometry camera sampling scene parser difference"),
-          Map.entry(
-              "cli.mcp",
-              "math image drawing text limit json scene model render parser compare file base"
-                  + " cli.output cli.run"),
-          Map.entry(
-              "cli",
-              "base math image drawing texture file text scene model render parser checkpoint"
-                  + " denoise audit compare lab lab.perf lab.report lab.checks lab.trade cli.output"
-                  + " cli.run cli.option cli.view cli.mcp cli.diff difference math"));
+  /** The layers, from top to bottom: each uses only those below it. */
+  private static final List<String> LAYERS =
+      List.of(
+          "cli", "lab", "stage", "scenefile", "model", "render", "integrator", "scene", "light",
+          "material", "camera", "geometry", "texture", "image", "math", "base");
 
-  /** The third-party libraries that each package may use. */
+  /** The classes that use what is above them, in another layer or in a package of their own. */
+  private static final Map<String, String> EXCEPTIONS =
+      Map.of(
+          "scenefile.SceneParser", "stage.drawing",
+          "scenefile.internal.PictureDrawing", "stage.drawing",
+          "model.ModelOption", "model.section",
+          "model.internal.ModelReader", "model.section",
+          "image.format.gif.GifWriter", "image.animation",
+          "image.format.png.ApngWriter", "image.animation",
+          "image.format.imageio.JdkDecoder", "image.format.jpeg");
+
+  /** Formats that are parts of others. */
+  private static final Set<String> PARTS_OF_FORMATS =
+      Set.of("model.format.draco", "model.format.meshopt", "image.format.zstd");
+
+  /** The third-party libraries that each layer may use. */
   private static final Map<String, List<String>> LIBRARIES =
-      Map.ofEntries(
-          Map.entry("geometry", List.of("jdk.incubator.vector..")),
-          Map.entry("image", List.of("com.google.gson..")),
-          Map.entry("json", List.of("com.google.gson..")),
-          Map.entry("parser", List.of("com.google.gson..")),
-          Map.entry("lab", List.of("com.sun.management..")),
-          Map.entry("lab.perf", List.of("com.google.gson..")),
-          Map.entry("lab.trade", List.of("com.google.gson..")),
-          Map.entry("cli.output", List.of("com.google.gson..", "picocli..")),
-          Map.entry("cli.option", List.of("picocli..")),
-          Map.entry("cli.view", List.of("com.google.gson..", "com.sun.net.httpserver..")),
-          Map.entry("cli", List.of("com.google.gson..", "picocli..")));
+      Map.of(
+          "geometry", List.of("jdk.incubator.vector."),
+          "image", List.of("com.google.gson."),
+          "base", List.of("com.google.gson."),
+          "scenefile", List.of("com.google.gson."),
+          "lab", List.of("com.sun.management.", "com.google.gson."),
+          "cli", List.of("com.google.gson.", "picocli.", "com.sun.net.httpserver."));
 
   private static final Set<String> TRANSCENDENTAL =
       Set.of(
@@ -156,71 +81,125 @@ class LayersTest {
           .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
           .importPackages("io.github.lumbre");
 
-  private static final SliceAssignment LAYERS =
-      new SliceAssignment() {
-        @Override
-        public SliceIdentifier getIdentifierOf(JavaClass type) {
-          return type.getPackageName().startsWith(ROOT)
-              ? SliceIdentifier.of(layer(type.getPackageName()))
-              : SliceIdentifier.ignore();
-        }
+  /** A class and another class of Lumbre that it uses. */
+  private record Use(JavaClass user, JavaClass used) {
+    /** Returns whether the use is one of the exceptions. */
+    boolean isExcepted() {
+      String above = EXCEPTIONS.get(withoutNested(user.getName()).substring(ROOT.length()));
+      return above != null && used.getPackageName().equals(ROOT + above);
+    }
 
-        @Override
-        public String getDescription() {
-          return "layers";
-        }
-      };
+    @Override
+    public String toString() {
+      return withoutNested(user.getName()) + " -> " + withoutNested(used.getName());
+    }
+  }
 
-  static Stream<String> packages() {
-    return MAY_USE.keySet().stream().sorted();
+  private static String withoutNested(String name) {
+    return name.replaceFirst("\\$.*", "");
+  }
+
+  private static Stream<Use> uses() {
+    return LUMBRE.stream()
+        .filter(user -> user.getPackageName().startsWith(ROOT))
+        .flatMap(
+            user ->
+                user.getDirectDependenciesFromSelf().stream()
+                    .map(dependency -> dependency.getTargetClass().getBaseComponentType())
+                    .filter(used -> used.getPackageName().startsWith(ROOT))
+                    .map(used -> new Use(user, used)));
+  }
+
+  private static String layer(JavaClass type) {
+    return type.getPackageName().substring(ROOT.length()).replaceFirst("\\..*", "");
+  }
+
+  /** Returns a package; what is internal, or reads and writes formats, belongs to the outer one. */
+  private static String outer(JavaClass type) {
+    return type.getPackageName().replaceFirst("\\.(internal|format)(\\..*)?$", "");
+  }
+
+  private static void assertNone(Stream<Use> uses) {
+    assertThat(uses.map(Use::toString).distinct().sorted()).isEmpty();
   }
 
   @Test
-  void everyPackageHasItsLayer() {
-    Set<String> found =
-        LUMBRE.stream()
-            .map(JavaClass::getPackageName)
-            .filter(name -> name.startsWith(ROOT))
-            .map(LayersTest::layer)
-            .collect(Collectors.toSet());
-    assertThat(found).isEqualTo(MAY_USE.keySet());
+  void everyPackageIsInALayer() {
+    assertThat(
+            LUMBRE.stream()
+                .filter(type -> type.getPackageName().startsWith(ROOT))
+                .map(LayersTest::layer)
+                .collect(Collectors.toSet()))
+        .isEqualTo(Set.copyOf(LAYERS));
   }
 
-  @ParameterizedTest
-  @MethodSource("packages")
-  void packageUsesOnlyWhatLiesBelow(String name) {
-    String[] allowed =
-        Stream.of(
-                Stream.of("java..", "javax.imageio..", "org.jspecify.."),
-                Stream.of(packagesOf(name)),
-                below(name).stream().map(LayersTest::packagesOf).flatMap(Stream::of),
-                LIBRARIES.getOrDefault(name, List.of()).stream())
-            .flatMap(s -> s)
-            .toArray(String[]::new);
-    check(
-        classes()
-            .that()
-            .resideInAnyPackage(packagesOf(name))
-            .should()
-            .onlyDependOnClassesThat(resideInAnyOf(allowed)));
+  @Test
+  void layersUseWhatIsBelow() {
+    assertNone(
+        uses()
+            .filter(use -> !use.isExcepted())
+            .filter(use -> LAYERS.indexOf(layer(use.used)) < LAYERS.indexOf(layer(use.user))));
   }
 
-  /** What may be used and is not would hide that a layer has come apart. */
-  @ParameterizedTest
-  @MethodSource("packages")
-  void packageUsesAllThatItMayUse(String name) {
-    Set<String> used =
-        LUMBRE.stream()
+  @Test
+  void exceptionsAreNeeded() {
+    assertThat(
+            uses()
+                .filter(Use::isExcepted)
+                .map(use -> withoutNested(use.user.getName()).substring(ROOT.length()))
+                .collect(Collectors.toSet()))
+        .isEqualTo(EXCEPTIONS.keySet());
+  }
+
+  /** Inside a layer, packages use each other one way. */
+  @Test
+  void packagesHaveNoCycles() {
+    Map<String, Set<String>> below = new TreeMap<>();
+    uses()
+        .filter(use -> !use.isExcepted() && !outer(use.user).equals(outer(use.used)))
+        .forEach(
+            use -> below.computeIfAbsent(outer(use.user), k -> new TreeSet<>()).add(outer(use.used)));
+    boolean isShorter = true;
+    while (isShorter) {
+      below.values().forEach(used -> used.retainAll(below.keySet()));
+      isShorter = below.values().removeIf(Set::isEmpty);
+    }
+    assertThat(below).isEmpty();
+  }
+
+  @Test
+  void formatsUseNoOtherFormats() {
+    assertNone(
+        uses()
+            .filter(use -> !use.isExcepted())
             .filter(
-                type ->
-                    type.getPackageName().startsWith(ROOT)
-                        && layer(type.getPackageName()).equals(name))
-            .flatMap(type -> type.getDirectDependenciesFromSelf().stream())
-            .map(dependency -> dependency.getTargetClass().getBaseComponentType().getPackageName())
-            .filter(target -> target.startsWith(ROOT))
-            .map(LayersTest::layer)
-            .collect(Collectors.toSet());
-    assertThat(used).containsAll(below(name));
+                use ->
+                    use.user.getPackageName().contains(".format.")
+                        && use.used.getPackageName().contains(".format.")
+                        && !use.user.getPackageName().equals(use.used.getPackageName())
+                        && !PARTS_OF_FORMATS.contains(
+                            use.used.getPackageName().substring(ROOT.length()))));
+  }
+
+  @Test
+  void layersUseTheirLibrariesAlone() {
+    Stream<String> found =
+        LUMBRE.stream()
+            .filter(user -> user.getPackageName().startsWith(ROOT))
+            .flatMap(
+                user ->
+                    user.getDirectDependenciesFromSelf().stream()
+                        .map(dependency -> dependency.getTargetClass().getBaseComponentType())
+                        .filter(used -> !used.isPrimitive() && !isKnown(layer(user), used.getName()))
+                        .map(used -> user.getName() + " -> " + used.getName()));
+    assertThat(found.distinct()).isEmpty();
+  }
+
+  private static boolean isKnown(String layer, String type) {
+    return Stream.concat(
+            Stream.of(ROOT, "java.", "javax.imageio.", "org.jspecify."),
+            LIBRARIES.getOrDefault(layer, List.of()).stream())
+        .anyMatch(type::startsWith);
   }
 
   @Test
@@ -233,36 +212,6 @@ class LayersTest {
             .dependOnClassesThat(
                 resideInAPackage("jdk.incubator.vector..")
                     .or(named(ROOT + "geometry.VectorTraversal"))));
-  }
-
-  @Test
-  void packagesHaveNoCycles() {
-    check(slices().assignedFrom(LAYERS).should().beFreeOfCycles());
-  }
-
-  @Test
-  void zonesHaveArrowsOneWay() {
-    check(
-        noClasses()
-            .that()
-            .resideInAnyPackage(packagesOf(LIBRARY))
-            .should()
-            .dependOnClassesThat()
-            .resideInAnyPackage(ROOT + "lab..", ROOT + "cli.."));
-    check(
-        noClasses()
-            .that()
-            .resideInAPackage(ROOT + "lab..")
-            .should()
-            .dependOnClassesThat()
-            .resideInAPackage(ROOT + "cli.."));
-    check(
-        noClasses()
-            .that()
-            .resideOutsideOfPackage(ROOT + "cli..")
-            .should()
-            .dependOnClassesThat()
-            .resideInAPackage("picocli.."));
   }
 
   /** The measuring commands, and what they alone use. */
@@ -282,12 +231,6 @@ class LayersTest {
   }
 
   @Test
-  void everyPackageIsInOneZone() {
-    assertThat(MAY_USE.keySet().stream().filter(LayersTest::isOfLibrary))
-        .containsExactlyInAnyOrder(LIBRARY.split(" "));
-  }
-
-  @Test
   void moduleExportsTheLibraryAlone() throws IOException, URISyntaxException {
     URI classes = Scene.class.getProtectionDomain().getCodeSource().getLocation().toURI();
     ModuleDescriptor module;
@@ -295,7 +238,7 @@ class LayersTest {
       module = ModuleDescriptor.read(in);
     }
     assertThat(module.exports().stream().map(ModuleDescriptor.Exports::source))
-        .isSubsetOf(Arrays.stream(LIBRARY.split(" ")).map(ROOT::concat).toList());
+        .noneMatch(name -> name.matches(".*\\.(cli|lab|internal|format)(\\..*)?"));
     assertThat(module.opens()).isEmpty();
     assertThat(
             module.requires().stream()
@@ -380,7 +323,7 @@ class LayersTest {
             .and()
             .haveNameNotMatching(".*\\.math\\.internal\\.Elementary(\\$.*)?")
             .and()
-            .resideOutsideOfPackages(packagesOf("image"))
+            .resideOutsideOfPackage(ROOT + "image..")
             .should()
             .dependOnClassesThat()
             .areAssignableTo(StrictMath.class));
@@ -399,35 +342,6 @@ class LayersTest {
 
   private static GivenClassesConjunction library() {
     return noClasses().that().resideOutsideOfPackage(ROOT + "cli..");
-  }
-
-  private static String[] packagesOf(String names) {
-    return Arrays.stream(names.split(" "))
-        .map(name -> ROOT + name + (isOfLibrary(name) ? ".." : ""))
-        .toArray(String[]::new);
-  }
-
-  /** Returns the layer of a package below the root: in the library, the outer package. */
-  private static String layer(String packageName) {
-    String name = packageName.substring(ROOT.length());
-    return isOfLibrary(name) ? name.replaceFirst("\\..*", "") : name;
-  }
-
-  private static boolean isOfLibrary(String name) {
-    return !name.matches("(lab|cli)(\\..*)?");
-  }
-
-  private static List<String> below(String name) {
-    return Arrays.stream(MAY_USE.get(name).split(" ")).filter(p -> !p.isEmpty()).toList();
-  }
-
-  private static DescribedPredicate<JavaClass> resideInAnyOf(String... packages) {
-    return JavaClass.Predicates.resideInAnyPackage(packages)
-        .or(DescribedPredicate.describe("are primitive", LayersTest::isPrimitive));
-  }
-
-  private static boolean isPrimitive(JavaClass type) {
-    return type.getBaseComponentType().isPrimitive();
   }
 
   private static DescribedPredicate<JavaClass> named(String name) {

@@ -44,7 +44,7 @@ class ReadmeExampleTest {
     String code =
         example().replace('"' + SCENE + '"', "args[0]").replace('"' + PICTURE + '"', "args[1]");
     String packages =
-        "import io.github.lumbre.image.*; import io.github.lumbre.parser.*;"
+        "import io.github.lumbre.image.*; import io.github.lumbre.scenefile.*;"
             + " import io.github.lumbre.render.*; import java.nio.file.Path;";
     Path source =
         Files.writeString(

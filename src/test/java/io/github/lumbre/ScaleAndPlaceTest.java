@@ -2,12 +2,12 @@ package io.github.lumbre;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

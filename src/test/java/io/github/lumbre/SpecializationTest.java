@@ -2,13 +2,13 @@ package io.github.lumbre;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

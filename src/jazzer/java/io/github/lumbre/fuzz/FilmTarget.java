@@ -1,7 +1,7 @@
 package io.github.lumbre.fuzz;
 
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmFormatException;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmFormatException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

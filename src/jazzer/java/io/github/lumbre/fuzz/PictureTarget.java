@@ -1,10 +1,10 @@
 package io.github.lumbre.fuzz;
 
-import io.github.lumbre.denoise.BuiltInDenoiser;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.LinearReader;
+import io.github.lumbre.render.denoise.BuiltInDenoiser;
+import io.github.lumbre.render.denoise.NoisyPicture;
 
 /** Any bytes as a picture: PNG, JPEG, portable float map, Radiance HDR or OpenEXR. */
 public final class PictureTarget {

@@ -7,7 +7,7 @@ import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.openjdk.jmh.annotations.Benchmark;

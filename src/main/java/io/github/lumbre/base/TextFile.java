@@ -1,7 +1,7 @@
 package io.github.lumbre.base;
 
-import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.base.file.OutputFile;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;

@@ -2,8 +2,8 @@ package io.github.lumbre.camera;
 
 import io.github.lumbre.camera.internal.BokehCache;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /** The shape of a lens aperture, from which lens points are sampled. */
 @FunctionalInterface

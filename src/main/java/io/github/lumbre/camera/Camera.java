@@ -4,7 +4,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import java.util.Objects;
 import java.util.Optional;
 

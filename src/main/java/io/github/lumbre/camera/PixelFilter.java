@@ -1,7 +1,7 @@
 package io.github.lumbre.camera;
 
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.internal.Distribution1d;
+import io.github.lumbre.math.sampling.internal.Distribution1d;
 import java.util.function.DoubleUnaryOperator;
 
 /**

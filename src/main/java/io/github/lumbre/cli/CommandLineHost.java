@@ -6,11 +6,11 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.lab.LabHost;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Path;
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
+import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.cli.option.Version;
@@ -9,7 +10,6 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.StandardOutput;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.Interruption;
-import io.github.lumbre.file.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;

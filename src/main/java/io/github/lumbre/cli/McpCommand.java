@@ -2,8 +2,8 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.mcp.Mcp;
-import io.github.lumbre.file.FileFailure;
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.FileOutputStream;

@@ -23,7 +23,7 @@ import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

@@ -4,8 +4,8 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Distribution1d;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Distribution1d;
+import io.github.lumbre.math.sampling.internal.Warp;
 import io.github.lumbre.texture.TexturePoint;
 
 /** The world-space surface of a placed mesh, evaluated at hits or sampled. */

@@ -7,7 +7,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.math.internal.Range;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 import io.github.lumbre.texture.TexturePoint;
 
 /**

@@ -4,7 +4,7 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 import io.github.lumbre.texture.TexturePoint;
 import java.util.AbstractList;
 

@@ -1,6 +1,6 @@
 package io.github.lumbre.image;
 
-import io.github.lumbre.image.imageio.DisplayPicture;
+import io.github.lumbre.image.internal.DisplayPicture;
 import io.github.lumbre.image.internal.DisplayRows;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.LinearPicture;

@@ -1,10 +1,10 @@
 package io.github.lumbre.image;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.internal.ColorTag;
 import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.image.internal.EncodedPicture;
 import io.github.lumbre.image.internal.LinearReader;
-import io.github.lumbre.limit.Limits;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;

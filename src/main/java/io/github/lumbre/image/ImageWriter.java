@@ -1,7 +1,7 @@
 package io.github.lumbre.image;
 
-import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.image.exr.ExrWriter;
+import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.image.format.exr.ExrWriter;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;

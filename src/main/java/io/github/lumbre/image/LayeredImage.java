@@ -1,7 +1,7 @@
 package io.github.lumbre.image;
 
-import io.github.lumbre.file.FileContent;
-import io.github.lumbre.image.exr.ExrReader;
+import io.github.lumbre.base.file.FileContent;
+import io.github.lumbre.image.format.exr.ExrReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

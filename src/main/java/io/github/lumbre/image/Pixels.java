@@ -1,6 +1,6 @@
 package io.github.lumbre.image;
 
-import io.github.lumbre.image.png.PngWriter;
+import io.github.lumbre.image.format.png.PngWriter;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;

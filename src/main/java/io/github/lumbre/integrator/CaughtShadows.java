@@ -7,7 +7,7 @@ import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
 
 /**

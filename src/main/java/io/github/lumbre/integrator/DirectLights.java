@@ -1,14 +1,14 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.internal.Facing;
 import io.github.lumbre.light.internal.LightChoice;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 
 /**
  * The lights that surfaces see directly: next-event estimation (Kajiya 1986; PBRT 4e, sec. 13.4).

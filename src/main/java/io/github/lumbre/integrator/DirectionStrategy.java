@@ -1,6 +1,6 @@
 package io.github.lumbre.integrator;
 
-import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.integrator.guiding.Guide;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfValue;
 

@@ -2,11 +2,11 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.scene.Scene;
 import java.util.Optional;
 

@@ -2,13 +2,13 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
-import io.github.lumbre.guiding.GuideRecords;
+import io.github.lumbre.integrator.guiding.GuideRecords;
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.path.PathVertex.Source;
 
 /**
  * Records the non-specular vertices of paths. Light that a ray hits has the weight of multiple

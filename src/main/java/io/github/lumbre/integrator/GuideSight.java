@@ -1,7 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
-import io.github.lumbre.guiding.Sight;
+import io.github.lumbre.integrator.guiding.Sight;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
 

@@ -1,8 +1,8 @@
 package io.github.lumbre.integrator;
 
-import io.github.lumbre.guiding.Guide;
-import io.github.lumbre.guiding.GuideSample;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.guiding.Guide;
+import io.github.lumbre.integrator.guiding.GuideSample;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;

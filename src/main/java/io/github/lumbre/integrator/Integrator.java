@@ -1,10 +1,10 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.guiding.Guide;
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 

@@ -1,12 +1,12 @@
 package io.github.lumbre.integrator;
 
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.internal.LightChoice;
 import io.github.lumbre.light.internal.LightSampler;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;

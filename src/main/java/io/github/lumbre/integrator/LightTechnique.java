@@ -1,7 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 
 /**
  * A way to sample the light of a path, in addition to rays that meet it by themselves. Multiple

@@ -1,7 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.light.Light;
-import io.github.lumbre.sampling.internal.Mis;
+import io.github.lumbre.math.sampling.internal.Mis;
 import java.util.List;
 
 /**

@@ -5,7 +5,7 @@ import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
 
 /**

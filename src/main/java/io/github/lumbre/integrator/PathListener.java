@@ -2,12 +2,12 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.integrator.path.PathVertex.End;
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.material.BsdfSample;
 import io.github.lumbre.material.BsdfValue;
-import io.github.lumbre.path.PathVertex.End;
-import io.github.lumbre.path.PathVertex.Source;
 import io.github.lumbre.scene.Scene;
 
 /**

@@ -2,13 +2,13 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.geometry.SurfaceSample;
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.material.BsdfValue;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import java.util.List;

@@ -1,11 +1,11 @@
 package io.github.lumbre.lab;
 
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Path;
 

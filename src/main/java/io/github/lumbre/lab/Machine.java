@@ -1,6 +1,6 @@
 package io.github.lumbre.lab;
 
-import io.github.lumbre.text.Numbers;
+import io.github.lumbre.base.text.Numbers;
 import java.io.IOException;
 import java.lang.management.GarbageCollectorMXBean;
 import java.lang.management.ManagementFactory;

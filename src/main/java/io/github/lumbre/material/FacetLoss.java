@@ -1,7 +1,7 @@
 package io.github.lumbre.material;
 
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

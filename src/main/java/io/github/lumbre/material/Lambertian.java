@@ -3,7 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /**
  * The ideal diffuse reflector: f = albedo / π, on both sides of the surface (PBRT 4e, sec. 9.2).

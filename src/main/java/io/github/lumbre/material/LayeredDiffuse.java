@@ -3,7 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /**
  * Diffuse reflection below a dielectric layer of albedo E: f = albedo / π · (1 - E(o)) (1 - E(i)) /

@@ -3,7 +3,7 @@ package io.github.lumbre.material;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /**
  * Light that hits more than one facet, which single scattering loses: f = c · m(o) m(i) / π, where

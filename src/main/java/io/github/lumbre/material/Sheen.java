@@ -4,7 +4,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /**
  * The sheen of cloth: fibers with the Charlie distribution (Estevez and Kulla 2017, "Production

@@ -1,8 +1,8 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.light.Light;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelMaterial;

@@ -1,9 +1,9 @@
 package io.github.lumbre.model;
 
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.model.internal.NamedFiles;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;

@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.OptionTypes.PoseType;

@@ -1,6 +1,6 @@
 package io.github.lumbre.model;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileFolder;
 import io.github.lumbre.model.internal.Model;

@@ -5,7 +5,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.RenderContext;
 import io.github.lumbre.integrator.SampleLayers;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;

@@ -3,7 +3,7 @@ package io.github.lumbre.render;
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.camera.PixelFilter;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 

@@ -1,11 +1,11 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.render.internal.RendererInside;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;

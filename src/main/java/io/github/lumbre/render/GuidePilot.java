@@ -1,17 +1,17 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.guiding.Guide;
-import io.github.lumbre.guiding.GuideBuilder;
-import io.github.lumbre.guiding.GuideRecords;
 import io.github.lumbre.integrator.GuideRecorder;
 import io.github.lumbre.integrator.GuideSight;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.integrator.RenderContext;
+import io.github.lumbre.integrator.guiding.Guide;
+import io.github.lumbre.integrator.guiding.GuideBuilder;
+import io.github.lumbre.integrator.guiding.GuideRecords;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.render.internal.GuideReport;
 import io.github.lumbre.render.internal.GuideReport.Outcome;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;

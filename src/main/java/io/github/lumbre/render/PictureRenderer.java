@@ -1,8 +1,8 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.render.internal.Passes;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;

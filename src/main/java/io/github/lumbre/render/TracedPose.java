@@ -1,7 +1,7 @@
 package io.github.lumbre.render;
 
-import io.github.lumbre.guiding.Guide;
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.integrator.guiding.Guide;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.IdentityHashMap;

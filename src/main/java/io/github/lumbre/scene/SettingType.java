@@ -1,6 +1,6 @@
 package io.github.lumbre.scene;
 
-import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.base.text.PrintableText;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.ScriptedSampler;
 import io.github.lumbre.testing.Statistics;

@@ -6,7 +6,7 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;

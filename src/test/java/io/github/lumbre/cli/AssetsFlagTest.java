@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

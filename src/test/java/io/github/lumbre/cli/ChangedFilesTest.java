@@ -2,11 +2,11 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmHeader;
-import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmHeader;
+import io.github.lumbre.render.checkpoint.RecordedLayers;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;

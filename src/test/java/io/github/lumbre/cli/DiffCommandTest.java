@@ -7,7 +7,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.Srgb;
-import io.github.lumbre.model.threemf.ThreeMfSample;
+import io.github.lumbre.model.format.threemf.ThreeMfSample;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;

@@ -3,7 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -3,7 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.model.threemf.ThreeMfSample;
+import io.github.lumbre.model.format.threemf.ThreeMfSample;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

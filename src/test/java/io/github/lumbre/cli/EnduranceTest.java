@@ -2,19 +2,19 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.RecordedLayers;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmKeeper;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.RecordedLayers;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;

@@ -1,7 +1,7 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.model.gltf.GltfFile;
-import io.github.lumbre.model.ies.IesSamples;
+import io.github.lumbre.model.format.gltf.GltfFile;
+import io.github.lumbre.model.format.ies.IesSamples;
 import io.github.lumbre.testing.Effort;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

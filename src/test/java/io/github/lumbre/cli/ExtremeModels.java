@@ -1,6 +1,6 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import java.util.List;
 
 /** Two glTF files that have nearly all numbers that a glTF file can have. */

@@ -4,14 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
-import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import java.io.IOException;

@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
-import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmHeader;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

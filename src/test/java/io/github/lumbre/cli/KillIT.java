@@ -2,9 +2,9 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;
 import java.nio.file.Files;

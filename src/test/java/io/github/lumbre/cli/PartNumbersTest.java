@@ -8,7 +8,7 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.model.internal.PartSelectionTest;
 import java.awt.image.BufferedImage;
 import java.io.IOException;

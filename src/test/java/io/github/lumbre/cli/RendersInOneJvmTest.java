@@ -3,13 +3,13 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli;
 
-import io.github.lumbre.model.threemf.ThreeMfSample;
+import io.github.lumbre.model.format.threemf.ThreeMfSample;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

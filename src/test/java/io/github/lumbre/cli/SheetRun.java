@@ -1,13 +1,13 @@
 package io.github.lumbre.cli;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.cli.mcp.Mcp;
 import io.github.lumbre.cli.mcp.McpClient;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.SettingFlags;
-import io.github.lumbre.limit.Limits;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.Stage;
-import io.github.lumbre.thumbnail.Thumbnails;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.stage.thumbnail.Thumbnails;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -3,8 +3,8 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import io.github.lumbre.checkpoint.CheckpointFile;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.testing.Effort;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -3,8 +3,8 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageReader;
-import io.github.lumbre.image.ktx.KtxSamples;
-import io.github.lumbre.image.webp.WebpSamples;
+import io.github.lumbre.image.format.ktx.KtxSamples;
+import io.github.lumbre.image.format.webp.WebpSamples;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

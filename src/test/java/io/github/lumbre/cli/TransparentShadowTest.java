@@ -2,8 +2,8 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.compare.Flip;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.compare.Flip;
 import java.awt.image.Raster;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -2,15 +2,15 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.lab.Csv;
 import io.github.lumbre.lab.SceneFolder;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,9 +1,9 @@
 package io.github.lumbre.fuzz;
 
-import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.fuzz.HostileScenes.Ending;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
+import io.github.lumbre.image.compare.PictureError;
 import io.github.lumbre.image.internal.LinearReader;
 import java.nio.file.Path;
 import java.util.Arrays;

@@ -1,9 +1,9 @@
 package io.github.lumbre.fuzz;
 
-import io.github.lumbre.image.dds.DdsFixture;
-import io.github.lumbre.image.imageio.LegacyFixture;
-import io.github.lumbre.image.jpeg.ProgressiveJpeg;
-import io.github.lumbre.image.tga.TgaFixture;
+import io.github.lumbre.image.format.dds.DdsFixture;
+import io.github.lumbre.image.format.imageio.LegacyFixture;
+import io.github.lumbre.image.format.jpeg.ProgressiveJpeg;
+import io.github.lumbre.image.format.tga.TgaFixture;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -7,10 +7,10 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.image.format.png.PngFixture;
 import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.image.png.PngFixture;
-import io.github.lumbre.limit.Limits;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;

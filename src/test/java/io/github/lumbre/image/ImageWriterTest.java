@@ -3,7 +3,7 @@ package io.github.lumbre.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.internal.ImageFixture;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;

@@ -19,7 +19,7 @@ import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;

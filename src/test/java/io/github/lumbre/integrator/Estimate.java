@@ -2,8 +2,8 @@ package io.github.lumbre.integrator;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.testing.Statistics;
 import java.util.Arrays;
 

@@ -3,17 +3,17 @@ package io.github.lumbre.integrator;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.guiding.Guide;
-import io.github.lumbre.guiding.GuideBuilder;
-import io.github.lumbre.guiding.GuideRecords;
+import io.github.lumbre.integrator.guiding.Guide;
+import io.github.lumbre.integrator.guiding.GuideBuilder;
+import io.github.lumbre.integrator.guiding.GuideRecords;
+import io.github.lumbre.integrator.path.PathVertex;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.path.PathVertex;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.IndependentSampler;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.path.PathVertex;
+import io.github.lumbre.integrator.path.PathVertex.Contribution;
+import io.github.lumbre.integrator.path.PathVertex.FoundLight;
+import io.github.lumbre.integrator.path.PathVertex.Source;
 import io.github.lumbre.math.Ray;
-import io.github.lumbre.path.PathVertex;
-import io.github.lumbre.path.PathVertex.Contribution;
-import io.github.lumbre.path.PathVertex.FoundLight;
-import io.github.lumbre.path.PathVertex.Source;
-import io.github.lumbre.sampling.internal.IndependentSampler;
+import io.github.lumbre.math.sampling.internal.IndependentSampler;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Moments;

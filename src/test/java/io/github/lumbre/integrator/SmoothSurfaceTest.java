@@ -21,7 +21,7 @@ import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.texture.Texture;
 import java.util.List;

@@ -21,7 +21,7 @@ import io.github.lumbre.material.MicrofacetDistribution;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.texture.ScalarTexture;

@@ -3,7 +3,7 @@ package io.github.lumbre.integrator;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;

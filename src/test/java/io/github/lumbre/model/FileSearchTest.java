@@ -3,9 +3,9 @@ package io.github.lumbre.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.material.MaterialParameter;
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.Model;
 import java.awt.image.BufferedImage;

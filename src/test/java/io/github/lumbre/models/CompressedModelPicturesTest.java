@@ -3,7 +3,7 @@ package io.github.lumbre.models;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.Outcome;
-import io.github.lumbre.compare.Flip;
+import io.github.lumbre.image.compare.Flip;
 import io.github.lumbre.image.internal.LinearReader;
 import java.awt.image.BufferedImage;
 import java.io.IOException;

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.internal.LinearReader;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.Stage;
-import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

@@ -3,8 +3,8 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import io.github.lumbre.scene.RenderSettings.Crop;
-import io.github.lumbre.stopping.NoiseEstimate;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 

@@ -3,10 +3,10 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

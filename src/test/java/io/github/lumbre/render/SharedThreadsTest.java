@@ -3,11 +3,11 @@ package io.github.lumbre.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;

@@ -8,7 +8,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;

@@ -3,10 +3,10 @@ package io.github.lumbre.render;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.FusedMultiplyAdd;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.file.Path;
 import java.util.Arrays;
 

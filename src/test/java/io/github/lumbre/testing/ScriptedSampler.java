@@ -1,7 +1,7 @@
 package io.github.lumbre.testing;
 
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;

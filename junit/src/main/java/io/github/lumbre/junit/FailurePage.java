@@ -1,7 +1,7 @@
 package io.github.lumbre.junit;
 
-import io.github.lumbre.compare.Flip;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.compare.Flip;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryNotEmptyException;

@@ -2,9 +2,9 @@ package io.github.lumbre.examples;
 
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
-import io.github.lumbre.limit.Limits;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.thumbnail.Thumbnails;
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.stage.thumbnail.Thumbnails;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;

@@ -2,7 +2,7 @@ package io.github.lumbre.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;

@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import io.github.lumbre.compare.Flip;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.image.compare.Flip;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.Stage;
 import io.github.lumbre.render.PictureRenderer;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.Stage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Random;

@@ -1,12 +1,12 @@
 package io.github.lumbre.spark;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.SceneText;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.SceneText;
 import java.io.IOException;
 import java.io.Serializable;
 import java.nio.file.Files;

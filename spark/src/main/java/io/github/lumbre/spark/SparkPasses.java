@@ -8,7 +8,7 @@ import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.SampleTarget;
 import io.github.lumbre.render.Schedule;
-import io.github.lumbre.stopping.BudgetWatch;
+import io.github.lumbre.render.stopping.BudgetWatch;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;

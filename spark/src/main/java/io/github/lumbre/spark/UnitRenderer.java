@@ -1,11 +1,11 @@
 package io.github.lumbre.spark;
 
-import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
 import java.io.Serializable;
 import java.net.InetAddress;
 import java.net.UnknownHostException;

@@ -2,9 +2,9 @@ package io.github.lumbre.spark;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.Stage;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.Stage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;

@@ -2,13 +2,13 @@ package io.github.lumbre.spark;
 
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderException;
 import io.github.lumbre.render.SampleTarget;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.file.Path;
 import org.apache.spark.SparkConf;
 import org.apache.spark.SparkException;

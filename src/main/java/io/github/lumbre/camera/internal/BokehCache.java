@@ -2,7 +2,7 @@ package io.github.lumbre.camera.internal;
 
 import io.github.lumbre.camera.Aperture;
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.sampling.Sampler;
+import io.github.lumbre.math.sampling.Sampler;
 import java.util.Arrays;
 
 /**

@@ -1,14 +1,14 @@
 package io.github.lumbre.cli.diff;
 
-import io.github.lumbre.difference.PartChange;
-import io.github.lumbre.difference.PartChange.Kind;
-import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.Srgb;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.model.difference.PartChange;
+import io.github.lumbre.model.difference.PartChange.Kind;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;

@@ -1,16 +1,16 @@
 package io.github.lumbre.cli.diff;
 
 import io.github.lumbre.camera.CameraRay;
-import io.github.lumbre.difference.PartChange;
-import io.github.lumbre.difference.PartChange.Kind;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.parser.internal.ParsedScene;
-import io.github.lumbre.parser.internal.PartTable;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
+import io.github.lumbre.model.difference.PartChange;
+import io.github.lumbre.model.difference.PartChange.Kind;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.PartTable;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.LinkedHashMap;

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.json.JsonValue;
-import io.github.lumbre.text.PrintableText;
-import io.github.lumbre.text.Spelling;
+import io.github.lumbre.base.json.JsonValue;
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.base.text.Spelling;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

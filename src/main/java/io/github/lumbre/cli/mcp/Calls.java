@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.base.text.PrintableText;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;

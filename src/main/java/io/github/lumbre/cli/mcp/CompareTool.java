@@ -1,15 +1,15 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.compare.PictureError;
-import io.github.lumbre.compare.internal.ErrorMap;
-import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.base.limit.internal.Interrupts;
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.compare.PictureError;
+import io.github.lumbre.image.compare.internal.ErrorMap;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.limit.Limits;
-import io.github.lumbre.limit.internal.Interrupts;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -2,7 +2,7 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.util.List;
 
 /** Lists what a model has, without rendering it. */

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.json.JsonValue;
+import io.github.lumbre.base.json.JsonValue;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

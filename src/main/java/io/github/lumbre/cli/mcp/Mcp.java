@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.json.JsonValue;
+import io.github.lumbre.base.json.JsonValue;
 import java.io.IOException;
 import java.io.InputStream;
 import java.time.Duration;

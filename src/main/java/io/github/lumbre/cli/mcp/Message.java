@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.json.JsonException;
-import io.github.lumbre.json.JsonTree;
-import io.github.lumbre.json.JsonValue;
+import io.github.lumbre.base.json.JsonException;
+import io.github.lumbre.base.json.JsonTree;
+import io.github.lumbre.base.json.JsonValue;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.base.Release;
+import io.github.lumbre.base.json.JsonValue;
+import io.github.lumbre.base.limit.internal.TimeLimit;
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.cli.output.JsonText;
-import io.github.lumbre.json.JsonValue;
-import io.github.lumbre.limit.internal.TimeLimit;
-import io.github.lumbre.text.PrintableText;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;

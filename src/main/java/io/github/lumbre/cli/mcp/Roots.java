@@ -1,11 +1,11 @@
 package io.github.lumbre.cli.mcp;
 
-import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileFolder;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;

@@ -2,13 +2,13 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.CleanPicture;
-import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.Stage.View;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

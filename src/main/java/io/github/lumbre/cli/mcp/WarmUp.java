@@ -2,12 +2,12 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.model.ModelFolder;
-import io.github.lumbre.parser.ModelViews;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.Stage;
-import io.github.lumbre.parser.Stage.View;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.scenefile.ModelViews;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.Stage.View;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;

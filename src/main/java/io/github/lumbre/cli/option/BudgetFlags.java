@@ -2,8 +2,8 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.RunBudget;
+import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.stopping.Budget;
 import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.time.Instant;

@@ -2,11 +2,11 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.checkpoint.CheckpointFile;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmKeeper;
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -2,8 +2,6 @@ package io.github.lumbre.cli.option;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.cli.output.FilmReport;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.Messages;
@@ -18,6 +16,8 @@ import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.internal.FilmPicture;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.option;
 
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.internal.FrameSize;
+import io.github.lumbre.scenefile.SceneParser;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;

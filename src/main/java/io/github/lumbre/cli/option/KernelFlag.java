@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneParser;
 import java.time.Duration;
 import java.util.Optional;
 import picocli.CommandLine.Command;

@@ -1,12 +1,12 @@
 package io.github.lumbre.cli.option;
 
 import io.github.lumbre.image.Exposure;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
+import io.github.lumbre.scenefile.SceneParser;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.OptionalInt;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.option;
 
-import io.github.lumbre.text.Numbers;
+import io.github.lumbre.base.text.Numbers;
 import java.util.Map;
 
 /**

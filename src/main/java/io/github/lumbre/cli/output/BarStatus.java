@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.text.Numbers;
+import io.github.lumbre.base.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -2,10 +2,10 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
+import io.github.lumbre.scenefile.SceneFormatException;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileSystemException;

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.base.file.FileFailure;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

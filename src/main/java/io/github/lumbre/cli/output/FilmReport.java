@@ -1,11 +1,11 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmHeader;
-import io.github.lumbre.checkpoint.FilmPart;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmHeader;
+import io.github.lumbre.render.checkpoint.FilmPart;
+import io.github.lumbre.render.stopping.Budget;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import io.github.lumbre.scene.RenderSettings.Crop;
-import io.github.lumbre.stopping.Budget;
-import io.github.lumbre.stopping.NoiseEstimate;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.OptionalDouble;

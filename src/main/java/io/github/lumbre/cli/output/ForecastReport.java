@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.stopping.Forecast;
+import io.github.lumbre.render.stopping.Forecast;
 import java.util.Locale;
 import java.util.OptionalDouble;
 

@@ -1,19 +1,19 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.Release;
-import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.ModelContents;
-import io.github.lumbre.parser.internal.PartTable;
-import io.github.lumbre.parser.internal.SceneContents;
-import io.github.lumbre.parser.internal.ViewNumbers;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.internal.ModelContents;
+import io.github.lumbre.scenefile.internal.PartTable;
+import io.github.lumbre.scenefile.internal.SceneContents;
+import io.github.lumbre.scenefile.internal.ViewNumbers;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;

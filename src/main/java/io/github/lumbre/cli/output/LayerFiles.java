@@ -2,8 +2,8 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageLayer.Precision;
 import io.github.lumbre.image.ImageWriter;

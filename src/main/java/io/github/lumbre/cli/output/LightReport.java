@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.internal.DepthCut;
-import io.github.lumbre.text.Numbers;
+import io.github.lumbre.scenefile.SceneFile;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;

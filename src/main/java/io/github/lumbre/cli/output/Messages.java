@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.parser.Problem;
+import io.github.lumbre.scenefile.Problem;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.List;

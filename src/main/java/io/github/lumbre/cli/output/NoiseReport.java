@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.render.Film;
-import io.github.lumbre.stopping.NoiseEstimate;
-import io.github.lumbre.text.Numbers;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;

@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.checkpoint.FilmFile;
+import io.github.lumbre.image.format.png.PngFile;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

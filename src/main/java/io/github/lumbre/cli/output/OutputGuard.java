@@ -2,9 +2,9 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

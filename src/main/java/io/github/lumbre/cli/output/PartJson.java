@@ -2,11 +2,11 @@ package io.github.lumbre.cli.output;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.internal.PartTable;
-import io.github.lumbre.parser.internal.PartTable.Part;
-import io.github.lumbre.parser.internal.ViewNumbers;
-import io.github.lumbre.parser.internal.ViewNumbers.Seen;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.internal.PartTable;
+import io.github.lumbre.scenefile.internal.PartTable.Part;
+import io.github.lumbre.scenefile.internal.ViewNumbers;
+import io.github.lumbre.scenefile.internal.ViewNumbers.Seen;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

@@ -1,11 +1,11 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.base.Release;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.ParsedScene;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashMap;

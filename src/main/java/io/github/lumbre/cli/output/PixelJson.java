@@ -1,16 +1,16 @@
 package io.github.lumbre.cli.output;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.path.PathVertex;
+import io.github.lumbre.integrator.path.PathVertex.Contribution;
+import io.github.lumbre.integrator.path.PathVertex.FoundLight;
+import io.github.lumbre.integrator.path.PathVertex.Hit;
+import io.github.lumbre.integrator.path.PathVertex.Scattering;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.internal.Origin;
-import io.github.lumbre.path.PathVertex;
-import io.github.lumbre.path.PathVertex.Contribution;
-import io.github.lumbre.path.PathVertex.FoundLight;
-import io.github.lumbre.path.PathVertex.Hit;
-import io.github.lumbre.path.PathVertex.Scattering;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scenefile.internal.Origin;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

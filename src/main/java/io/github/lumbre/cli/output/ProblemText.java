@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.parser.Problem;
-import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.scenefile.Problem;
+import io.github.lumbre.scenefile.SceneFormatException;
 import java.util.List;
 import java.util.Set;
 

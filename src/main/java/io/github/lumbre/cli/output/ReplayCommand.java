@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.checkpoint.FilmHeader;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.SettingType;
 import java.nio.file.Path;

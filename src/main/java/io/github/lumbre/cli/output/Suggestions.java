@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.model.Models;
-import io.github.lumbre.text.Spelling;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.Backdrop;
@@ -8,7 +9,6 @@ import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.text.Numbers;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;

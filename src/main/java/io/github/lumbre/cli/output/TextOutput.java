@@ -3,7 +3,7 @@ package io.github.lumbre.cli.output;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.TextFile;
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.OutputFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;

@@ -1,19 +1,19 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.denoise.BuiltInDenoiser;
-import io.github.lumbre.denoise.NoisyPicture;
-import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.ParsedScene;
-import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.denoise.BuiltInDenoiser;
+import io.github.lumbre.render.denoise.NoisyPicture;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.PictureDrawing;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.util.Optional;
 import java.util.function.Consumer;
 

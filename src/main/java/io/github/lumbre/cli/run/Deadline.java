@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;

@@ -6,11 +6,11 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.PictureOutput;
-import io.github.lumbre.denoise.Denoised;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.denoise.Denoised;
+import io.github.lumbre.render.denoise.NoisyPicture;
 import java.nio.file.Path;
 import java.util.Optional;
 

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassRenderer;
+import io.github.lumbre.scenefile.SceneFile;
 import java.nio.file.Path;
 
 /** What renders the passes of {@code render} and {@code resume}: this process, or a cluster. */

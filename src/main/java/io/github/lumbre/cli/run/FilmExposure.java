@@ -1,15 +1,15 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.cli.output.Visible;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmHeader;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
 import java.io.IOException;
 import java.nio.file.Path;
 

@@ -1,6 +1,6 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.parser.internal.FileHashes;
+import io.github.lumbre.scenefile.internal.FileHashes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -2,12 +2,12 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.FilmFormatException;
-import io.github.lumbre.checkpoint.FilmHeader;
+import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.file.FileFailure;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmFormatException;
+import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import java.io.IOException;

@@ -1,17 +1,17 @@
 package io.github.lumbre.cli.run;
 
-import io.github.lumbre.checkpoint.CheckpointFile;
-import io.github.lumbre.checkpoint.FilmFile;
-import io.github.lumbre.checkpoint.RecordedLayers;
-import io.github.lumbre.checkpoint.internal.Checkpoints;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
-import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassResult;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.RecordedLayers;
+import io.github.lumbre.render.checkpoint.internal.Checkpoints;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.UncheckedIOException;

@@ -2,8 +2,8 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.output.PictureMetadata;
-import io.github.lumbre.file.FileFailure;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.internal.PictureTexts;

@@ -2,12 +2,12 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressBar;
-import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.text.Numbers;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;

@@ -1,10 +1,10 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
+import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.base.limit.internal.TimeLimit;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.Signals;
-import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.limit.internal.TimeLimit;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;

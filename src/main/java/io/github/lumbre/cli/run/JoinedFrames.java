@@ -2,9 +2,9 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
+import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.output.PictureMetadata;
-import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.file.OutputFile;
 import io.github.lumbre.image.animation.AnimationFormat;
 import io.github.lumbre.image.animation.AnimationFrames;
 import io.github.lumbre.image.animation.AnimationWriter;

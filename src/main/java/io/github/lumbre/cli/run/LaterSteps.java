@@ -2,15 +2,15 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.cli.output.LaterStep;
 import io.github.lumbre.cli.output.LightReport;
-import io.github.lumbre.drawing.DisplayLight;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.Backdrop;
-import io.github.lumbre.parser.internal.ParsedScene;
-import io.github.lumbre.parser.internal.PictureDrawing;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderResult;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.PictureDrawing;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;

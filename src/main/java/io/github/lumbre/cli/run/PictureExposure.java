@@ -3,7 +3,7 @@ package io.github.lumbre.cli.run;
 import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.SceneFile;
+import io.github.lumbre.scenefile.SceneFile;
 import java.util.Optional;
 
 /**

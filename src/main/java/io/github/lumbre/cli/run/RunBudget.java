@@ -2,10 +2,10 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.cli.output.NoiseReport;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.stopping.Budget;
+import io.github.lumbre.render.stopping.BudgetWatch;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.stopping.Budget;
-import io.github.lumbre.stopping.BudgetWatch;
-import io.github.lumbre.stopping.NoiseEstimate;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;

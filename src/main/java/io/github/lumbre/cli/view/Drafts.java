@@ -1,11 +1,11 @@
 package io.github.lumbre.cli.view;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.preview.Preview;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.preview.Preview;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.SceneFile;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

@@ -1,13 +1,13 @@
 package io.github.lumbre.cli.view;
 
-import io.github.lumbre.checkpoint.internal.FilmPicture;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.Cryptomatte;
-import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.render.FilmLayers;
+import io.github.lumbre.render.checkpoint.internal.FilmPicture;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.internal.SceneInside;
+import io.github.lumbre.scenefile.SceneFile;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;

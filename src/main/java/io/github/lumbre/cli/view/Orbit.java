@@ -5,8 +5,8 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.internal.CameraPose;
 
 /**
  * A camera that turns around a target. Immutable.

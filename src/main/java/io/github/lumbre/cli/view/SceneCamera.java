@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.view;
 
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.CameraPose;
-import io.github.lumbre.parser.internal.ParsedScene;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.internal.CameraPose;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.util.Optional;
 
 /** A scene and where its camera has been moved to. Mutable; callers synchronize. */

@@ -1,9 +1,9 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneFormatException;
 import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Set;

@@ -2,13 +2,13 @@ package io.github.lumbre.cli.view;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
-import io.github.lumbre.text.Numbers;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;

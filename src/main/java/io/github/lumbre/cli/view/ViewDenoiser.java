@@ -2,10 +2,10 @@ package io.github.lumbre.cli.view;
 
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.run.Denoising;
-import io.github.lumbre.denoise.Denoised;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.render.Film;
+import io.github.lumbre.render.denoise.Denoised;
+import io.github.lumbre.render.denoise.NoisyPicture;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;

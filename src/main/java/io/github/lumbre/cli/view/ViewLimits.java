@@ -1,7 +1,7 @@
 package io.github.lumbre.cli.view;
 
+import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.stopping.Budget;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;

@@ -1,11 +1,11 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.internal.CameraPose;
-import io.github.lumbre.preview.Preview;
+import io.github.lumbre.render.preview.Preview;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.internal.CameraPose;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;

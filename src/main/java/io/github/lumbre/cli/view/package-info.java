@@ -1,6 +1,6 @@
 /**
  * The local page of {@code lumbre view}, a listener of {@link
- * io.github.lumbre.preview.Previews}.
+ * io.github.lumbre.render.preview.Previews}.
  *
  * <p>A {@link io.github.lumbre.cli.view.ViewServer} answers requests that {@link
  * io.github.lumbre.cli.view.RequestGuard} accepts. A {@link io.github.lumbre.cli.view.ViewSession}

@@ -1,7 +1,7 @@
 package io.github.lumbre.geometry.internal;
 
+import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.geometry.TriangleMesh;
-import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;

@@ -1,9 +1,9 @@
 package io.github.lumbre.image.animation;
 
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.ImageReader;
-import io.github.lumbre.image.gif.GifWriter;
-import io.github.lumbre.image.png.ApngWriter;
+import io.github.lumbre.image.format.gif.GifWriter;
+import io.github.lumbre.image.format.png.ApngWriter;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;

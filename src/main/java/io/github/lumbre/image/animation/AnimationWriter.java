@@ -1,6 +1,6 @@
 package io.github.lumbre.image.animation;
 
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.OutputFile;
 import java.io.IOException;
 import java.util.Map;
 

@@ -1,8 +1,8 @@
 package io.github.lumbre.image.animation;
 
-import io.github.lumbre.file.ExternalProgram;
-import io.github.lumbre.file.OutputFile;
-import io.github.lumbre.file.PrivateFolder;
+import io.github.lumbre.base.file.ExternalProgram;
+import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.base.file.PrivateFolder;
 import io.github.lumbre.image.internal.Srgb;
 import java.io.IOException;
 import java.io.InputStream;

@@ -2,11 +2,11 @@ package io.github.lumbre.image.internal;
 
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
-import io.github.lumbre.image.imageio.BmpFile;
-import io.github.lumbre.image.imageio.TiffFile;
-import io.github.lumbre.image.jpeg.JpegFile;
-import io.github.lumbre.image.png.PngFile;
-import io.github.lumbre.image.webp.WebpFile;
+import io.github.lumbre.image.format.imageio.BmpFile;
+import io.github.lumbre.image.format.imageio.TiffFile;
+import io.github.lumbre.image.format.jpeg.JpegFile;
+import io.github.lumbre.image.format.png.PngFile;
+import io.github.lumbre.image.format.webp.WebpFile;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,11 +1,11 @@
 package io.github.lumbre.image.internal;
 
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.limit.Limits;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,10 +1,10 @@
 package io.github.lumbre.image.internal;
 
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.image.png.PngWriter;
+import io.github.lumbre.image.format.png.PngWriter;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;

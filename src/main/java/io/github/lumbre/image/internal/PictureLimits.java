@@ -2,9 +2,9 @@ package io.github.lumbre.image.internal;
 
 import static io.github.lumbre.image.ImageFormatException.malformed;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
-import io.github.lumbre.limit.Limits;
 import java.util.Optional;
 
 /** The limits of the sizes of pictures, checked before memory is allocated. */

@@ -1,10 +1,10 @@
 package io.github.lumbre.image.internal;
 
-import io.github.lumbre.file.FileContent;
+import io.github.lumbre.base.file.FileContent;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.LayeredImage;
-import io.github.lumbre.image.exr.ExrReader;
-import io.github.lumbre.image.png.PngFile;
+import io.github.lumbre.image.format.exr.ExrReader;
+import io.github.lumbre.image.format.png.PngFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,5 +1,6 @@
 package io.github.lumbre.lab.checks;
 
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -7,12 +8,11 @@ import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PixelHalves;
 import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.stopping.Budget;
+import io.github.lumbre.render.stopping.BudgetWatch;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.stopping.Budget;
-import io.github.lumbre.stopping.BudgetWatch;
-import io.github.lumbre.stopping.NoiseEstimate;
-import io.github.lumbre.text.Numbers;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

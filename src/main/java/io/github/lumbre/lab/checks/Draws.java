@@ -2,8 +2,8 @@ package io.github.lumbre.lab.checks;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Hash;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Hash;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /** A reproducible stream of random numbers, determined by its key. Mutable. */
 final class Draws {

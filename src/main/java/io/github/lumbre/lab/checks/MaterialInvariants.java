@@ -12,8 +12,8 @@ import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.internal.Fresnel;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,11 +1,11 @@
 package io.github.lumbre.lab.perf;
 
-import io.github.lumbre.parser.SceneFile;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
+import io.github.lumbre.scenefile.SceneFile;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;

@@ -4,9 +4,9 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.lab.LabHost;
 import io.github.lumbre.lab.SceneFolder;
 import io.github.lumbre.lab.perf.MeasuredScene;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
 import java.util.function.UnaryOperator;
 

@@ -1,13 +1,13 @@
 package io.github.lumbre.lab.report;
 
 import io.github.lumbre.base.Release;
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.lab.Machine;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.perf.Measurement;
 import io.github.lumbre.lab.perf.RasterHash;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.SettingType;
-import io.github.lumbre.text.Numbers;
 import java.nio.charset.Charset;
 import java.util.List;
 import java.util.Locale;

@@ -1,8 +1,8 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
-import io.github.lumbre.text.Numbers;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;

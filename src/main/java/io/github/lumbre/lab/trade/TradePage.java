@@ -1,10 +1,10 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.lab.Table;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;
 import io.github.lumbre.scene.SettingType;
-import io.github.lumbre.text.Numbers;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

@@ -2,7 +2,7 @@ package io.github.lumbre.lab.trade;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.lab.metrics.Interval;
-import io.github.lumbre.stopping.NoiseEstimate;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import java.util.List;
 import java.util.Optional;
 

@@ -1,13 +1,13 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.denoise.BuiltInDenoiser;
-import io.github.lumbre.denoise.NoisyPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.denoise.BuiltInDenoiser;
+import io.github.lumbre.render.denoise.NoisyPicture;
 import io.github.lumbre.render.internal.RendererInside;
-import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.function.Function;

@@ -1,7 +1,7 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.compare.PictureError;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.compare.PictureError;
 import io.github.lumbre.lab.Cost;
 
 /**

@@ -1,16 +1,16 @@
 package io.github.lumbre.lab.trade;
 
-import io.github.lumbre.compare.PictureError;
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.compare.PictureError;
 import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.Trial;
 import io.github.lumbre.lab.metrics.StudentT;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderStatistics;
+import io.github.lumbre.render.stopping.Budget;
+import io.github.lumbre.render.stopping.NoiseEstimate;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.stopping.Budget;
-import io.github.lumbre.stopping.NoiseEstimate;
-import io.github.lumbre.text.Numbers;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

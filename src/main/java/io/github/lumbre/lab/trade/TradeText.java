@@ -1,8 +1,8 @@
 package io.github.lumbre.lab.trade;
 
+import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.lab.metrics.Interval;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.text.Numbers;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;

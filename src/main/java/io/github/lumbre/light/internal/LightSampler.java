@@ -2,7 +2,7 @@ package io.github.lumbre.light.internal;
 
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Light;
-import io.github.lumbre.sampling.internal.Distribution1d;
+import io.github.lumbre.math.sampling.internal.Distribution1d;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

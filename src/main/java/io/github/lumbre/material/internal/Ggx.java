@@ -3,7 +3,7 @@ package io.github.lumbre.material.internal;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 
 /**
  * The Trowbridge–Reitz (GGX) distribution, which has long tails (Walter et al. 2007, sec. 5.2).

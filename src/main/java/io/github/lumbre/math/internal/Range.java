@@ -1,6 +1,6 @@
 package io.github.lumbre.math.internal;
 
-import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.base.text.PrintableText;
 import java.util.function.DoublePredicate;
 
 /**

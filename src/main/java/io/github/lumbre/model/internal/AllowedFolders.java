@@ -1,8 +1,8 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

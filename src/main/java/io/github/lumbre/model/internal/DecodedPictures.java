@@ -1,10 +1,10 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.internal.PictureLimits;
-import io.github.lumbre.limit.Limits;
 import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;

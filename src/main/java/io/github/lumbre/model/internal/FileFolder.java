@@ -1,10 +1,10 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.file.FileFailure;
-import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.base.limit.internal.Interrupts;
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;

@@ -1,6 +1,6 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.base.limit.internal.Interrupts;
 import java.io.IOException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;

@@ -1,16 +1,16 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.file.FileContent;
+import io.github.lumbre.base.file.FileContent;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.gltf.GltfReader;
-import io.github.lumbre.model.obj.ObjModelReader;
-import io.github.lumbre.model.off.OffReader;
-import io.github.lumbre.model.ply.PlyReader;
-import io.github.lumbre.model.stl.StlReader;
-import io.github.lumbre.model.threemf.ThreeMfReader;
-import io.github.lumbre.model.zip.ZipReader;
+import io.github.lumbre.model.format.gltf.GltfReader;
+import io.github.lumbre.model.format.obj.ObjModelReader;
+import io.github.lumbre.model.format.off.OffReader;
+import io.github.lumbre.model.format.ply.PlyReader;
+import io.github.lumbre.model.format.stl.StlReader;
+import io.github.lumbre.model.format.threemf.ThreeMfReader;
+import io.github.lumbre.model.format.zip.ZipReader;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;

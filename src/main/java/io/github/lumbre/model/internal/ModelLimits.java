@@ -1,6 +1,6 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import java.util.Optional;

@@ -1,10 +1,10 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.material.Channel;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.MaterialParameter;

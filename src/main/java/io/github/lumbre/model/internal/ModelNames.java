@@ -1,9 +1,9 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.text.PrintableText;
-import io.github.lumbre.text.Spelling;
 import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;

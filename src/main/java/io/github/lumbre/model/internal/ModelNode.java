@@ -1,6 +1,6 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.text.PrintableText;
+import io.github.lumbre.base.text.PrintableText;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;

@@ -1,10 +1,10 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.text.PrintableText;
 
 /**
  * Checks that a model has a size with which rays, cameras and sections can compute. Volumes, and so

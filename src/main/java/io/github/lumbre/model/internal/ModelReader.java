@@ -1,6 +1,6 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.file.FileContent;
+import io.github.lumbre.base.file.FileContent;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;

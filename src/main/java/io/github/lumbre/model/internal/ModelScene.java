@@ -1,5 +1,6 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshAttributes;
@@ -14,7 +15,6 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.light.SpotLight;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;

@@ -1,9 +1,9 @@
 package io.github.lumbre.model.internal;
 
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.text.PrintableText;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;

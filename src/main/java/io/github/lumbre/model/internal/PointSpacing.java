@@ -1,6 +1,6 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;

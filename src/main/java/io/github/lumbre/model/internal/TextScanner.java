@@ -1,9 +1,9 @@
 package io.github.lumbre.model.internal;
 
-import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.base.limit.internal.Interrupts;
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
-import io.github.lumbre.text.PrintableText;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 

@@ -1,6 +1,6 @@
 package io.github.lumbre.model.section;
 
-import io.github.lumbre.limit.internal.Interrupts;
+import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.TriangleList;

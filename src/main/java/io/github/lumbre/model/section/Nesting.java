@@ -1,9 +1,9 @@
 package io.github.lumbre.model.section;
 
+import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.geometry.Bvh;
 import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.NearestHit;
-import io.github.lumbre.limit.internal.Interrupts;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelPart;
 import java.util.ArrayList;

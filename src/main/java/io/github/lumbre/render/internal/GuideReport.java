@@ -1,6 +1,6 @@
 package io.github.lumbre.render.internal;
 
-import io.github.lumbre.guiding.Guide;
+import io.github.lumbre.integrator.guiding.Guide;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;

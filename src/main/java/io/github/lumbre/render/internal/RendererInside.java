@@ -1,10 +1,10 @@
 package io.github.lumbre.render.internal;
 
 import io.github.lumbre.integrator.Integrator;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.RenderException;
-import io.github.lumbre.sampling.Sampler;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.Optional;

@@ -1,13 +1,13 @@
 package io.github.lumbre.scene.internal;
 
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.SettingType;
-import io.github.lumbre.text.PrintableText;
-import io.github.lumbre.text.Spelling;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;

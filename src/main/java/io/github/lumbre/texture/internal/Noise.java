@@ -1,7 +1,7 @@
 package io.github.lumbre.texture.internal;
 
 import io.github.lumbre.math.internal.Range;
-import io.github.lumbre.sampling.internal.Hash;
+import io.github.lumbre.math.sampling.internal.Hash;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,7 +1,7 @@
 package io.github.lumbre.texture.internal;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.sampling.internal.Hash;
+import io.github.lumbre.math.sampling.internal.Hash;
 
 /**
  * A Voronoi diagram of random points, each with a random color. The points are stratified: the

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.math.Point2;
-import io.github.lumbre.sampling.Sampler;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.ScriptedSampler;

@@ -9,7 +9,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.SobolSampler;
+import io.github.lumbre.math.sampling.internal.SobolSampler;
 import java.util.List;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;

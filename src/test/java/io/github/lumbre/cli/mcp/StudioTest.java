@@ -3,8 +3,8 @@ package io.github.lumbre.cli.mcp;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.limit.Limits;
-import io.github.lumbre.parser.Stage;
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.scenefile.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

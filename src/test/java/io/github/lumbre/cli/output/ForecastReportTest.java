@@ -2,7 +2,7 @@ package io.github.lumbre.cli.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.stopping.Forecast;
+import io.github.lumbre.render.stopping.Forecast;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 

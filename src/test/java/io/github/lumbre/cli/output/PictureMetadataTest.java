@@ -3,8 +3,8 @@ package io.github.lumbre.cli.output;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.TinyScene;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;

@@ -3,10 +3,10 @@ package io.github.lumbre.cli.output;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import io.github.lumbre.parser.Problem;
-import io.github.lumbre.parser.SceneFormatException;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.Stage;
+import io.github.lumbre.scenefile.Problem;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.Stage;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 

@@ -3,9 +3,9 @@ package io.github.lumbre.cli.view;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.parser.SceneParser;
-import io.github.lumbre.parser.internal.CameraPose;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.internal.CameraPose;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.Pixels;
 import java.io.IOException;
 import java.nio.file.Files;

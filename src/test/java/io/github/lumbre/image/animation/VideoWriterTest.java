@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.file.ExternalProgram;
-import io.github.lumbre.file.OutputFile;
+import io.github.lumbre.base.file.ExternalProgram;
+import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.Pixels;
 import java.io.IOException;
 import java.nio.file.Files;

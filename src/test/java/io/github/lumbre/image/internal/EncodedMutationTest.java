@@ -2,14 +2,14 @@ package io.github.lumbre.image.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.image.dds.DdsFixture;
-import io.github.lumbre.image.imageio.LegacyFixture;
-import io.github.lumbre.image.ktx.KtxSamples;
-import io.github.lumbre.image.tga.TgaFixture;
-import io.github.lumbre.image.webp.WebpSamples;
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.image.format.dds.DdsFixture;
+import io.github.lumbre.image.format.imageio.LegacyFixture;
+import io.github.lumbre.image.format.ktx.KtxSamples;
+import io.github.lumbre.image.format.tga.TgaFixture;
+import io.github.lumbre.image.format.webp.WebpSamples;
 import io.github.lumbre.testing.FileMutator;
 import io.github.lumbre.testing.Mutants;
 import java.util.List;

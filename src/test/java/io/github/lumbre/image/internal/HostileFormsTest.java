@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
-import io.github.lumbre.image.exr.ExrBuilder;
+import io.github.lumbre.image.format.exr.ExrBuilder;
 import io.github.lumbre.testing.FileMutator;
 import io.github.lumbre.testing.Mutants;
 import java.io.ByteArrayOutputStream;

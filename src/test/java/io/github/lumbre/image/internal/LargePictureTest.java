@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.image.png.PngFixture;
+import io.github.lumbre.image.format.png.PngFixture;
 import io.github.lumbre.testing.Effort;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -10,7 +10,7 @@ import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.exr.ExrBuilder;
+import io.github.lumbre.image.format.exr.ExrBuilder;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;

@@ -9,7 +9,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
-import io.github.lumbre.image.jpeg.JpegFixture;
+import io.github.lumbre.image.format.jpeg.JpegFixture;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

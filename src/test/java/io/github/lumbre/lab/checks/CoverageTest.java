@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.lab.checks.Coverage.Cell;
 import io.github.lumbre.lab.checks.Coverage.Judged;
-import io.github.lumbre.parser.SceneFile;
-import io.github.lumbre.parser.SceneParser;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,9 +2,9 @@ package io.github.lumbre.lab.trade;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.compare.PictureError;
-import io.github.lumbre.compare.TestPictures;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.image.compare.PictureError;
+import io.github.lumbre.image.compare.TestPictures;
 import io.github.lumbre.lab.Cost;
 import io.github.lumbre.lab.trade.TradeRow.Bias;
 import io.github.lumbre.lab.trade.TradeSetting.Kind;

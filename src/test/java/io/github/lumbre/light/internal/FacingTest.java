@@ -16,7 +16,7 @@ import io.github.lumbre.light.PointLight;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.sampling.internal.Warp;
+import io.github.lumbre.math.sampling.internal.Warp;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
 import java.util.Optional;

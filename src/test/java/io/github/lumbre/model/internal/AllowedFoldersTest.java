@@ -3,7 +3,7 @@ package io.github.lumbre.model.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;

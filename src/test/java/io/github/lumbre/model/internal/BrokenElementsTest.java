@@ -6,7 +6,7 @@ import io.github.lumbre.image.Pixels;
 import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.Charset;

@@ -3,9 +3,9 @@ package io.github.lumbre.model.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.Pixels;
-import io.github.lumbre.limit.Limits;
 import org.junit.jupiter.api.Test;
 
 class DecodedPicturesTest {

@@ -12,11 +12,11 @@ import static io.github.lumbre.material.MaterialParameter.SPECULAR_COLOR;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;

@@ -11,7 +11,7 @@ import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions.Up;
-import io.github.lumbre.model.gltf.GltfFile;
+import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.model.internal.ModelCamera.Parallel;
 import java.util.Optional;
 import java.util.OptionalDouble;

@@ -2,8 +2,8 @@ package io.github.lumbre.model.section;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.limit.Limits;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;

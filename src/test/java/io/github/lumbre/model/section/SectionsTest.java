@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.limit.Limits;
+import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;

@@ -1,0 +1,189 @@
+package io.github.lumbre.base.file;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * Runs an installed program to its end, within a time limit and without a shell.
+ *
+ * @param path absolute path of the program
+ * @param limit time after which it is ended
+ */
+public record ExternalProgram(Path path, Duration limit) {
+  private static final Duration USUAL_LIMIT = Duration.ofMinutes(10);
+  private static final int MAX_LOG = 1 << 16;
+  private static final int LINES = 3;
+  private static final int SHOWN = 300;
+
+  /** Writes the input of a program. */
+  @FunctionalInterface
+  public interface Input {
+    Input NONE = out -> {};
+
+    /** Writes all to a stream, which the caller closes. Called by a thread of its own. */
+    void writeTo(OutputStream out) throws IOException;
+  }
+
+  /**
+   * Returns an installed program with a time limit of 10 minutes.
+   *
+   * @param name of the program
+   * @param chosen path of the program or of its folder; if empty, a variable of the environment
+   *     states it, or else the program is sought in the folders of {@code PATH}
+   * @param variable name of the variable
+   * @param advice how to get the program
+   * @throws IOException if the program is not found
+   */
+  public static ExternalProgram find(
+      String name,
+      Optional<Path> chosen,
+      String variable,
+      Map<String, String> environment,
+      String advice)
+      throws IOException {
+    Optional<Path> named =
+        chosen.or(
+            () ->
+                Optional.ofNullable(environment.get(variable))
+                    .filter(text -> !text.isBlank())
+                    .map(Path::of));
+    List<Path> places = named.map(List::of).orElse(onPath(environment.getOrDefault("PATH", "")));
+    for (Path place : places) {
+      for (Path file : List.of(place, place.resolve(name), place.resolve(name + ".exe"))) {
+        if (Files.isRegularFile(file) && Files.isExecutable(file)) {
+          return new ExternalProgram(file.toAbsolutePath(), USUAL_LIMIT);
+        }
+      }
+    }
+    String found =
+        named.map(file -> file + ": not a program").orElse(name + ": not found on the PATH");
+    throw new IOException(found + "; " + advice + "; or state its path in " + variable);
+  }
+
+  private static List<Path> onPath(String path) {
+    return Stream.of(path.split(Pattern.quote(File.pathSeparator)))
+        .filter(folder -> !folder.isBlank())
+        .map(folder -> Path.of(folder))
+        .toList();
+  }
+
+  /** Returns the program with another time limit. */
+  public ExternalProgram within(Duration each) {
+    return new ExternalProgram(path, each);
+  }
+
+  /**
+   * Runs the program and returns the start of its output.
+   *
+   * @throws IOException if the program does not start, takes too long, or fails, or if the input
+   *     cannot be written to its end
+   * @throws InterruptedException if the thread is interrupted; the program is ended
+   */
+  public String run(List<String> arguments, Input input) throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>(List.of(path.toString()));
+    command.addAll(arguments);
+    Process process = start(command);
+    FutureTask<String> said = inBackground("listening to ", () -> said(process.getInputStream()));
+    FutureTask<Void> fed =
+        inBackground(
+            "writing to ",
+            () -> {
+              try (OutputStream out = process.getOutputStream()) {
+                input.writeTo(out);
+              }
+              return null;
+            });
+    try {
+      if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
+        throw new IOException(
+            path + ": took longer than " + limit.toMillis() / 1000.0 + " s and was ended");
+      }
+    } finally {
+      end(process);
+    }
+    String text = text(said);
+    if (process.exitValue() != 0) {
+      throw new IOException(path + ": failed with code " + process.exitValue() + lastLines(text));
+    }
+    requireDone(fed, text);
+    return text;
+  }
+
+  private Process start(List<String> command) throws IOException {
+    try {
+      return new ProcessBuilder(command).redirectErrorStream(true).start();
+    } catch (IOException e) {
+      throw new IOException(path + ": does not start: " + e.getMessage(), e);
+    }
+  }
+
+  private <T> FutureTask<T> inBackground(String purpose, Callable<T> action) {
+    FutureTask<T> task = new FutureTask<>(action);
+    Thread thread = new Thread(task, purpose + path.getFileName());
+    thread.setDaemon(true);
+    thread.start();
+    return task;
+  }
+
+  private static void end(Process process) {
+    // Destroying an ended process would close what it said before it is read.
+    if (process.isAlive()) {
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
+      process.destroyForcibly();
+    }
+  }
+
+  /** Reads all, so that the program does not wait, and keeps the start. */
+  private static String said(InputStream in) throws IOException {
+    byte[] start = in.readNBytes(MAX_LOG);
+    in.transferTo(OutputStream.nullOutputStream());
+    return new String(start, StandardCharsets.UTF_8);
+  }
+
+  /**
+   * Returns the output of the ended program; nothing if a process that it left behind still writes.
+   */
+  private static String text(FutureTask<String> said) throws InterruptedException {
+    try {
+      return said.get(1, TimeUnit.SECONDS);
+    } catch (ExecutionException | TimeoutException e) {
+      return "";
+    }
+  }
+
+  private void requireDone(FutureTask<Void> fed, String said)
+      throws IOException, InterruptedException {
+    try {
+      fed.get(1, TimeUnit.SECONDS);
+    } catch (TimeoutException e) {
+      throw new IOException(path + ": ended before it had read its input" + lastLines(said), e);
+    } catch (ExecutionException e) {
+      throw new IOException(e.getCause().getMessage(), e);
+    }
+  }
+
+  /** Returns the last lines of the output as one line; the first of them is often the reason. */
+  private static String lastLines(String said) {
+    List<String> lines = said.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
+    String last = String.join("; ", lines.subList(Math.max(0, lines.size() - LINES), lines.size()));
+    String shown = last.substring(0, Math.min(SHOWN, last.length())).replaceAll("\\p{Cntrl}", " ");
+    return shown.isEmpty() ? "" : ": " + shown;
+  }
+}

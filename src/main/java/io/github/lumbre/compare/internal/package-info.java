@@ -1,2 +1,0 @@
-/** Pictures of errors, which the module does not export. */
-package io.github.lumbre.compare.internal;

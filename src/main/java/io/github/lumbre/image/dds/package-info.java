@@ -1,2 +1,0 @@
-/** Reads DDS files with one picture, block-compressed or not. */
-package io.github.lumbre.image.dds;

@@ -1,0 +1,2 @@
+/** Reads DDS files with one picture, block-compressed or not. */
+package io.github.lumbre.image.format.dds;

@@ -1,0 +1,2 @@
+/** Reads and writes portable float maps: linear light without metadata. */
+package io.github.lumbre.image.format.pfm;

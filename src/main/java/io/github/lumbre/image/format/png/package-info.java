@@ -1,0 +1,2 @@
+/** Checks and writes PNG files; Java decodes them. */
+package io.github.lumbre.image.format.png;

@@ -1,0 +1,2 @@
+/** Reads Truevision TGA files. */
+package io.github.lumbre.image.format.tga;

@@ -1,2 +1,0 @@
-/** Reads Radiance HDR files: linear light with a common exponent for each pixel. */
-package io.github.lumbre.image.hdr;

@@ -1,2 +1,0 @@
-/** Checks and writes JPEG files; Java decodes them. */
-package io.github.lumbre.image.jpeg;

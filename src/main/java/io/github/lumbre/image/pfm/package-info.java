@@ -1,2 +1,0 @@
-/** Reads and writes portable float maps: linear light without metadata. */
-package io.github.lumbre.image.pfm;

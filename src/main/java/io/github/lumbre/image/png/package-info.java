@@ -1,2 +1,0 @@
-/** Checks and writes PNG files; Java decodes them. */
-package io.github.lumbre.image.png;

@@ -1,2 +1,0 @@
-/** Reads Truevision TGA files. */
-package io.github.lumbre.image.tga;

@@ -1,2 +1,0 @@
-/** The limit of time, which the module does not export. */
-package io.github.lumbre.limit.internal;

@@ -1,0 +1,2 @@
+/** Reads OFF texts through {@link OffReader}. */
+package io.github.lumbre.model.format.off;

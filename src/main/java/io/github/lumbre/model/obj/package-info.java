@@ -1,2 +1,0 @@
-/** Reads OBJ files with their material libraries (MTL), through {@link ObjModelReader}. */
-package io.github.lumbre.model.obj;

@@ -1,2 +1,0 @@
-/** Reads OFF texts through {@link OffReader}. */
-package io.github.lumbre.model.off;

@@ -1,2 +1,0 @@
-/** Reads PLY files, as text and binary, through {@link PlyReader}. */
-package io.github.lumbre.model.ply;

@@ -1,2 +1,0 @@
-/** Reads STL files, as text and binary, through {@link StlReader}. */
-package io.github.lumbre.model.stl;

@@ -1,2 +1,0 @@
-/** What reports, audits and checkpoint files state of a scene file. */
-package io.github.lumbre.parser.internal;

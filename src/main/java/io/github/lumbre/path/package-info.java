@@ -1,5 +1,0 @@
-/** Recorded light paths as plain data: the result of replaying a pixel. */
-@NullMarked
-package io.github.lumbre.path;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,277 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelPart;
+import io.github.lumbre.model.internal.ModelScene;
+import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.internal.ShownLabels;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Set;
+
+/** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
+final class Framing {
+  /** The fraction of the frame that the model may fill. */
+  private static final double FILL = .92;
+
+  /** The least distance of a vertex from the camera, relative to the diagonal of the box. */
+  private static final double NEAR = 1e-3;
+
+  /** How equal margins are, relative to what the model fills. */
+  private static final double EVEN = 1e-4;
+
+  /** The largest number of passes over the vertices. */
+  private static final int MAX_PASSES = 20;
+
+  private final List<Vertices> parts;
+  private final Vec3 min;
+  private final Vec3 max;
+
+  /** Whether there is no vertex. */
+  private final boolean isEmpty;
+
+  private Framing(List<Vertices> parts, Vec3 min, Vec3 max, boolean isEmpty) {
+    this.parts = parts;
+    this.min = min;
+    this.max = max;
+    this.isEmpty = isEmpty;
+  }
+
+  /**
+   * The vertices of a part.
+   *
+   * @param positions of all vertices, in the space of the part
+   * @param used the indices of those that belong to a triangle, or are points
+   * @param radius of spheres around the points, in world space; 0 if they belong to triangles
+   */
+  private record Vertices(Transform toWorld, double[] positions, BitSet used, double radius) {
+    static Vertices of(ModelPart part, double pointRadius) {
+      BitSet used = new BitSet(part.geometry().positions().length / 3);
+      for (int vertex : part.geometry().indices()) {
+        used.set(vertex);
+      }
+      boolean isPoints = part.geometry().isPoints();
+      if (isPoints) {
+        used.set(0, part.geometry().vertexCount());
+      }
+      Transform toWorld = ModelScene.TO_LEFT_HANDED.times(part.toWorld());
+      double[] positions = part.geometry().positions();
+      return new Vertices(toWorld, positions, used, isPoints ? pointRadius : 0);
+    }
+
+    /** Returns whether the vertices are those of another part, perhaps at another place. */
+    boolean isMoved(Vertices other) {
+      return radius == other.radius
+          && used.equals(other.used)
+          && Arrays.equals(positions, other.positions);
+    }
+
+    /** Returns these vertices at the place of others. */
+    Vertices at(Vertices other) {
+      return new Vertices(other.toWorld, positions, used, radius);
+    }
+
+    /** Calls the visitor with each vertex in world space. */
+    void forEach(Visitor visitor) {
+      for (int v = used.nextSetBit(0); v >= 0; v = used.nextSetBit(v + 1)) {
+        Vec3 local = new Vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+        visitor.visit(toWorld.point(local), radius);
+      }
+    }
+  }
+
+  /** Visits vertices in world space. */
+  private interface Visitor {
+    /** Visits the sphere around a vertex; its radius is 0 for a vertex of triangles. */
+    void visit(Vec3 vertex, double radius);
+  }
+
+  static Framing of(Model model) {
+    List<Vertices> parts =
+        model.parts().stream().map(part -> Vertices.of(part, model.pointRadius())).toList();
+    double infinity = Double.POSITIVE_INFINITY;
+    double[] box = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
+    forVertices(
+        parts,
+        (v, radius) -> {
+          box[0] = Math.min(box[0], v.x() - radius);
+          box[1] = Math.min(box[1], v.y() - radius);
+          box[2] = Math.min(box[2], v.z() - radius);
+          box[3] = Math.max(box[3], v.x() + radius);
+          box[4] = Math.max(box[4], v.y() + radius);
+          box[5] = Math.max(box[5], v.z() + radius);
+        });
+    return box[0] > box[3]
+        ? new Framing(parts, Vec3.ZERO, Vec3.ZERO, true)
+        : new Framing(
+            parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]), false);
+  }
+
+  /**
+   * Returns where a camera must stand so that two models are in the frame. If the other one is this
+   * one in another pose, they share the vertices of parts that keep their shape. One without
+   * vertices does not count.
+   */
+  Framing with(Framing other) {
+    if (isEmpty || other.isEmpty) {
+      return isEmpty ? other : this;
+    }
+    List<Vertices> all = new ArrayList<>(parts);
+    for (int i = 0; i < other.parts.size(); i++) {
+      Vertices part = other.parts.get(i);
+      boolean isMoved = i < parts.size() && part.isMoved(parts.get(i));
+      all.add(isMoved ? parts.get(i).at(part) : part);
+    }
+    Bounds3 box = new Bounds3(min, max).union(new Bounds3(other.min, other.max));
+    return new Framing(List.copyOf(all), box.min(), box.max(), false);
+  }
+
+  /** Visits all vertices, and the corners of the box if it is drawn. */
+  private void visit(Visitor visitor, Set<String> labels) {
+    forVertices(parts, visitor);
+    if (ShownLabels.showBox(labels)) {
+      for (double x : List.of(min.x(), max.x())) {
+        for (double y : List.of(min.y(), max.y())) {
+          visitor.visit(new Vec3(x, y, min.z()), 0);
+          visitor.visit(new Vec3(x, y, max.z()), 0);
+        }
+      }
+    }
+  }
+
+  private static void forVertices(List<Vertices> parts, Visitor visitor) {
+    parts.forEach(part -> part.forEach(visitor));
+  }
+
+  /** Returns the least coordinates of the vertices. */
+  Vec3 min() {
+    return min;
+  }
+
+  /** Returns the largest coordinates of the vertices. */
+  Vec3 max() {
+    return max;
+  }
+
+  /**
+   * Returns the nearest point for a pinhole camera that has all vertices in its frame, with equal
+   * margins to the left and right, and above and below. A camera of a turntable has the smallest
+   * distance and the height that suit every azimuth, and the middle of the model's box is on the
+   * vertical line through the middle of its frame.
+   *
+   * @param fov vertical angle of view in degrees
+   * @param aspect width of the frame over its height
+   * @param labels on the picture, which need room
+   */
+  Vec3 eye(View from, double fov, double aspect, Set<String> labels) {
+    double sinA = Elementary.sinDegrees(from.azimuth());
+    double cosA = Elementary.cosDegrees(from.azimuth());
+    double sinE = Elementary.sinDegrees(from.elevation());
+    double cosE = Elementary.cosDegrees(from.elevation());
+    Vec3 back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
+    Vec3 right = new Vec3(cosA, 0, sinA);
+    Vec3 up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
+    double tan = Elementary.tanDegrees(fov / 2);
+    Vec3 center = min.plus(max).times(.5);
+    Bounds across = new Bounds(aspect * (ShownLabels.fillAcross(labels, FILL) * tan));
+    Bounds upwards = new Bounds(ShownLabels.fillUpwards(labels, FILL) * tan);
+    double[] nearest = {0};
+    Visitor measure =
+        (vertex, size) -> {
+          Vec3 v = vertex.minus(center);
+          if (from.isTurntable()) {
+            double radius = Math.sqrt(v.x() * v.x() + v.z() * v.z());
+            across.addCircle(0, v.y() * sinE, radius, cosE, size);
+            upwards.addCircle(v.y() * cosE, v.y() * sinE, radius, sinE, cosE, size);
+            nearest[0] = Math.max(nearest[0], v.y() * sinE + radius * cosE + size);
+          } else {
+            double depth = v.dot(back);
+            across.add(v.dot(right), depth, size);
+            upwards.add(v.dot(up), depth, size);
+            nearest[0] = Math.max(nearest[0], depth + size);
+          }
+        };
+    visit(measure, labels);
+    double margin = NEAR * max.minus(min).length();
+    double distance =
+        Math.max(nearest[0] + margin, Math.max(across.distance(), upwards.distance()));
+    // One axis does not fill its part of the frame; it gets equal margins step by step.
+    boolean isEven = distance == 0;
+    for (int pass = 0; !isEven && pass < MAX_PASSES; pass++) {
+      isEven = across.fitTo(distance) & upwards.fitTo(distance);
+      visit(measure, labels);
+    }
+    return center
+        .plus(distance > 0 ? distance : 1, back)
+        .plus(across.middle(), right)
+        .plus(upwards.middle(), up);
+  }
+
+  /**
+   * The bounds of points along one axis of the frame. A point at {@code x} and {@code depth}
+   * towards the camera is in the frame of a camera at {@code e} and {@code distance} if |x − e| ≤
+   * tan (distance − depth). A sphere around it of a radius is in the frame if that holds with |x −
+   * e| greater by √(1 + tan²) times the radius.
+   */
+  private static final class Bounds {
+    private double tan;
+    private double high = Double.NEGATIVE_INFINITY;
+    private double low = Double.POSITIVE_INFINITY;
+
+    Bounds(double tan) {
+      this.tan = tan;
+    }
+
+    /** Adds a sphere; a point if its radius is 0. */
+    void add(double x, double depth, double radius) {
+      double reach = radius == 0 ? 0 : radius * Math.sqrt(1 + tan * tan);
+      high = Math.max(high, x + tan * depth + reach);
+      low = Math.min(low, x - tan * depth - reach);
+    }
+
+    /** Adds the spheres around (x + r sin φ, depth + r cos φ cosE) for all φ. */
+    void addCircle(double x, double depth, double r, double cosE, double radius) {
+      double reach = r * Math.sqrt(1 + tan * tan * cosE * cosE) + radius * Math.sqrt(1 + tan * tan);
+      high = Math.max(high, x + tan * depth + reach);
+      low = Math.min(low, x - tan * depth - reach);
+    }
+
+    /** Adds the spheres around (x − r cos φ sinE, depth + r cos φ cosE) for all φ. */
+    void addCircle(double x, double depth, double r, double sinE, double cosE, double radius) {
+      double reach = radius * Math.sqrt(1 + tan * tan);
+      high = Math.max(high, x + tan * depth + r * Math.abs(tan * cosE - sinE) + reach);
+      low = Math.min(low, x - tan * depth - r * Math.abs(tan * cosE + sinE) - reach);
+    }
+
+    /**
+     * Begins anew with the part of the frame that the points fill at a distance, by the former
+     * bounds. Returns whether it is nearly the former part.
+     */
+    boolean fitTo(double distance) {
+      double filled = high > low ? (high - low) / (2 * distance) : tan;
+      boolean isSame = Math.abs(filled - tan) <= EVEN * tan;
+      tan = filled;
+      high = Double.NEGATIVE_INFINITY;
+      low = Double.POSITIVE_INFINITY;
+      return isSame;
+    }
+
+    /** Returns the smallest distance of a camera that has all points in its frame. */
+    double distance() {
+      return high > low ? (high - low) / (2 * tan) : 0;
+    }
+
+    /**
+     * Returns the position along the axis where a camera at {@link #distance} has equal margins.
+     */
+    double middle() {
+      return high > low ? (high + low) / 2 : 0;
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package io.github.lumbre.scenefile;
+
+import com.google.gson.JsonObject;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.DirectionalLight;
+import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.PointLight;
+import io.github.lumbre.light.SpotLight;
+import io.github.lumbre.light.internal.Directions;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
+import io.github.lumbre.scene.SceneAssembly;
+import io.github.lumbre.scene.internal.SceneNode;
+import io.github.lumbre.scenefile.ObjectTree.Placed;
+import io.github.lumbre.texture.internal.ClearSky;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** The lights of scene files. */
+final class LightKinds {
+  /** Makes an action that adds a light to a scene. */
+  interface Reading {
+    /**
+     * @param intensity times the color
+     */
+    Consumer<SceneAssembly> read(LightReader reader, Placed light, Rgb intensity);
+  }
+
+  /** A computed sky. */
+  enum Sky {
+    STUDIO,
+    CLEAR,
+    SUN
+  }
+
+  static final Family<Reading> FAMILY =
+      new Family<>("lightType", Optional.empty(), "a light", ObjectKeys.OF_EMITTERS);
+
+  /** The kind of the lights of the sky. */
+  static final String DOME = "Dome";
+
+  static final Key<Double> INTENSITY =
+      Key.number(
+          "intensity",
+          Range.NOT_NEGATIVE,
+          0,
+          "Times the color; see docs/scene-format.md for its unit. With a profile, a factor, by"
+              + " default 1.");
+  static final Key<Rgb> COLOR = Key.color("color", "");
+  static final Key<Falloff> FALLOFF = Key.choice("falloff", falloffs(), Falloff.NONE, "");
+  static final Key<String> PROFILE =
+      Key.of(
+          "profile", Value.TEXT, "IES file of a lamp (LM-63), relative to the scene's folder.");
+  static final Key<Double> SPOT_ANGLE =
+      Key.number(
+          "spotAngle",
+          new Range(
+              Range.ANY.low(),
+              Range.ANY.high(),
+              angle -> angle != 0 && Range.ANY.contains(angle),
+              "an angle other than 0",
+              "an angle other than 0"),
+          60,
+          "Half angle in degrees.");
+  static final Key<Double> PENUMBRA =
+      Key.number("penumbra", Range.closed(0, 90), 0, "In degrees, at most the spotAngle.");
+  static final Key<LightReader.Unit> UNIT =
+      Key.choice("unit", units(), LightReader.Unit.FORMAT, "").withoutDefault();
+  static final Key<Double> RADIUS = ShapeKinds.size("radius", "In scene units.");
+  static final Key<Double> WIDTH = ShapeKinds.size("width", "Along x.");
+  static final Key<Double> HEIGHT = ShapeKinds.size("height", "Along y.");
+  static final Key<Integer> TEXTURE = Key.id("textureId");
+  static final Key<Sky> SKY =
+      Key.choice(
+              "sky",
+              Sky.STUDIO,
+              "A computed sky instead of a texture: a studio, a clear day's sky, or the sun in it.")
+          .withoutDefault();
+  static final Key<Double> SUN_AZIMUTH =
+      Key.number(
+          "sunAzimuth",
+          Range.ANY,
+          Stage.Sky.SUN.azimuth(),
+          "Of the sun of a clear sky, in degrees: 0 towards -z, 90 towards +x.");
+  static final Key<Double> SUN_ELEVATION =
+      Key.number(
+          "sunElevation",
+          Range.closed(ClearSky.LOWEST, 90),
+          Stage.Sky.SUN.elevation(),
+          "Of the sun of a clear sky, in degrees above the horizon.");
+
+  static {
+    shining("Directional", DirectionalLight.class, LightReader::directional)
+        .with(COLOR, DirectionalLight::irradiance)
+        .writing(
+            (light, to, textures) ->
+                pointing(to, Vec3.ZERO, light.direction()));
+    shining("Point", PointLight.class, LightReader::point)
+        .with(COLOR, PointLight::intensity)
+        .with(FALLOFF, PointLight::falloff)
+        .with(PROFILE)
+        .placed(light -> Transform.translation(light.position()));
+    shining("Spot", SpotLight.class, LightReader::spot)
+        .with(COLOR, light -> light.source().intensity())
+        .with(FALLOFF, light -> light.source().falloff())
+        .with(SPOT_ANGLE, SpotLight::halfAngleDegrees)
+        .with(PENUMBRA, SpotLight::penumbraDegrees)
+        .writing(
+            (light, to, textures) -> pointing(to, light.source().position(), light.axis()));
+    shining("Ambient", SceneNode.Ambient.class, LightReader::ambient)
+        .with(COLOR, SceneNode.Ambient::irradiance);
+    // Scenes state area lights that code built as materials, because these may have a texture.
+    shining("Rectangle", Void.class, LightReader::rectangle).with(COLOR, WIDTH, HEIGHT, UNIT);
+    shining("Sphere", Void.class, LightReader::sphere).with(COLOR, RADIUS, UNIT);
+    FAMILY
+        .kind(DOME, EnvironmentLight.class, LightReader::dome)
+        .with(TEXTURE, SKY, SUN_AZIMUTH, SUN_ELEVATION, INTENSITY, COLOR)
+        .writing(LightKinds::dome);
+    FAMILY.refuse("ProfileLight", "a light without a profile", "the profile of a lamp");
+    FAMILY.refuse("AreaLight", "addAreaLight for an area light", "add(Light)");
+  }
+
+  private LightKinds() {}
+
+  private static <O> Kind<Reading, O> shining(String name, Class<O> type, Reading reading) {
+    return FAMILY.kind(name, type, reading).with(INTENSITY).writing((o, to, t) -> shine(to));
+  }
+
+  /** Writes the intensity of lights whose color is their strength. */
+  private static void shine(JsonObject to) {
+    to.addProperty(INTENSITY.name(), 1);
+  }
+
+  private static void pointing(JsonObject to, Vec3 position, Vec3 direction) {
+    LocalTransform.matrix(to, Directions.pointing(position, direction));
+  }
+
+  private static void dome(EnvironmentLight sky, JsonObject to, WrittenTextures textures) {
+    boolean isUniform = sky.grid().isEmpty();
+    if (!isUniform && sky.choiceShare() != 1) {
+      throw new Unwritable("an environment light without besideSun", "one with it");
+    }
+    Rgb color = isUniform ? sky.radiance().at(0, 0) : textures.sky(to, sky.radiance());
+    shine(to);
+    COLOR.put(to, color);
+    if (!isUniform) {
+      LocalTransform.matrix(to, Transform.ofFrame(sky.axes(), Vec3.ZERO));
+    }
+  }
+
+  private static Map<String, Falloff> falloffs() {
+    Map<String, Falloff> falloffs = new LinkedHashMap<>();
+    falloffs.put("none", Falloff.NONE);
+    falloffs.put("inverseSquare", Falloff.INVERSE_SQUARE);
+    return falloffs;
+  }
+
+  private static Map<String, LightReader.Unit> units() {
+    Map<String, LightReader.Unit> units = new LinkedHashMap<>();
+    units.put("radiance", LightReader.Unit.RADIANCE);
+    units.put("power", LightReader.Unit.POWER);
+    return units;
+  }
+}

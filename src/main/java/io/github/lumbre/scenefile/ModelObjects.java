@@ -1,0 +1,109 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.ObjectTree.Placed;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP.
+ *
+ * @param parts receives the models
+ * @param settings of the scene: they have the time of the shutter
+ * @param sceneName name of the scene file; places of a model with this name are in the model alone:
+ *     the scene stands for the model
+ * @param lenient whether a missing picture of a model is a warning instead of an error; it always
+ *     is if the scene stands for the model
+ */
+record ModelObjects(
+    AssetData data,
+    MaterialReader materials,
+    ModelParts parts,
+    RenderSettings settings,
+    String sceneName,
+    boolean lenient) {
+  private static final Set<String> KEYS = Key.names(ObjectKeys.OF_EMITTERS);
+
+  static {
+    KEYS.addAll(ModelKeys.NAMES);
+    KEYS.addAll(Key.names(ObjectKeys.OF_MODELS));
+  }
+
+  /** Adds the model of an object; adds an error if it cannot be used. */
+  void read(Placed object) {
+    JsonNode node = object.node();
+    node.warnUnknown(KEYS);
+    Optional<String> name = node.string(ObjectKeys.FILE.name());
+    if (name.isEmpty()) {
+      if (!node.has(ObjectKeys.FILE.name())) {
+        node.error(ObjectKeys.FILE.name(), "expected the name of a model file, found nothing");
+      }
+      return;
+    }
+    data.file(node.spot(ObjectKeys.FILE.name()), name.get())
+        .ifPresent(content -> read(object, name.get(), content.bytes()));
+  }
+
+  private void read(Placed object, String name, byte[] content) {
+    JsonNode node = object.node();
+    boolean isTheScene = name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
+    ModelPlace place =
+        isTheScene
+            ? new ModelPlace.OfFile(node.problems())
+            : new ModelPlace.OfObject(node, ObjectKeys.FILE.name(), name);
+    ModelOptions options = options(node, lenient || isTheScene);
+    ModelFolder files =
+        isTheScene
+            ? data.ownFolderOf(name, options.with(ModelOption.ASSETS, data.modelAssets()))
+            : data.folderOf(name);
+    try {
+      Model model = ModelReader.read(name, content, files, options);
+      if (ObjectKeys.USE_CAMERA.isIn(node)) {
+        String camera = ObjectKeys.USE_CAMERA.in(node);
+        parts.seenBy(StageCamera.inPoses(model, camera, object.toWorld()));
+      }
+      parts.add(
+          model,
+          new ModelParts.Placement(
+              place,
+              object.toWorld(),
+              ObjectKeys.SHARED_MODEL.in(node),
+              overrides(node),
+              ObjectKeys.USE_LIGHTS.in(node),
+              object.lightGroup()));
+    } catch (ModelFormatException e) {
+      place.error(e);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private ModelOptions options(JsonNode node, boolean mayLackPictures) {
+    return ModelKeys.read(node)
+        .limitedTo(data.allowance().left())
+        .lenient(mayLackPictures)
+        .during(settings);
+  }
+
+  /** Returns the surfaces that replace materials of the model, by the names of these. */
+  private Map<String, Surface> overrides(JsonNode node) {
+    Map<String, Surface> all = new LinkedHashMap<>();
+    node.object(ObjectKeys.MATERIALS.name())
+        .ifPresent(
+            named ->
+                named
+                    .keys()
+                    .forEach(key -> materials.named(named, key).ifPresent(s -> all.put(key, s))));
+    return all;
+  }
+}

@@ -1,0 +1,47 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.scenefile.internal.CameraKeys;
+import java.util.List;
+
+/** The keys of a scene itself; {@code $schema} names the schema for editors. */
+final class SceneKeys {
+  static final Key<Integer> MAIN_CAMERA =
+      Key.of(CameraKeys.MAIN_CAMERA, Value.ID, "The id of the camera that the scene is seen by.");
+  static final Key<JsonNode> OPTIONS =
+      Key.of("renderOptions", Value.other("{'$ref': '#/$defs/renderOptions'}"), "");
+  static final Key<JsonNode> ASSETS =
+      Key.of(
+          "assets",
+          Value.other("{'type': ['array', 'null'], 'items': {'$ref': '#/$defs/asset'}}"),
+          "");
+  static final Key<JsonNode> OBJECTS = Key.of(CameraKeys.OBJECTS, ObjectKeys.LIST, "");
+
+  static final List<Key<?>> ALL =
+      List.of(
+          Key.of("$schema", Value.other("{}"), ""),
+          ObjectKeys.NAME,
+          MAIN_CAMERA,
+          OPTIONS,
+          ASSETS,
+          OBJECTS);
+
+  static final int DEFAULT_ANTIALIASING = 2;
+  static final int MAX_ANTIALIASING = 16;
+  static final Key<Integer> ANTIALIASING =
+      Key.integer(
+          "antialiasing",
+          -1,
+          MAX_ANTIALIASING,
+          DEFAULT_ANTIALIASING,
+          "Ray mode: 2^n samples per pixel, odd n raised by one; -1 is missing.");
+  static final Key<JsonNode> BACKGROUND =
+      Key.of(
+          "background",
+          Value.other("{'anyOf': [{'$ref': '#/$defs/color'}, {'const': 'transparent'}]}"),
+          "Radiance of a uniform dome, or \"transparent\".");
+
+  /** The keys of render options that are not settings. */
+  static final List<Key<?>> OF_OPTIONS = List.of(ANTIALIASING, BACKGROUND, ObjectKeys.NAME);
+
+  private SceneKeys() {}
+}

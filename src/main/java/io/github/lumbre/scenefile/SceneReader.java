@@ -1,0 +1,235 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.base.limit.internal.Interrupts;
+import io.github.lumbre.camera.Camera;
+import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.Shape;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.model.internal.DecodedPictures;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.ObjectTree.Placed;
+import io.github.lumbre.scenefile.internal.Origin;
+import io.github.lumbre.scenefile.internal.SceneContents;
+import io.github.lumbre.scenefile.internal.SceneOrigins;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+
+/** Reads the objects of a scene, the assets they use, and the main camera. Not reusable. */
+final class SceneReader {
+  private static final String MAIN_CAMERA = SceneKeys.MAIN_CAMERA.name();
+
+  private final JsonNode root;
+  private final RenderSettings settings;
+  private final Kernel kernel;
+  private final AssetTable assets;
+  private final ObjectTree tree;
+  private final TextureReader textures;
+  private final MeshReader meshes;
+  private final MaterialReader materials;
+  private final ShapeReader shapes;
+  private final ModelObjects models;
+  private final SceneParts parts = new SceneParts();
+  private final ModelParts modelParts;
+  private final LightProfiles profiles;
+  private Optional<Camera> camera = Optional.empty();
+  private Optional<Rgb> backplate = Optional.empty();
+  private String cameraType = "";
+  private int lightCount;
+
+  /**
+   * @param settings of the scene
+   * @param change overrides for all textures
+   * @param kernel traversal kernel of the bounding volume hierarchies
+   * @param sceneName name of the scene file
+   */
+  SceneReader(
+      JsonNode root,
+      AssetTable assets,
+      AssetData data,
+      RenderSettings settings,
+      TextureChange change,
+      Kernel kernel,
+      String sceneName) {
+    this.root = root;
+    this.settings = settings;
+    this.kernel = kernel;
+    this.assets = assets;
+    tree = ObjectTree.of(root);
+    textures = new TextureReader(assets, data, settings.seed(), change);
+    meshes = new MeshReader(assets, data);
+    materials = new MaterialReader(assets, textures);
+    shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
+    profiles = new LightProfiles(data);
+    modelParts = new ModelParts(parts, data.allowance(), kernel, new DecodedPictures());
+    models = new ModelObjects(data, materials, modelParts, settings, sceneName, assets.isLenient());
+  }
+
+  private List<Placed> objects(ObjectTree.Type type) {
+    return tree.objects().stream().filter(object -> object.type() == type).toList();
+  }
+
+  /**
+   * Reads camera, shapes and lights, and adds errors and warnings to the problems.
+   *
+   * @param aspect width of the film over its height
+   * @param background radiance from the settings; empty if they name none
+   */
+  void read(double aspect, Optional<Rgb> background) {
+    textures.checkAll();
+    meshes.checkAll();
+    materials.checkAll();
+    Set<String> keys = Key.names(ObjectKeys.ALL);
+    objects(ObjectTree.Type.NONE).forEach(o -> o.node().warnUnknown(keys));
+    readCamera(aspect);
+    objects(ObjectTree.Type.SHAPE).forEach(this::readShape);
+    objects(ObjectTree.Type.MODEL).forEach(this::readModel);
+    readLights(background);
+    backplate =
+        SceneKeys.OPTIONS.find(root).filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
+  }
+
+  private void readCamera(double aspect) {
+    List<Placed> all = objects(ObjectTree.Type.CAMERA);
+    all.forEach(each -> each.node().warnUnknown(CameraKinds.FAMILY.keys()));
+    Optional<Integer> wanted = root.id(MAIN_CAMERA);
+    Optional<Placed> main =
+        all.stream()
+            .filter(c -> wanted.isPresent() && wanted.equals(idOf(c)))
+            .findFirst();
+    if (main.isEmpty()) {
+      reportNoCamera(all);
+      return;
+    }
+    tree.repetition(wanted.get())
+        .ifPresent(
+            second ->
+                second.error(
+                    ObjectKeys.ID.name(),
+                    "expected the main camera's id once, found " + wanted.get() + " again"));
+    camera = CameraKinds.read(main.get(), aspect, textures);
+    cameraType = CameraKinds.FAMILY.typeKey().in(main.get().node());
+  }
+
+  private static Optional<Integer> idOf(Placed object) {
+    return object.node().idSilently(ObjectKeys.ID.name());
+  }
+
+  private void reportNoCamera(List<Placed> cameras) {
+    if (root.has(MAIN_CAMERA) && root.idSilently(MAIN_CAMERA).isEmpty()) {
+      return;
+    }
+    TreeSet<Integer> ids = new TreeSet<>();
+    cameras.forEach(c -> idOf(c).ifPresent(ids::add));
+    root.error(
+        MAIN_CAMERA,
+        "expected the id of a camera, found "
+            + root.find(MAIN_CAMERA).map(JsonNode::found).orElse("nothing")
+            + "; "
+            + AssetTable.shown(ids));
+  }
+
+  private void readShape(Placed object) {
+    Interrupts.check();
+    Surface surface = materials.of(object.node());
+    Optional<Shape> shape = shapes.read(object);
+    shape.ifPresent(
+        made ->
+            parts.add(
+                object.node().origin(),
+                materials.asset(object.node()).map(JsonNode::origin).orElse(Origin.NONE),
+                object.lightGroup(),
+                scene -> surface.add(made, scene)));
+  }
+
+  private void readModel(Placed object) {
+    Interrupts.check();
+    models.read(object);
+  }
+
+  private void readLights(Optional<Rgb> background) {
+    LightReader lights = new LightReader(textures, profiles, materials.hasGlass());
+    for (Placed light : objects(ObjectTree.Type.LIGHT)) {
+      Origin origin = light.node().origin();
+      lights
+          .read(light)
+          .ifPresent(made -> parts.add(origin, Origin.NONE, light.lightGroup(), made));
+    }
+    lightCount = lights.count();
+    if (background.isPresent() && lights.hasDome()) {
+      root.object(SceneKeys.OPTIONS.name())
+          .ifPresent(
+              o -> SceneKeys.BACKGROUND.warn(o, "is ignored, because the scene has a Dome"));
+    } else {
+      background.ifPresent(
+          radiance ->
+              parts.add(
+                  backgroundNode().origin(),
+                  Origin.NONE,
+                  "",
+                  scene -> scene.addBackground(radiance)));
+    }
+  }
+
+  private JsonNode backgroundNode() {
+    return root.object(SceneKeys.OPTIONS.name())
+        .flatMap(SceneKeys.BACKGROUND::find)
+        .orElse(root);
+  }
+
+  /**
+   * Returns the scene; there must be no errors.
+   *
+   * @param known the same scene, if code has built it: it gets the names of the file
+   */
+  Scene scene(Optional<Scene> known) {
+    List<StageCamera> ofModel = modelParts.cameras();
+    List<Camera> cameras =
+        ofModel.isEmpty()
+            ? List.of(camera.orElseThrow())
+            : StageCamera.placed(ofModel, settings.aspect());
+    if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
+      root.object(SceneKeys.OPTIONS.name())
+          .ifPresent(
+              o -> o.warn(Setting.SHUTTER.name(), "changes nothing, because no model has a pose"));
+    }
+    return parts.scene(cameras, settings.poses(), backplate, kernel, known);
+  }
+
+  /** Returns the places of objects and assets; requires an earlier call of {@link #scene}. */
+  SceneOrigins origins() {
+    List<SceneOrigins.Unused> unused = new ArrayList<>();
+    addUnused(AssetTable.Type.MATERIAL, "material", materials::uses, unused);
+    addUnused(AssetTable.Type.TEXTURE, "texture", textures::uses, unused);
+    addUnused(AssetTable.Type.MESH, "mesh", meshes::uses, unused);
+    return parts.origins(textures.uses(), unused);
+  }
+
+  private void addUnused(
+      AssetTable.Type type,
+      String name,
+      Predicate<JsonNode> isUsed,
+      List<SceneOrigins.Unused> unused) {
+    assets.all(type).stream()
+        .filter(isUsed.negate())
+        .forEach(asset -> unused.add(new SceneOrigins.Unused(name, asset.origin())));
+  }
+
+  /** Returns the numbers of objects and assets. */
+  SceneContents contents() {
+    return new SceneContents(
+        cameraType,
+        shapes.count() + modelParts.count(),
+        meshes.count() + modelParts.meshes(),
+        shapes.triangles() + modelParts.triangles(),
+        modelParts.points(),
+        lightCount + modelParts.lights(),
+        materials.count() + modelParts.materials(),
+        textures.count() + modelParts.pictures());
+  }
+}

@@ -1,0 +1,526 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.OptionTypes;
+import io.github.lumbre.model.internal.OptionTypes.TextType;
+import io.github.lumbre.model.internal.OptionValues;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.internal.SettingTypes.FlagType;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
+import io.github.lumbre.scenefile.internal.Look;
+import io.github.lumbre.scenefile.internal.ShownLabels;
+import io.github.lumbre.scenefile.internal.StageTypes;
+import io.github.lumbre.scenefile.internal.StageTypes.BackgroundType;
+import io.github.lumbre.scenefile.internal.StageTypes.LookType;
+import io.github.lumbre.scenefile.internal.StageTypes.ViewType;
+import io.github.lumbre.texture.internal.SunPosition;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/**
+ * What is around a model that is rendered by itself: its camera, its light and its background, and
+ * what is read of it. {@link SceneParser#parse(Path, Stage)} reads the model and builds the scene.
+ * Immutable.
+ */
+public final class Stage {
+  /** The name of a camera in the model; without it, the view counts. */
+  public static final ModelOption<String> CAMERA =
+      new ModelOption<>(
+              "camera",
+              new TextType("a name"),
+              "Camera of the file to use (the first, if it has one).")
+          .withFlag("camera", "NAME");
+
+  /**
+   * The direction to look from; without it, the model's first camera, or {@link View#DEFAULT} if it
+   * has none.
+   */
+  public static final ModelOption<View> VIEW =
+      new ModelOption<>(
+              "view",
+              new ViewType(),
+              "Look from front, back, left, right, top, bottom or iso, or from an azimuth and"
+                  + " an elevation in degrees (30,20 without a camera in the file).")
+          .withFlag("view", "NAME|AZ,EL");
+
+  /** The vertical angle of view in degrees; not used with a camera of the model. */
+  public static final ModelOption<Double> FOV =
+      new ModelOption<>(
+              "fov",
+              new NumberType(0, true, 180, true),
+              "Vertical angle of view with " + VIEW.flag() + " ({default}).")
+          .withDefault(35.)
+          .withFlag("fov", "DEGREES");
+
+  /** The name of the {@link Sky}; without it, that of the look. */
+  public static final ModelOption<String> SKY =
+      new ModelOption<>(
+              "sky",
+              new TextType("a name or a file"),
+              "Light from studio, white, sun (a clear day), or a latitude-longitude picture: HDR,"
+                  + " OpenEXR, PFM, or PNG, JPEG and the other formats of textures (studio).")
+          .withFlag("sky", "NAME|FILE");
+
+  /** See {@link Sky#sun}. */
+  public static final ModelOption<View> SUN =
+      new ModelOption<>(
+              "sun",
+              StageTypes.SUN,
+              ("Place of the sun with %s sun: azimuth as of %s, 0 in front, and elevation from 0"
+                      + " to 90, in degrees ({default}); or a latitude, an eastern longitude and a"
+                      + " time such as 2026-06-21T12:00Z, where %2$s front looks north.")
+                  .formatted(SKY.flag(), VIEW.flag()))
+          .withDefault(Sky.SUN)
+          .withFlag("sun", "AZ,EL|LAT,LON@TIME");
+
+  /** See {@link Sky#intensity}. */
+  public static final ModelOption<Double> SKY_INTENSITY =
+      new ModelOption<>(
+              "skyIntensity", StageTypes.INTENSITY, "Factor of the sky's radiance ({default}).")
+          .withDefault(1.)
+          .withFlag("sky-intensity", "FACTOR");
+
+  /** See {@link Sky#rotation}. */
+  public static final ModelOption<Double> SKY_ROTATION =
+      new ModelOption<>(
+              "skyRotation",
+              StageTypes.ROTATION,
+              "Rotation of the sky about the vertical axis ({default}).")
+          .withDefault(0.)
+          .withFlag("sky-rotation", "DEGREES");
+
+  /**
+   * Whether the model stands on an infinite gray floor; if the background is transparent, only
+   * shadows are visible on it.
+   */
+  public static final ModelOption<Boolean> GROUND =
+      new ModelOption<>(
+              "ground",
+              new FlagType(),
+              "Put the model on an infinite gray floor. If the background is transparent, only its"
+                  + " shadow is seen.")
+          .withDefault(false)
+          .withFlag("ground", "");
+
+  /** {@code sky}, {@code transparent} or a color of CSS; without it, that of the look. */
+  public static final ModelOption<String> BACKGROUND =
+      new ModelOption<>(
+              "background",
+              new BackgroundType(),
+              "Show sky, transparent, or a color behind it: #rrggbb or a CSS name such as white"
+                  + " (sky). In PNG and JPEG it is this very color, whatever "
+                  + Setting.EXPOSURE.flag()
+                  + " and "
+                  + Setting.TONE_MAP.flag()
+                  + " are.")
+          .withFlag("background", "COLOR");
+
+  /** {@code clay}, {@code lines} or {@code clay,lines}: the shape alone. */
+  public static final ModelOption<String> LOOK =
+      new ModelOption<>(
+              "look",
+              new LookType(),
+              "Show the shape alone: clay (matte, light gray), lines (black on white: silhouettes,"
+                  + " creases and borders), or clay,lines.")
+          .withFlag("look", "LOOK")
+          .inTools(
+              "look",
+              "Shows the shape alone: clay (matte, light gray), lines (black on white: silhouettes,"
+                  + " creases and borders), or clay,lines. Without it, as the file says.");
+
+  /** The width of lines on silhouettes, creases and borders, in pixels; without it, of the look. */
+  public static final ModelOption<Double> LINE_WIDTH =
+      new ModelOption<>(
+              "lineWidth",
+              new NumberType(0, true, 100, false),
+              "Width of the lines (" + Look.LINE_WIDTH + ").")
+          .withFlag("line-width", "PIXELS");
+
+  /** The angle between two triangles from which on their edge is a crease, in degrees. */
+  public static final ModelOption<Double> CREASE =
+      new ModelOption<>(
+              "creaseAngle",
+              Setting.CREASE_ANGLE.type(),
+              "Angle between two faces from which on a line is drawn between them ({default}).")
+          .withDefault(Setting.CREASE_ANGLE.missing())
+          .withFlag("crease", "DEGREES");
+
+  /** What is drawn on finished pictures: {@code all}, or some of {@link #LABELS}. */
+  public static final ModelOption<List<String>> LABEL =
+      new ModelOption<>(
+              "labels",
+              StageTypes.LABELS,
+              "Draw labels on the picture: view (its name), axes, scale, parts (names), size"
+                  + " (dimensions of the box around the model), box, or all. Separated by commas.")
+          .withDefault(List.of())
+          .withFlag("labels", "LIST")
+          .inTools(
+              "labels",
+              "Labels to draw, some of: "
+                  + String.join(", ", ShownLabels.KINDS)
+                  + ". Axes and dimensions are in the file's axes and unit; parts are names.");
+
+  private static final List<ModelOption<?>> OWN =
+      List.of(
+          CAMERA,
+          VIEW,
+          FOV,
+          SKY,
+          SUN,
+          SKY_INTENSITY,
+          SKY_ROTATION,
+          GROUND,
+          BACKGROUND,
+          LOOK,
+          LINE_WIDTH,
+          CREASE,
+          LABEL);
+
+  /**
+   * The names of labels: {@code view} is the name of the view, {@code axes} the directions of the
+   * file's axes, {@code scale} a scale bar, {@code size} the dimensions of the box around the model
+   * in the unit of the file, {@code box} its edges, and {@code parts} the names of visible parts.
+   */
+  public static final List<String> LABELS = ShownLabels.KINDS;
+
+  /** A camera of the model or {@link View#DEFAULT}, in the studio, without a ground. */
+  public static final Stage DEFAULT = new Stage(OptionValues.NONE, ModelOptions.DEFAULT);
+
+  /** The default size of a picture of a model, in pixels. */
+  public static final int DEFAULT_WIDTH = 1024;
+
+  /** The height that belongs to {@link #DEFAULT_WIDTH}. */
+  public static final int DEFAULT_HEIGHT = 768;
+
+  /**
+   * The environment light.
+   *
+   * @param name {@code studio}, {@code white}, {@code sun} for a clear day's sky with the sun, or
+   *     the path of a latitude-longitude picture
+   * @param intensity factor of its radiance, 0 to 1e150
+   * @param rotation about the vertical axis, in degrees, finite
+   * @param sun the view from the sun: where it stands if the sky is not turned. Its elevation is at
+   *     least 0; other skies ignore it
+   */
+  public record Sky(String name, double intensity, double rotation, View sun) {
+    /** The largest factor of a sky's radiance. */
+    static final double MAX_INTENSITY = StageTypes.INTENSITY.high();
+
+    /** Where the sun stands if nothing else is said. */
+    static final View SUN = new View(-40, 35);
+
+    /** The lights of a photographer's studio. */
+    public static final Sky STUDIO = new Sky("studio");
+
+    public Sky {
+      Objects.requireNonNull(name, "name");
+      StageTypes.INTENSITY.require("intensity", intensity);
+      StageTypes.ROTATION.require("rotation", rotation);
+      StageTypes.SUN.require("sun", sun);
+    }
+
+    /** Creates a sky whose sun stands to the left in front of the model, 35 degrees high. */
+    public Sky(String name, double intensity, double rotation) {
+      this(name, intensity, rotation, SUN);
+    }
+
+    /** Creates a sky of intensity 1 that is not turned. */
+    public Sky(String name) {
+      this(name, 1, 0);
+    }
+
+    /**
+     * Returns where the sun stands at a place and a time, right to about 0.01 degrees: the front
+     * view looks north.
+     *
+     * @param latitude degrees to the north of the equator, -90 to 90
+     * @param longitude degrees to the east of Greenwich, -180 to 180
+     * @param time from 1950 to 2050
+     * @return the view from the sun; its elevation is negative at night
+     * @throws IllegalArgumentException if an argument is out of its range
+     */
+    public static View sunAt(double latitude, double longitude, Instant time) {
+      SunPosition sun = SunPosition.of(latitude, longitude, time);
+      return new View(180 - sun.azimuth(), sun.elevation());
+    }
+
+    /** Returns whether it is a clear day's, with the sun. */
+    boolean hasSun() {
+      return name.equals("sun");
+    }
+
+    /** Returns the absolute path of its picture; empty if it has none. */
+    Optional<Path> picture() {
+      return hasSun() || name.equals("studio") || name.equals("white")
+          ? Optional.empty()
+          : Optional.of(Path.of(name).toAbsolutePath().normalize());
+    }
+  }
+
+  /**
+   * A direction to look from.
+   *
+   * @param azimuth degrees around the vertical axis: 0 in front, 90 to the right of the picture's
+   *     front view
+   * @param elevation degrees above the horizon, in [-90, 90]
+   * @param isTurntable whether the camera keeps its distance to the axis at all azimuths; otherwise
+   *     it is as near as this azimuth allows, with the model in the middle of the frame
+   */
+  public record View(double azimuth, double elevation, boolean isTurntable) {
+    /** From the front, a little from the right and above. */
+    public static final View DEFAULT = new View(30, 20);
+
+    private static final double ISOMETRIC = 35.264389682754654;
+
+    private static final Map<String, View> STANDARD = new LinkedHashMap<>();
+
+    static {
+      STANDARD.put("front", new View(0, 0));
+      STANDARD.put("back", new View(180, 0));
+      STANDARD.put("left", new View(-90, 0));
+      STANDARD.put("right", new View(90, 0));
+      STANDARD.put("top", new View(0, 90));
+      STANDARD.put("bottom", new View(0, -90));
+      STANDARD.put("iso", new View(45, ISOMETRIC));
+    }
+
+    /**
+     * Returns the standard views by their names: front, back, left, right, top, bottom, iso, in
+     * this order. Their pictures are the same in all releases; see docs/model-pictures.md.
+     */
+    public static Map<String, View> standard() {
+      return Collections.unmodifiableMap(STANDARD);
+    }
+
+    /**
+     * Returns the view in a text: the name of a standard view, or an azimuth and an elevation such
+     * as {@code -40,15}.
+     *
+     * @throws IllegalArgumentException if the text is neither, or the elevation is not in [-90, 90]
+     */
+    public static View of(String text) {
+      if (STANDARD.containsKey(text)) {
+        return STANDARD.get(text);
+      }
+      String[] angles = text.split(",", -1);
+      if (angles.length != 2) {
+        throw new IllegalArgumentException(
+            "expected %s or AZIMUTH,ELEVATION, found %s"
+                .formatted(String.join(", ", STANDARD.keySet()), text));
+      }
+      double elevation = OptionTypes.finite(angles[1]);
+      if (Math.abs(elevation) > 90) {
+        throw new IllegalArgumentException(
+            "expected an elevation from -90 to 90, found " + angles[1]);
+      }
+      return new View(OptionTypes.finite(angles[0]), elevation);
+    }
+
+    /** Creates a view that is framed for its own azimuth. */
+    public View(double azimuth, double elevation) {
+      this(azimuth, elevation, false);
+    }
+
+    /** Returns this direction, turned about the vertical axis as a picture of a turntable. */
+    public View turned(double degrees) {
+      return new View(azimuth + degrees, elevation, true);
+    }
+  }
+
+  private final OptionValues values;
+  private final ModelOptions options;
+
+  private Stage(OptionValues values, ModelOptions options) {
+    this.values = values;
+    this.options = Objects.requireNonNull(options, "options");
+  }
+
+  /** Returns all options: those of this class, and those of {@link ModelOption}. */
+  public static List<ModelOption<?>> all() {
+    return Stream.concat(OWN.stream(), ModelOption.all().stream()).toList();
+  }
+
+  /**
+   * Returns this stage with another value of an option.
+   *
+   * @throws IllegalArgumentException if it is out of range; the message names the option
+   */
+  public <T> Stage with(ModelOption<T> option, T value) {
+    if (!OWN.contains(option)) {
+      return reading(options.with(option, value));
+    }
+    OptionValues changed = values.with(option, value);
+    return new Stage(
+        changed,
+        option == LOOK ? options.with(ModelOption.LOOK, look(changed).materials()) : options);
+  }
+
+  /** Returns the value of an option, or its default; empty if it has none. */
+  public <T> Optional<T> find(ModelOption<T> option) {
+    return OWN.contains(option) ? values.find(option) : options.find(option);
+  }
+
+  private <T> T get(ModelOption<T> option) {
+    return values.find(option).orElseThrow();
+  }
+
+  private static Look look(OptionValues values) {
+    return Look.of(values.find(LOOK));
+  }
+
+  /** Returns the name of a camera in the model; empty for {@link #view}. */
+  public Optional<String> camera() {
+    return values.find(CAMERA);
+  }
+
+  /** Returns the direction to look from; empty for the model's first camera. */
+  public Optional<View> view() {
+    return values.find(VIEW);
+  }
+
+  /** Returns the vertical angle of view in degrees. */
+  public double fov() {
+    return get(FOV);
+  }
+
+  /** Returns the environment light. */
+  public Sky sky() {
+    String name = values.find(SKY).orElse(look(values).sky());
+    return new Sky(name, get(SKY_INTENSITY), get(SKY_ROTATION), get(SUN));
+  }
+
+  /** Returns whether there is a floor. */
+  public boolean ground() {
+    return get(GROUND);
+  }
+
+  /** Returns the linear color that pictures show instead of the sky; empty for the sky. */
+  public Optional<Rgb> background() {
+    Optional<String> named = values.find(BACKGROUND);
+    return named.isPresent() ? named.flatMap(BackgroundType::color) : look(values).background();
+  }
+
+  /** Returns whether the background is transparent. */
+  public boolean transparent() {
+    return values.find(BACKGROUND).filter(BackgroundType.TRANSPARENT::equalsIgnoreCase).isPresent();
+  }
+
+  /** Returns the width of lines in pixels; 0 for no lines. */
+  public double lineWidth() {
+    return values.find(LINE_WIDTH).orElse(look(values).lineWidth());
+  }
+
+  /** Returns the angle between two triangles from which on their edge is a crease, in degrees. */
+  public double creaseDegrees() {
+    return get(CREASE);
+  }
+
+  /** Returns what is drawn on finished pictures: some of {@link #LABELS}. */
+  public Set<String> labels() {
+    return Set.copyOf(StageTypes.labels(get(LABEL)));
+  }
+
+  /** Returns what to read from the model. */
+  public ModelOptions options() {
+    return options;
+  }
+
+  /** Returns this stage, seen from a direction instead of by a camera of the model. */
+  public Stage seenFrom(View newView) {
+    return new Stage(values.with(CAMERA, Optional.empty()).with(VIEW, newView), options);
+  }
+
+  /** Returns this stage under another sky. */
+  public Stage under(Sky newSky) {
+    return with(SKY, newSky.name())
+        .with(SKY_INTENSITY, newSky.intensity())
+        .with(SKY_ROTATION, newSky.rotation())
+        .with(SUN, newSky.sun());
+  }
+
+  /** Returns this stage with a floor that the model stands on. */
+  public Stage onGround() {
+    return with(GROUND, true);
+  }
+
+  /** Returns this stage with a transparent background. */
+  public Stage onTransparentBackground() {
+    return with(BACKGROUND, BackgroundType.TRANSPARENT);
+  }
+
+  /**
+   * Returns this stage before a color of the screen, which finished pictures show behind the model.
+   *
+   * @param color linear, each component in [0,1]
+   */
+  public Stage onBackground(Rgb color) {
+    if (!CssColor.isOnScreen(color)) {
+      throw new IllegalArgumentException(
+          "background: expected components from 0 to 1, found " + color);
+    }
+    return with(BACKGROUND, CssColor.text(color));
+  }
+
+  /** Returns this stage with other options for reading the model. */
+  public Stage reading(ModelOptions newOptions) {
+    return new Stage(values, newOptions);
+  }
+
+  /**
+   * Returns this stage with lines on silhouettes, creases and borders.
+   *
+   * @param width in pixels, more than 0, at most 100
+   */
+  public Stage withLines(double width) {
+    return with(LINE_WIDTH, width);
+  }
+
+  /** Returns this stage with labels: some of {@link #LABELS}. */
+  public Stage labeled(Set<String> newLabels) {
+    return with(LABEL, newLabels.stream().sorted().toList());
+  }
+
+  /** Returns the nearest folder that contains both the model and the sky's picture. */
+  Path folderOf(Path model) {
+    Path folder = model.getParent();
+    Path picture = sky().picture().orElse(folder);
+    while (folder.getParent() != null && !picture.startsWith(folder)) {
+      folder = folder.getParent();
+    }
+    return folder;
+  }
+
+  /** Returns the absolute paths of the model and, if it has one, the sky's picture. */
+  public List<Path> files(Path model) {
+    Path absolute = model.toAbsolutePath().normalize();
+    return sky().picture().map(picture -> List.of(absolute, picture)).orElse(List.of(absolute));
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Stage that
+        && values.equals(that.values)
+        && options.equals(that.options);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(values, options);
+  }
+
+  @Override
+  public String toString() {
+    return "Stage" + values + " of " + options;
+  }
+}

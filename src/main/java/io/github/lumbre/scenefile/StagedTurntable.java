@@ -1,0 +1,56 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.scenefile.Stage.View;
+import java.io.IOException;
+import java.util.Optional;
+
+/** One turn around a model, which is read and built once. Mutable. */
+final class StagedTurntable extends StagedFrames {
+  private static final double TURN_DEGREES = 360;
+
+  private final Stage stage;
+  private final int count;
+  private Optional<StagedModel> model = Optional.empty();
+  private Optional<SceneFile> scene = Optional.empty();
+
+  /**
+   * @param stage of the first frame
+   */
+  StagedTurntable(SceneParser parser, Source source, String name, Stage stage, int count) {
+    super(parser, source, name);
+    this.stage = stage;
+    this.count = count;
+  }
+
+  @Override
+  public int count() {
+    return count;
+  }
+
+  @Override
+  Stage stage(int index) {
+    return stage.seenFrom(stage.view().orElse(View.DEFAULT).turned(TURN_DEGREES * index / count));
+  }
+
+  @Override
+  Optional<StagedModel> first() {
+    return model;
+  }
+
+  @Override
+  SceneFile built(int index) throws SceneFormatException, IOException {
+    if (scene.isPresent()) {
+      return model.orElseThrow().seenFrom(stage(index), scene.get(), parser);
+    }
+    StagedModel read = read(stage(index), false);
+    read.keepFiles();
+    scene = Optional.of(read.scene(parser));
+    model = Optional.of(read);
+    return scene.get();
+  }
+
+  @Override
+  byte[] text(int index) throws SceneFormatException {
+    return model.orElseThrow().textOf(stage(index), parser);
+  }
+}

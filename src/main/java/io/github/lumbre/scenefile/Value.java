@@ -1,0 +1,161 @@
+package io.github.lumbre.scenefile;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Range;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * The type of a key's values: how they are read, written and described. Stateless.
+ *
+ * @param <T> the type in memory
+ * @param reader reads the value of a key
+ * @param writer throws {@link Unwritable} for a value that scenes may not state
+ * @param schema of JSON, in which ' stands for "
+ */
+record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema) {
+  /** Reads values. */
+  interface Reader<T> {
+    /** Returns the value of a key; {@code otherwise} if it is missing, or wrong: an error. */
+    T read(JsonNode from, String key, T otherwise);
+  }
+
+  static final Value<Boolean> FLAG =
+      new Value<>(JsonNode::flag, JsonPrimitive::new, "{'type': ['boolean', 'null']}");
+  static final Value<Long> LONG =
+      new Value<>(
+          (from, key, otherwise) -> from.integer(key, otherwise, Long.MIN_VALUE, Long.MAX_VALUE),
+          JsonPrimitive::new,
+          integers(Long.MIN_VALUE, Long.MAX_VALUE));
+  static final Value<Integer> ID =
+      new Value<>(
+          (from, key, otherwise) -> from.id(key).orElse(otherwise),
+          JsonPrimitive::new,
+          "{'$ref': '#/$defs/id'}");
+  static final Value<String> TEXT = text("{'type': ['string', 'null']}");
+  static final Value<Rgb> COLOR =
+      new Value<>(
+          (from, key, otherwise) -> from.has(key) ? from.rgb(key) : otherwise,
+          color -> numbers("r", color.r(), "g", color.g(), "b", color.b()),
+          "{'$ref': '#/$defs/color'}");
+  static final Value<Vec3> VECTOR =
+      new Value<>(
+          JsonNode::vec3,
+          vector -> numbers("x", vector.x(), "y", vector.y(), "z", vector.z()),
+          "{'$ref': '#/$defs/vector'}");
+  static final Value<Point2> POINT =
+      new Value<>(
+          JsonNode::vec2, point -> numbers("x", point.x(), "y", point.y()), VECTOR.schema());
+
+  /** Returns the numbers in a range. */
+  static Value<Double> number(Range range) {
+    return new Value<>(
+        (from, key, otherwise) -> from.number(key, otherwise, range),
+        value -> {
+          if (!range.contains(value)) {
+            throw new Unwritable(range.expectedFor(value), "" + value);
+          }
+          return new JsonPrimitive(value);
+        },
+        schema(range));
+  }
+
+  static Value<Integer> integer(int low, int high) {
+    return new Value<>(
+        (from, key, otherwise) -> from.integer(key, otherwise, low, high),
+        JsonPrimitive::new,
+        integers(low, high));
+  }
+
+  /** Returns named values. */
+  static <T> Value<T> choice(Map<String, T> choices) {
+    return new Value<>(
+        (from, key, otherwise) -> from.choice(key, choices, otherwise),
+        value -> new JsonPrimitive(nameOf(value, choices)),
+        "{'enum': [" + quoted(choices.keySet()) + ", null]}");
+  }
+
+  private static <T> String nameOf(T value, Map<String, T> choices) {
+    return choices.keySet().stream()
+        .filter(name -> choices.get(name).equals(value))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static String quoted(Collection<String> names) {
+    return names.stream().map(name -> "'" + name + "'").collect(Collectors.joining(", "));
+  }
+
+  /** Returns texts with a schema of their own. */
+  static Value<String> text(String schema) {
+    return new Value<>(
+        (from, key, otherwise) -> from.string(key).orElse(otherwise), JsonPrimitive::new, schema);
+  }
+
+  /** Returns arrays of numbers, of one of some lengths. */
+  static Value<double[]> list(Integer... lengths) {
+    String ofLength = "{'minItems': %1$s, 'maxItems': %1$s}";
+    return new Value<>(
+        (from, key, otherwise) -> from.numbers(key, List.of(lengths)),
+        value -> {
+          JsonArray array = new JsonArray();
+          Arrays.stream(value).forEach(array::add);
+          return array;
+        },
+        "{'type': ['array', 'null'], 'items': {'type': 'number'}, 'anyOf': [%s]}"
+            .formatted(
+                Arrays.stream(lengths).map(ofLength::formatted).collect(Collectors.joining(", "))));
+  }
+
+  /** Returns values with readers and writers of their own. */
+  static Value<JsonNode> other(String schema) {
+    return new Value<>(
+        (from, key, otherwise) -> from.find(key).orElse(otherwise),
+        value -> JsonNull.INSTANCE,
+        schema);
+  }
+
+  private static JsonObject numbers(Object... keysAndNumbers) {
+    JsonObject object = new JsonObject();
+    for (int i = 0; i < keysAndNumbers.length; i += 2) {
+      object.addProperty((String) keysAndNumbers[i], (Double) keysAndNumbers[i + 1]);
+    }
+    return object;
+  }
+
+  private static String integers(long low, long high) {
+    return "{'type': ['integer', 'null'], 'minimum': %s, 'maximum': %s}".formatted(low, high);
+  }
+
+  /** Returns a range as its function accepts numbers: bounds may be excluded, or 0 be apart. */
+  private static String schema(Range range) {
+    String limits =
+        limit(range, "inimum", range.low()) + limit(range, "aximum", range.high());
+    if (range.contains(0) && range.low() > 0) {
+      limits = ", 'anyOf': [{'const': 0}, {" + limits.substring(2) + "}]";
+    } else if (!range.contains(0) && range.low() < 0 && range.high() > 0) {
+      limits += ", 'not': {'const': 0}";
+    }
+    return "{'type': ['number', 'null']" + limits + "}";
+  }
+
+  private static String limit(Range range, String ending, double bound) {
+    if (Math.abs(bound) >= Double.MAX_VALUE) {
+      return "";
+    }
+    String start = range.contains(bound) ? "m" : "exclusiveM";
+    return ", '%s%s': %s".formatted(start, ending, PrintableText.number(bound));
+  }
+}

@@ -1,0 +1,93 @@
+package io.github.lumbre.scenefile.internal;
+
+import io.github.lumbre.image.animation.FrameRate;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.Stage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * The frames of a turntable or an animation of a model. They share what does not change between
+ * them, and have one camera or one way of framing. Mutable; confined to one thread at a time.
+ */
+public abstract class ModelSequence {
+  /** The largest number of frames. */
+  public static final int MAX_FRAMES = 10_000;
+
+  private static Maker maker;
+
+  /**
+   * What moves.
+   *
+   * @param turns number of frames of one turn around the model; 0 for an animation
+   * @param animation name of the animation, or its index; empty for a turntable
+   * @param rate frames per second of an animation
+   */
+  public record Motion(int turns, String animation, FrameRate rate) {
+    public Motion {
+      Objects.requireNonNull(animation, "animation");
+      Objects.requireNonNull(rate, "rate");
+      if (turns < 0 || turns > MAX_FRAMES) {
+        throw new IllegalArgumentException(
+            "turns: expected 0 to " + MAX_FRAMES + ", found " + turns);
+      }
+    }
+
+    /** Returns one turn around a model. */
+    public static Motion turntable(int turns) {
+      return new Motion(turns, "", new FrameRate(1, 1));
+    }
+
+    /** Returns a whole animation. */
+    public static Motion animation(String name, FrameRate rate) {
+      return new Motion(0, name, rate);
+    }
+  }
+
+  /** Makes sequences. */
+  public interface Maker {
+    /** See {@link ModelSequence#of}. */
+    ModelSequence of(
+        SceneParser parser, Path model, Optional<byte[]> content, Stage stage, Motion motion)
+        throws SceneFormatException, IOException;
+  }
+
+  /** Sets how sequences are made. The class of parsers calls it once, before there are any. */
+  public static void madeBy(Maker newMaker) {
+    maker = newMaker;
+  }
+
+  /**
+   * Reads a model.
+   *
+   * @param model path; with a content, its name in no folder
+   * @param content bytes of the file; empty to read it
+   * @param stage the first view of a turntable
+   * @throws SceneFormatException if the model cannot be used, or lacks the animation
+   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
+   */
+  public static ModelSequence of(
+      SceneParser parser, Path model, Optional<byte[]> content, Stage stage, Motion motion)
+      throws SceneFormatException, IOException {
+    return maker.of(parser, model, content, stage, motion);
+  }
+
+  /** Returns the number of frames, at least 1. */
+  public abstract int count();
+
+  /**
+   * Returns the scene of a frame.
+   *
+   * @param index from 0
+   * @throws SceneFormatException if the model cannot be used
+   * @throws IOException if a file cannot be read, or the thread is interrupted
+   */
+  public abstract SceneFile frame(int index) throws SceneFormatException, IOException;
+
+  /** Returns the hash of the scene of a frame, in less time; see {@link #frame}. */
+  public abstract String hash(int index) throws SceneFormatException, IOException;
+}

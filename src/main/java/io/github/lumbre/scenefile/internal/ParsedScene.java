@@ -1,0 +1,82 @@
+package io.github.lumbre.scenefile.internal;
+
+import io.github.lumbre.image.Image;
+import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.Problem;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneText;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * A scene file, with what reports, audits and checkpoint files state of it.
+ *
+ * @param files the SHA-256 of the scene file and of every asset file it uses
+ * @param contents numbers of objects and assets
+ * @param origins places of objects and assets in the file
+ * @param model the content of the model that the scene is made around; empty for other scenes
+ */
+public record ParsedScene(
+    Scene scene,
+    RenderSettings settings,
+    List<Problem> warnings,
+    String hash,
+    FileHashes files,
+    SceneContents contents,
+    SceneOrigins origins,
+    Optional<SceneText> text,
+    Optional<ModelContents> model)
+    implements SceneFile {
+  public ParsedScene {
+    warnings = List.copyOf(warnings);
+  }
+
+  /** Returns a scene file as what it is: all are made by the parser or the writer of scenes. */
+  public static ParsedScene of(SceneFile file) {
+    return (ParsedScene) file;
+  }
+
+  @Override
+  public Set<Path> assetPaths(Path path) {
+    Path absolute = path.toAbsolutePath();
+    return files.assets().keySet().stream()
+        .map(name -> absolute.resolveSibling(name).normalize())
+        .collect(Collectors.toSet());
+  }
+
+  @Override
+  public ParsedScene with(Scene other) {
+    return new ParsedScene(other, settings, warnings, hash, files, contents, origins, text, model);
+  }
+
+  /**
+   * Returns this scene, seen by its camera from another place. The hash is another one too, made of
+   * this hash and the pose.
+   */
+  public ParsedScene seenFrom(CameraPose pose) {
+    MessageDigest digest = Sha256.digest();
+    digest.update((hash + pose).getBytes(StandardCharsets.UTF_8));
+    String newHash = HexFormat.of().formatHex(digest.digest());
+    Scene moved = scene.seenBy(pose.place(scene.camera()));
+    return new ParsedScene(
+        moved, settings, warnings, newHash, files, contents, origins, text, model);
+  }
+
+  @Override
+  public Image withDrawing(Image picture) {
+    return PictureDrawing.of(this, note -> {}).onLight(scene, Optional.empty(), picture);
+  }
+
+  @Override
+  public ParsedScene with(RenderSettings other) {
+    return new ParsedScene(scene, other, warnings, hash, files, contents, origins, text, model);
+  }
+}

@@ -1,0 +1,152 @@
+package io.github.lumbre.scenefile.internal;
+
+import io.github.lumbre.camera.internal.Projection;
+import io.github.lumbre.image.Image;
+import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.internal.Backdrop;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.ModelScene;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.internal.PartTable.Part;
+import io.github.lumbre.stage.drawing.Canvas;
+import io.github.lumbre.stage.drawing.DisplayLight;
+import io.github.lumbre.stage.drawing.LabeledModel;
+import io.github.lumbre.stage.drawing.Labels;
+import io.github.lumbre.stage.drawing.LineDrawing;
+import io.github.lumbre.stage.drawing.PartMap;
+import io.github.lumbre.stage.drawing.Strokes;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/**
+ * What is drawn on the finished pictures of a scene, and of the same scene from other places:
+ * lines, and above them labels. Immutable.
+ */
+public final class PictureDrawing {
+  private final RenderSettings settings;
+  private final LineDrawing lines;
+  private final Optional<ModelContents> labeled;
+
+  /** The parts to name; empty if none is named. */
+  private final Optional<PartTable> parts;
+
+  private final Consumer<String> notes;
+
+  private PictureDrawing(ParsedScene file, Consumer<String> notes) {
+    this.notes = notes;
+    settings = file.settings();
+    lines = LineDrawing.of(file.scene(), settings);
+    labeled = file.model().filter(model -> !model.labels().kinds().isEmpty());
+    parts =
+        labeled
+            .filter(model -> model.labels().kinds().contains(ShownLabels.PARTS))
+            .map(model -> model.parts(file.scene()));
+  }
+
+  /**
+   * Returns the drawing of a scene.
+   *
+   * @param notes receives a text for labels of a picture that have no room
+   */
+  public static PictureDrawing of(ParsedScene file, Consumer<String> notes) {
+    return new PictureDrawing(file, notes);
+  }
+
+  /** Returns whether a scene has lines or labels. */
+  public static boolean isNeeded(ParsedScene file) {
+    return file.settings().get(Setting.LINE_WIDTH) > 0
+        || file.model().filter(model -> !model.labels().kinds().isEmpty()).isPresent();
+  }
+
+  /**
+   * Returns a finished picture for the screen, with lines and labels as dark on bright surfaces as
+   * on others.
+   *
+   * @param scene the scene of this drawing, from any place
+   * @param title the name of this place, instead of the first one; if it is "", none is drawn
+   * @param picture in linear light
+   * @param options exposure and tone curve of the picture
+   */
+  public DisplayLight onDisplay(
+      Scene scene, Optional<String> title, Image picture, ImageWriter.Options options) {
+    Optional<Strokes> strokes = lines.strokes(scene);
+    if (strokes.isEmpty() && labeled.isEmpty()) {
+      return new DisplayLight(picture, options);
+    }
+    DisplayLight light = DisplayLight.of(picture, options);
+    return new DisplayLight(drawn(scene, title, light.image(), strokes), light.options());
+  }
+
+  /**
+   * Returns a picture in linear light with lines and labels.
+   *
+   * @param scene the scene of this drawing, from any place
+   * @param title the name of this place, instead of the first one; if it is "", none is drawn
+   */
+  public Image onLight(Scene scene, Optional<String> title, Image picture) {
+    Optional<Strokes> strokes = lines.strokes(scene);
+    return strokes.isEmpty() && labeled.isEmpty() ? picture : drawn(scene, title, picture, strokes);
+  }
+
+  private Image drawn(
+      Scene scene, Optional<String> title, Image picture, Optional<Strokes> strokes) {
+    Canvas canvas = new Canvas(picture);
+    strokes.ifPresent(found -> canvas.draw(found, lines.pen()));
+    labeled.ifPresent(
+        model ->
+            labels(scene, model, title.orElse(model.labels().title()))
+                .draw(canvas, Backdrop.asLight(picture, settings.background())));
+    return canvas.image();
+  }
+
+  private Labels labels(Scene scene, ModelContents contents, String title) {
+    Crop window = settings.window();
+    Labels labels = new Labels(window.width(), window.height());
+    LabeledModel model = model(scene, contents);
+    for (String kind : ShownLabels.KINDS) {
+      if (contents.labels().kinds().contains(kind)) {
+        switch (kind) {
+          case ShownLabels.VIEW -> labels.addTitle(title);
+          case ShownLabels.AXES -> labels.addAxes(model);
+          case ShownLabels.SCALE -> labels.addScale(model);
+          case ShownLabels.PARTS -> labels.addParts(map(scene));
+          case ShownLabels.SIZE -> labels.addSizes(model);
+          default -> labels.addBox(model);
+        }
+      }
+    }
+    labels.leftOut().forEach(notes);
+    return labels;
+  }
+
+  private LabeledModel model(Scene scene, ModelContents contents) {
+    Transform fromFile = contents.fromFile();
+    Projection projection = ViewNumbers.projection(scene, settings).orElseThrow().from(fromFile);
+    Frame camera = scene.camera().axes();
+    List<Vec3> axes =
+        Stream.of(Vec3.X, Vec3.Y, Vec3.Z)
+            .map(axis -> ModelScene.TO_LEFT_HANDED.vector(fromFile.vector(axis)).normalized())
+            .map(camera::toLocal)
+            .toList();
+    Bounds3 box =
+        Bounds3.EMPTY
+            .union(fromFile.inversePoint(contents.min()))
+            .union(fromFile.inversePoint(contents.max()));
+    return new LabeledModel(projection, axes, box.min(), box.max(), contents.unit());
+  }
+
+  private PartMap map(Scene scene) {
+    PartTable table = parts.orElseThrow();
+    List<String> names = table.parts().stream().map(Part::name).toList();
+    int[] shown = ViewNumbers.parts(scene, settings, table);
+    return new PartMap(names, settings.window().width(), shown);
+  }
+}

@@ -1,0 +1,75 @@
+package io.github.lumbre.scenefile.internal;
+
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.Stage.View;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The labels on the pictures of a model.
+ *
+ * @param kinds of labels: some of {@link #KINDS}
+ * @param title the name of the view
+ */
+public record ShownLabels(Set<String> kinds, String title) {
+  static final String VIEW = "view";
+  static final String AXES = "axes";
+  static final String SCALE = "scale";
+  static final String SIZE = "size";
+  static final String BOX = "box";
+  static final String PARTS = "parts";
+
+  /** All kinds, in the order in which they take their places. */
+  public static final List<String> KINDS = List.of(VIEW, AXES, SCALE, PARTS, SIZE, BOX);
+
+  /** Names of parts have about a fifth of the width on both sides. */
+  private static final double BESIDE_NAMES = .56;
+
+  /** Dimensions have a tenth of the frame on all sides. */
+  private static final double INSIDE_SIZES = .8;
+
+  public ShownLabels {
+    kinds = Set.copyOf(kinds);
+  }
+
+  public static ShownLabels of(Stage stage, Model model) {
+    Optional<String> camera =
+        stage.view().isPresent()
+            ? Optional.empty()
+            : stage.camera().or(() -> ModelContents.cameraNames(model).stream().findFirst());
+    View view = stage.view().orElse(View.DEFAULT);
+    return new ShownLabels(
+        stage.labels(), camera.map(name -> "camera " + name).orElseGet(() -> title(view)));
+  }
+
+  private static String title(View view) {
+    String angles =
+        PrintableText.number(view.azimuth()) + "°, " + PrintableText.number(view.elevation()) + "°";
+    return View.standard().entrySet().stream()
+        .filter(named -> named.getValue().equals(view))
+        .map(Map.Entry::getKey)
+        .findFirst()
+        .orElse(angles);
+  }
+
+  /** Returns whether the box around the model must be in the frame. */
+  public static boolean showBox(Set<String> kinds) {
+    return kinds.contains(SIZE) || kinds.contains(BOX);
+  }
+
+  /**
+   * Returns the part of the frame's width that a framed model may fill, so that labels have room.
+   */
+  public static double fillAcross(Set<String> kinds, double fill) {
+    return kinds.contains(PARTS) ? Math.min(fill, BESIDE_NAMES) : fillUpwards(kinds, fill);
+  }
+
+  /** Returns the part of the frame's height that a framed model may fill. */
+  public static double fillUpwards(Set<String> kinds, double fill) {
+    return kinds.contains(SIZE) ? Math.min(fill, INSIDE_SIZES) : fill;
+  }
+}

@@ -1,0 +1,202 @@
+package io.github.lumbre.scenefile.internal;
+
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.model.internal.OptionTypes;
+import io.github.lumbre.model.internal.OptionTypes.TextsType;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
+import io.github.lumbre.scenefile.Stage.Sky;
+import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.texture.internal.ClearSky;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.time.format.DateTimeFormatter;
+import java.time.format.DateTimeFormatterBuilder;
+import java.time.format.DateTimeParseException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The types of the options of a stage, besides those of models and settings. */
+public final class StageTypes {
+  /** Factors of a sky's radiance: the light of all its directions is finite. */
+  public static final NumberType INTENSITY = new NumberType(0, 1e150);
+
+  /** Angles about an axis, in degrees. */
+  public static final NumberType ROTATION = new NumberType(-Double.MAX_VALUE, Double.MAX_VALUE);
+
+  /** Places of the sun. */
+  public static final SettingType<View> SUN = new SunType();
+
+  /** Labels, separated by commas. */
+  public static final TextsType LABELS =
+      new TextsType(
+          "all, or some of " + String.join(", ", ShownLabels.KINDS),
+          ",",
+          name -> name.equals("all") || ShownLabels.KINDS.contains(name));
+
+  private StageTypes() {}
+
+  /** Views as {@link View#of} reads them. */
+  public record ViewType() implements SettingType<View> {
+    @Override
+    public View parse(String text) {
+      return View.of(text);
+    }
+
+    @Override
+    public String expected() {
+      return String.join(", ", View.standard().keySet()) + " or AZIMUTH,ELEVATION";
+    }
+
+    @Override
+    public String format(View value) {
+      return text(value);
+    }
+  }
+
+  private static String text(View view) {
+    return PrintableText.number(view.azimuth()) + "," + PrintableText.number(view.elevation());
+  }
+
+  /** Places of the sun: those of a view, or a latitude, a longitude and a time. */
+  private record SunType() implements SettingType<View> {
+    private static final NumberType ELEVATION = new NumberType(ClearSky.LOWEST, 90);
+
+    /** A time with a zone in the forms of ISO 8601: Z, +02:00, +0200 and +02. */
+    private static final DateTimeFormatter TIME =
+        new DateTimeFormatterBuilder()
+            .parseCaseInsensitive()
+            .append(DateTimeFormatter.ISO_LOCAL_DATE_TIME)
+            .appendPattern("[XXX][X]")
+            .toFormatter(Locale.ROOT);
+
+    @Override
+    public View parse(String text) {
+      int at = text.indexOf('@');
+      View place = at < 0 ? View.of(text) : at(text, at);
+      if (!accepts(place)) {
+        throw new IllegalArgumentException(
+            at < 0
+                ? refusal(place)
+                : String.format(
+                    Locale.ROOT,
+                    "expected a time when the sun is up, found an elevation of %.2f degrees",
+                    place.elevation()));
+      }
+      return place;
+    }
+
+    private static View at(String text, int at) {
+      String[] place = text.substring(0, at).split(",", -1);
+      if (place.length != 2) {
+        throw new IllegalArgumentException("expected LATITUDE,LONGITUDE@TIME, found " + text);
+      }
+      double latitude = OptionTypes.finite(place[0]);
+      double longitude = OptionTypes.finite(place[1]);
+      return Sky.sunAt(latitude, longitude, time(text.substring(at + 1)));
+    }
+
+    private static Instant time(String text) {
+      try {
+        return OffsetDateTime.parse(text, TIME).toInstant();
+      } catch (DateTimeParseException e) {
+        throw new IllegalArgumentException(
+            "expected a time such as 2026-06-21T12:00Z, found " + text, e);
+      }
+    }
+
+    @Override
+    public boolean accepts(View value) {
+      return ELEVATION.accepts(value.elevation());
+    }
+
+    @Override
+    public String expected() {
+      return ELEVATION.expected().replace("a number", "an elevation");
+    }
+
+    @Override
+    public String format(View value) {
+      return text(value);
+    }
+
+    @Override
+    public String found(View value) {
+      return String.valueOf(value.elevation());
+    }
+  }
+
+  /** Texts in a form that is checked. */
+  private interface Form extends SettingType<String> {
+    @Override
+    default boolean accepts(String value) {
+      try {
+        parse(value);
+        return true;
+      } catch (IllegalArgumentException e) {
+        return false;
+      }
+    }
+  }
+
+  /** What is behind a model: {@code sky}, {@code transparent} or a color of CSS. */
+  public record BackgroundType() implements Form {
+    /** The light of the sky. */
+    public static final String SKY = "sky";
+
+    /** Nothing. */
+    public static final String TRANSPARENT = "transparent";
+
+    /** A color without the sign before it, which a shell may take for a comment. */
+    private static final String HEXADECIMAL = "[0-9a-fA-F]{6}";
+
+    @Override
+    public String parse(String text) {
+      String word = text.toLowerCase(Locale.ROOT);
+      return word.equals(SKY) || word.equals(TRANSPARENT)
+          ? word
+          : CssColor.text(color(text).orElseThrow());
+    }
+
+    /** Returns the color in a text; empty if it is not a color. */
+    public static Optional<Rgb> color(String text) {
+      if (text.equalsIgnoreCase(SKY) || text.equalsIgnoreCase(TRANSPARENT)) {
+        return Optional.empty();
+      }
+      try {
+        return Setting.BACKPLATE.type().parse(text.matches(HEXADECIMAL) ? "#" + text : text);
+      } catch (IllegalArgumentException e) {
+        throw new IllegalArgumentException(
+            e.getMessage().replace("expected ", "expected sky, transparent, "), e);
+      }
+    }
+
+    @Override
+    public String expected() {
+      return "sky, transparent, " + Setting.BACKPLATE.type().expected();
+    }
+  }
+
+  /** The texts of {@link Look}s. */
+  public record LookType() implements Form {
+    @Override
+    public String parse(String text) {
+      Look.of(text);
+      return text;
+    }
+
+    @Override
+    public String expected() {
+      return "clay, lines or clay,lines";
+    }
+  }
+
+  /** Returns the names of labels; {@code all} stands for all of them. */
+  public static List<String> labels(List<String> named) {
+    return named.contains("all") ? ShownLabels.KINDS : named;
+  }
+}

@@ -1,0 +1,128 @@
+package io.github.lumbre.stage.drawing;
+
+import io.github.lumbre.geometry.internal.MeshEdges;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.math.internal.Elementary;
+
+/**
+ * Decides which edges are lines. The decisions do not depend on the order of the vertices of a
+ * triangle, which many files have wrong.
+ */
+final class EdgeKind {
+  /** The angle from which on an edge between smooth normals is a crease, in degrees. */
+  private static final double SMOOTH_DEGREES = 60;
+
+  /**
+   * Angles that differ by less than this count as equal, in degrees: files round positions, so that
+   * the angles of a regular prism are not the same.
+   */
+  private static final double EQUAL_DEGREES = .05;
+
+  private final MeshEdges edges;
+  private final double[] positions;
+  private final double cosCrease;
+  private final double cosSmooth;
+
+  /**
+   * @param positions of the places of the edges, in world space
+   * @param creaseDegrees angle between two triangles from which on their edge is a crease
+   */
+  EdgeKind(MeshEdges edges, double[] positions, double creaseDegrees) {
+    this.edges = edges;
+    this.positions = positions;
+    cosCrease = cosCrease(creaseDegrees);
+    cosSmooth = cosCrease(Math.max(creaseDegrees, SMOOTH_DEGREES));
+  }
+
+  /**
+   * Returns the cosine of the angle between two triangles below which the surface continues: a
+   * little less than an angle that is a crease, so that rounding does not decide at this angle.
+   */
+  static double cosCrease(double creaseDegrees) {
+    return Elementary.cosDegrees(creaseDegrees - EQUAL_DEGREES);
+  }
+
+  Vec3 from(int edge) {
+    return place(edges.from(edge));
+  }
+
+  Vec3 to(int edge) {
+    return place(edges.to(edge));
+  }
+
+  /** Returns the unit direction of an edge. */
+  Vec3 along(int edge) {
+    return to(edge).minus(from(edge)).normalized();
+  }
+
+  private Vec3 place(int place) {
+    return new Vec3(positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]);
+  }
+
+  /** Returns whether an edge is a border or a crease, or a silhouette for an eye. */
+  boolean isLine(int edge, Eye eye) {
+    return edges.from(edge) != edges.to(edge) && (isFeature(edge) || isSilhouette(edge, eye));
+  }
+
+  /** Returns whether only one triangle has an edge. */
+  boolean isBorder(int edge) {
+    return edges.triangles(edge) == 1;
+  }
+
+  /**
+   * Returns whether an edge is a border or a crease: its triangles do not continue each other in
+   * two opposite directions. Triangles on the first one do not count.
+   */
+  boolean isFeature(int edge) {
+    Vec3 along = along(edge);
+    Vec3 first = Vec3.ZERO;
+    double flat = edges.isSmooth(edge) ? cosSmooth : cosCrease;
+    boolean continues = false;
+    for (int i = 0; i < edges.triangles(edge); i++) {
+      Vec3 across = across(edge, i, along);
+      if (first.equals(Vec3.ZERO)) {
+        first = across;
+      }
+      double cos = first.dot(across);
+      boolean isContinued = across.maxAbs() > 0 && -cos > flat;
+      if (across.maxAbs() > 0 && !isContinued && cos < Math.abs(flat)) {
+        return true;
+      }
+      continues |= isContinued;
+    }
+    return !continues;
+  }
+
+  /**
+   * Returns the unit direction in a triangle that is away from an edge and perpendicular to it;
+   * zero for a triangle without an area.
+   */
+  Vec3 across(int edge, int triangle, Vec3 along) {
+    if (isOnEdge(edge, edges.opposite(edge, triangle))) {
+      return Vec3.ZERO;
+    }
+    Vec3 side = place(edges.opposite(edge, triangle)).minus(from(edge));
+    Vec3 across = side.plus(-side.dot(along), along);
+    return across.maxAbs() > 0 ? across.normalized() : Vec3.ZERO;
+  }
+
+  /** Returns whether a place is an end of an edge, as in slivers whose corners became one place. */
+  private boolean isOnEdge(int edge, int place) {
+    return place == edges.from(edge) || place == edges.to(edge);
+  }
+
+  /** Returns whether all triangles of an edge are on the same side of it in the picture. */
+  boolean isSilhouette(int edge, Eye eye) {
+    Vec3 from = from(edge);
+    Vec3 normal = eye.rayTo(from).cross(to(edge).minus(from));
+    boolean isLeft = false;
+    boolean isRight = false;
+    for (int i = 0; i < edges.triangles(edge); i++) {
+      int opposite = edges.opposite(edge, i);
+      double side = isOnEdge(edge, opposite) ? 0 : normal.dot(place(opposite).minus(from));
+      isLeft |= side > 0;
+      isRight |= side < 0;
+    }
+    return !(isLeft && isRight);
+  }
+}
