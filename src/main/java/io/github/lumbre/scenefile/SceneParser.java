@@ -203,7 +203,9 @@ public final class SceneParser {
       throws SceneFormatException, IOException {
     Path file = inNoFolder(name);
     return TimedReading.of(
-        limits(), problemsOf(file), () -> staged(file, model, files, inMotion(stage), false).scene(this));
+        limits(),
+        problemsOf(file),
+        () -> staged(file, model, files, inMotion(stage), false).scene(this));
   }
 
   private static Path inNoFolder(String name) {
@@ -254,7 +256,8 @@ public final class SceneParser {
         limits(),
         problemsOf(file),
         () ->
-            new ModelViews(staged(file, model, files, stage.seenFrom(views.get(0)), false), views, this));
+            new ModelViews(
+                staged(file, model, files, stage.seenFrom(views.get(0)), false), views, this));
   }
 
   private ModelSequence sequence(

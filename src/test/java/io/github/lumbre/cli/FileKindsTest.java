@@ -102,7 +102,8 @@ class FileKindsTest {
     Outcome outcome = Outcome.onStandardInput(model, line.split(" "));
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.OK);
     assertThat(picture()).isEqualTo(expected);
-    Outcome check = Outcome.onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");
+    Outcome check =
+        Outcome.onStandardInput(model, "check", "-", "--sky", CASES.resolve("ref.pfm") + "");
     assertThat(check.exitCode()).as(check.err()).isEqualTo(ExitCodes.OK);
     assertThat(check.out()).contains("triangles  2\n");
     Outcome.onStandardInput("; FBX 7.3.0".getBytes(StandardCharsets.US_ASCII), "check", "-")

@@ -8,7 +8,7 @@ import io.github.lumbre.math.Vec3;
 /**
  * The BSDF of smooth glass whose reflectance depends on the color, because it has a thin film or an
  * index of refraction for each color. All colors are reflected in one direction. With different
- * indices, red, green and blue are refracted in three: a sample follows one and has its color alone.
+ * indices, red, green and blue are refracted in three: a sample follows one, with its color alone.
  *
  * <p>What it samples depends on the colors that the path carries. A path that was refracted once
  * keeps its color at all further surfaces (hero wavelength sampling: Wilkie et al. 2014).

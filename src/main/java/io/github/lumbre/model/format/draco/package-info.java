@@ -3,11 +3,11 @@
  * export it. {@link io.github.lumbre.model.format.draco.DracoMesh#decode} is the entry.
  *
  * <p>A stream has a header, the connectivity of the triangles, and the values of the attributes.
- * {@link io.github.lumbre.model.format.draco.SequentialConnectivity} reads a list of corners; {@link
- * io.github.lumbre.model.format.draco.EdgebreakerConnectivity} rebuilds a {@link
+ * {@link io.github.lumbre.model.format.draco.SequentialConnectivity} reads a list of corners;
+ * {@link io.github.lumbre.model.format.draco.EdgebreakerConnectivity} rebuilds a {@link
  * io.github.lumbre.model.format.draco.CornerTable} from one symbol per triangle. {@link
- * io.github.lumbre.model.format.draco.AttributesDecoder} then decodes the attributes, each as corrections
- * of a {@link io.github.lumbre.model.format.draco.Prediction}.
+ * io.github.lumbre.model.format.draco.AttributesDecoder} then decodes the attributes, each as
+ * corrections of a {@link io.github.lumbre.model.format.draco.Prediction}.
  *
  * <p>A <em>corner</em> 3 f + k is corner k of face f, and stands for the edge opposite to it. A
  * <em>vertex</em> is a place in the connectivity of one attribute, an <em>entry</em> one value of
