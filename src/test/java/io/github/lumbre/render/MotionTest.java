@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.camera.Lens;
+import io.github.lumbre.geometry.CompiledVectors;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
@@ -169,12 +170,14 @@ class MotionTest {
 
   @Test
   void kernelsChangeInAllPoses() throws Exception {
+    CompiledVectors.forget();
     List<Scene> poses = IntStream.range(0, 4).mapToObj(i -> balls(i)).toList();
     Scene moving = Scene.inMotion(poses);
     assertThat(poses).allMatch(Scene::mayChangeKernel);
     moving.changeKernel(() -> true);
     assertThat(poses).noneMatch(Scene::mayChangeKernel);
     assertThat(moving.mayChangeKernel()).isFalse();
+    CompiledVectors.forget();
   }
 
   /** Returns as many balls as vectors need. */
