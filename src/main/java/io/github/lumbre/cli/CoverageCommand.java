@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
     header = "Count how often errors of a scene exceed their noise bounds.",
     description =
         "Render the scene with many seeds, compare each picture with a reference, and print a line"
-            + " for each number of samples and each target error. A bound of 95 % fails for about"
+            + " for each number of samples and each target error. A bound of 95 %% fails for about"
             + " one picture of twenty.",
     sortOptions = false,
     modelTransformer = SettingFlags.Adder.class,
@@ -33,14 +33,14 @@ import picocli.CommandLine.Option;
       "",
       "Examples:",
       "  lumbre coverage scenes/cornell-box.json",
-      "  lumbre coverage lamp.glb --sky white -s 16,64,256 --target-error 10%,5% --seeds 200"
+      "  lumbre coverage lamp.glb --sky white -s 16,64,256 --target-error 10%%,5%% --seeds 200"
     })
 @Exits(
     value = {
       ExitCode.OK, ExitCode.DIFFERENT, ExitCode.SCENE, ExitCode.ASSET, ExitCode.LIMIT,
       ExitCode.INTERRUPTED
     },
-    different = "more bounds fail: with a confidence of 95 %, this has a probability below 0.1 %")
+    different = "more bounds fail: with a confidence of 95 %%, this has a probability below 0.1 %%")
 final class CoverageCommand extends Subcommand {
   /** Of a bound that holds, more failures than a cell may have are less probable than this. */
   private static final double CHANCE = .001;

@@ -3,51 +3,113 @@ package io.github.lumbre.cli;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.cli.option.Headings;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import picocli.CommandLine;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.IHelpSectionRenderer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
+import picocli.CommandLine;
 
 /**
  * The layout of help texts: commands under the headings of their sections, flags under those that
  * their mixins state as {@code optionListHeading}. The width is picocli's: the terminal's, or 80
  * columns without one.
+ *
+ * <p>{@code --help} of a command with many flags lists those that people use, each with the first
+ * sentence of its text; {@code --help all} lists all.
  */
 final class HelpLayout {
   /** The headings that come first; the empty one is that of flags without a heading. */
   private static final List<String> FIRST = List.of("", Headings.SCENE, Headings.MODEL);
 
+  /** The flags that the help of a command with more than {@link #MANY} shows. */
+  private static final Set<String> USED =
+      Set.of(
+          "--output", "--help", "--camera", "--view", "--sky", "--ground", "--background",
+          "--look", "--labels", "--up", "--section", "--hide", "--no-denoise", "--exposure",
+          "--samples", "--size", "--time", "--target-error", "--turntable", "--animation",
+          "--continue", "--checkpoint", "--timeout", "--json", "--port");
+
+  private static final int MANY = 30;
+
+  /** The number of examples in the help of such a command. */
+  private static final int EXAMPLES = 4;
+
   private HelpLayout() {}
 
-  static void applyTo(CommandLine program) {
+  /** Returns whether arguments ask for the help on all flags. */
+  static boolean isForAll(String[] args) {
+    int last = args.length - 1;
+    return last > 0 && args[last].equals("all") && args[last - 1].matches("-h|--help");
+  }
+
+  /**
+   * Sets the layout of all commands.
+   *
+   * @param isFull whether the help lists all flags
+   */
+  static void applyTo(CommandLine program, boolean isFull) {
     program.setUsageHelpAutoWidth(true);
     Map<String, IHelpSectionRenderer> sections = program.getHelpSectionMap();
     sections.remove(UsageMessageSpec.SECTION_KEY_COMMAND_LIST_HEADING);
     sections.put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST, HelpLayout::commands);
-    program.getSubcommands().values().forEach(HelpLayout::applyToCommand);
+    program.getSubcommands().values().forEach(command -> applyToCommand(command, isFull));
   }
 
-  private static void applyToCommand(CommandLine command) {
+  private static void applyToCommand(CommandLine command, boolean isFull) {
     Map<String, IHelpSectionRenderer> sections = command.getHelpSectionMap();
     sections.remove(UsageMessageSpec.SECTION_KEY_OPTION_LIST_HEADING);
-    sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, HelpLayout::flags);
     CommandSpec spec = command.getCommandSpec();
+    boolean isShort = !isFull && spec.options().stream().filter(o -> !o.hidden()).count() > MANY;
+    sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, help -> flags(help, isShort));
+    if (isShort) {
+      sections.remove(UsageMessageSpec.SECTION_KEY_EXIT_CODE_LIST_HEADING);
+      sections.remove(UsageMessageSpec.SECTION_KEY_EXIT_CODE_LIST);
+      sections.put(UsageMessageSpec.SECTION_KEY_FOOTER, HelpLayout::examples);
+    }
     Exits exits = spec.userObject().getClass().getAnnotation(Exits.class);
     if (exits != null) {
       Set<ExitCode> codes = EnumSet.of(ExitCode.USAGE, ExitCode.INTERNAL);
       codes.addAll(List.of(exits.value()));
       spec.usageMessage().exitCodeList(ExitCode.meanings(codes, exits.different()));
     }
-    command.getSubcommands().values().forEach(HelpLayout::applyToCommand);
+    command.getSubcommands().values().forEach(nested -> applyToCommand(nested, isFull));
+  }
+
+  private static String examples(Help help) {
+    String[] footer = help.commandSpec().usageMessage().footer();
+    String all = help.commandSpec().qualifiedName() + " --help all";
+    return Stream.concat(
+            Arrays.stream(footer).limit(2 + EXAMPLES),
+            Stream.of("", "All flags, and the exit codes: " + all))
+        .map(line -> String.format(line + "%n"))
+        .collect(Collectors.joining());
+  }
+
+  /** Returns a flag of the short help; empty if it is not there. */
+  private static Optional<OptionSpec> shortened(OptionSpec flag) {
+    if (flag.usageHelp()) {
+      return Optional.of(flag);
+    }
+    // A sentence or clause ends outside of parentheses.
+    String first =
+        flag.description()[0].replaceFirst(
+            "^((?:[^(.;]|\\([^)]*\\)|\\.(?! ))*)[.;] .*", "$1.");
+    return Arrays.stream(flag.names()).noneMatch(USED::contains)
+        ? Optional.empty()
+        : Optional.of(
+            OptionSpec.builder(flag).description(first.replace("%", "%%")).build());
   }
 
   private static String commands(Help help) {
@@ -63,9 +125,16 @@ final class HelpLayout {
     return text.toString();
   }
 
-  private static String flags(Help help) {
+  private static String flags(Help help, boolean isShort) {
     StringBuilder text = new StringBuilder();
-    divided(help.commandSpec())
+    Map<String, List<OptionSpec>> divided = divided(help.commandSpec());
+    if (isShort) {
+      divided.replaceAll(
+          (heading, flags) ->
+              flags.stream().map(HelpLayout::shortened).flatMap(Optional::stream).toList());
+      divided.values().removeIf(List::isEmpty);
+    }
+    divided
         .forEach(
             (heading, flags) -> {
               // One layout for all flags: each list is as wide as the others.
@@ -73,7 +142,9 @@ final class HelpLayout {
                   help.createDefaultLayout(
                       help.commandSpec().options(), List.of(), help.colorScheme());
               layout.addOptions(flags, help.parameterLabelRenderer());
-              text.append(heading.isEmpty() ? "" : String.format("%n%s:%n", heading));
+              if (!heading.isEmpty()) {
+                text.append(String.format(isShort ? "%s:%n" : "%n%s:%n", heading));
+              }
               text.append(layout);
             });
     return text.toString();

@@ -18,6 +18,7 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -57,7 +58,7 @@ import picocli.CommandLine.Spec;
       "  lumbre benchmark --rows 1,5,14",
       "  lumbre perf scenes/cornell-box.json",
       "  lumbre compare draft.exr reference.exr",
-      "  lumbre help render"
+      "  lumbre render --help"
     })
 public final class Lumbre implements Runnable {
   /** The character that Java substitutes for bytes that are invalid in the locale's encoding. */
@@ -171,7 +172,7 @@ public final class Lumbre implements Runnable {
 
   /** Returns the program with all of its commands. */
   static CommandLine commandLine() {
-    return commandLine(Engine.LOCAL, COMMANDS.keySet());
+    return commandLine(Engine.LOCAL, COMMANDS.keySet(), false);
   }
 
   /** Returns the commands that arguments mention: to read the annotations of all takes a while. */
@@ -184,12 +185,13 @@ public final class Lumbre implements Runnable {
     return mentioned;
   }
 
-  private static CommandLine commandLine(Engine engine, Set<String> names) {
+  private static CommandLine commandLine(
+      Engine engine, Set<String> names, boolean isHelpForAll) {
     CommandLine.IFactory factory = factory(engine);
     CommandLine program = new CommandLine(new Lumbre(), factory);
     names.forEach(
         name -> program.addSubcommand(name, new CommandLine(COMMANDS.get(name), factory)));
-    HelpLayout.applyTo(program);
+    HelpLayout.applyTo(program, isHelpForAll);
     return program;
   }
 
@@ -238,7 +240,11 @@ public final class Lumbre implements Runnable {
     }
     Messages messages = new Messages(err);
     String[] current = renamed(args, messages);
-    CommandLine command = commandLine(engine, mentioned(current));
+    boolean isHelpForAll = HelpLayout.isForAll(current);
+    if (isHelpForAll) {
+      current = Arrays.copyOf(current, current.length - 1);
+    }
+    CommandLine command = commandLine(engine, mentioned(current), isHelpForAll);
     Failures failures = new Failures(COMMANDS.keySet(), Lumbre::commandLine);
     command.setOut(out).setErr(err);
     FlagConverters.register(command);

@@ -156,7 +156,7 @@ class KindsTest {
   @Test
   void noOtherClassHoldsAKey() throws IOException {
     List<Path> files;
-    try (Stream<Path> all = Files.list(SOURCES.resolve("parser"))) {
+    try (Stream<Path> all = Files.list(SOURCES.resolve("scenefile"))) {
       files =
           Stream.concat(all, Stream.of(SOURCES.resolve("cli/view/CameraJson.java")))
               .filter(file -> file.toString().matches(".*(?<!Kinds|Keys)[.]java"))

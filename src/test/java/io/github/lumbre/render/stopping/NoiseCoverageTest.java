@@ -89,7 +89,7 @@ class NoiseCoverageTest {
         "emissive-points"
       })
   void boundsHoldWhereFewBrightSamplesCarryTheNoise(String name) throws Exception {
-    Path path = Path.of("src", "test", "resources", "io", "github", "lumbre", "stopping");
+    Path path = Path.of("src", "test", "resources", "io", "github", "lumbre", "render", "stopping");
     SceneFile file = new SceneParser().parse(path.resolve(name + ".json"));
     Coverage coverage =
         coverage(file, 24, false, Effort.count(12, 60), Effort.count(2048, 16384));
