@@ -1,6 +1,7 @@
 package io.github.lumbre.render;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.compare.PictureError;
 
 /**
  * The samples of a pixel in two parts, whose difference gives an estimate of the pixel's noise. The
@@ -14,12 +15,6 @@ import io.github.lumbre.image.Rgb;
  *     negative
  */
 public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second) {
-  /**
-   * A summand of the denominator that limits the weight of dark pixels; in units of squared
-   * radiance.
-   */
-  public static final double FLOOR = .01;
-
   /**
    * How far a pixel's mean is moved towards its neighbors', as a multiple of James and Stein's.
    * With 1, errors beside small lamps and rough metal are estimated 3 to 7 % too low in large
@@ -81,7 +76,7 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
   }
 
   private static double relative(double a, double b) {
-    return (a - b) * (a - b) / (Math.max(0, a * b) + FLOOR);
+    return (a - b) * (a - b) / (Math.max(0, a * b) + PictureError.FLOOR);
   }
 
   private double among(double a, double b, double surroundings) {
@@ -90,6 +85,6 @@ public record PixelHalves(int firstCount, Rgb first, int secondCount, Rgb second
     double off = (firstCount * a + secondCount * b) / all - surroundings;
     double kept = Math.max(0, off * off - SHRINKAGE * excess * excess);
     double converged = kept == 0 ? surroundings : surroundings + kept / off;
-    return (a - b) * (a - b) / (converged * converged + FLOOR);
+    return (a - b) * (a - b) / (converged * converged + PictureError.FLOOR);
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.image.compare.PictureError;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -16,7 +17,7 @@ class PixelHalvesTest {
   void errorOfOneChannelIsAThirdOfThatOfAll() {
     PixelHalves red = new PixelHalves(4, new Rgb(3, 0, 0), 2, new Rgb(1, 0, 0));
     PixelHalves gray = new PixelHalves(4, Rgb.gray(3), 2, Rgb.WHITE);
-    double expected = 4.0 * 4 * 2 / 36 / (3 + PixelHalves.FLOOR);
+    double expected = 4.0 * 4 * 2 / 36 / (3 + PictureError.FLOOR);
     assertThat(gray.relativeSquaredError()).isCloseTo(expected, within(1e-15));
     assertThat(red.relativeSquaredError()).isCloseTo(expected / 3, within(1e-15));
     PixelHalves green = new PixelHalves(4, new Rgb(0, 3, 0), 2, new Rgb(0, 1, 0));
@@ -35,7 +36,7 @@ class PixelHalvesTest {
   @Test
   void slightlyNegativeMeansAreComparedWithTheFloor() {
     PixelHalves halves = new PixelHalves(1, Rgb.gray(1), 1, Rgb.gray(-1e-6));
-    double expected = (1 + 1e-6) * (1 + 1e-6) / 4 / PixelHalves.FLOOR;
+    double expected = (1 + 1e-6) * (1 + 1e-6) / 4 / PictureError.FLOOR;
     assertThat(halves.relativeSquaredError()).isCloseTo(expected, within(1e-9 * expected));
   }
 

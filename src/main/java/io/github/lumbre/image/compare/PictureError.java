@@ -1,7 +1,6 @@
 package io.github.lumbre.image.compare;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.render.PixelHalves;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -26,8 +25,11 @@ public record PictureError(
     double largest,
     double ssim,
     double flip) {
-  /** Keeps dark pixels from dominating; in units of squared linear light. */
-  public static final double FLOOR = PixelHalves.FLOOR;
+  /**
+   * A summand of the denominator of relative errors that limits the weight of dark pixels; in units
+   * of squared linear light.
+   */
+  public static final double FLOOR = .01;
 
   /**
    * Compares a picture with a reference.

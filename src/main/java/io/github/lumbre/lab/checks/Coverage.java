@@ -1,12 +1,12 @@
 package io.github.lumbre.lab.checks;
 
 import io.github.lumbre.base.text.Numbers;
+import io.github.lumbre.image.compare.PictureError;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
-import io.github.lumbre.render.PixelHalves;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.render.stopping.BudgetWatch;
@@ -252,7 +252,7 @@ public final class Coverage {
     double sum = 0;
     for (int i = 0; i < picture.length; i++) {
       double error = picture[i] - reference[i];
-      sum += error * error / (reference[i] * reference[i] + PixelHalves.FLOOR);
+      sum += error * error / (reference[i] * reference[i] + PictureError.FLOOR);
     }
     return sum / picture.length;
   }
