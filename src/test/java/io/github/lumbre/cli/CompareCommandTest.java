@@ -39,7 +39,7 @@ class CompareCommandTest {
 
   @Test
   void lossyAndGrayOpenExrIsCompared() {
-    String gray = "src/test/resources/io/github/lumbre/image/exr/height.exr";
+    String gray = "src/test/resources/io/github/lumbre/image/format/exr/height.exr";
     Outcome same = Outcome.of("compare", gray, gray);
     assertThat(same.exitCode()).isZero();
     assertThat(same.out()).contains("64x32 pixels: no difference");
