@@ -15,6 +15,9 @@ final class Program {
   /** The jar of the command line with all its dependencies. */
   static final Path JAR = Path.of("target", "lumbre-all.jar").toAbsolutePath();
 
+  /** The measurements, which measuring commands need beside the program. */
+  static final Path LAB = JAR.resolveSibling("lumbre-lab.jar");
+
   /** The signals that end a render in a terminal, by their number. */
   private static final Map<Integer, String> SIGNALS = Map.of(1, "HUP", 2, "INT");
 

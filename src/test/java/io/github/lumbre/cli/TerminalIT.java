@@ -53,6 +53,7 @@ class TerminalIT {
     Files.copy(Path.of("lumbre"), home.resolve("lumbre"));
     assertThat(home.resolve("lumbre").toFile().setExecutable(true)).isTrue();
     Files.copy(Program.JAR, home.resolve("target/lumbre-all.jar"));
+    Files.copy(Program.LAB, home.resolve("target/lumbre-lab.jar"));
     TinyScene.write(directory, TinyScene.JSON);
   }
 
