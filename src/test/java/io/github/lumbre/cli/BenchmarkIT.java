@@ -27,8 +27,7 @@ class BenchmarkIT {
       assertThat(home.resolve(launcher).toFile().setExecutable(true)).isTrue();
     }
     TinyTable.write(home.resolve("scenes"));
-    Files.createDirectories(home.resolve("target"));
-    Files.copy(Program.JAR, home.resolve("target").resolve(Program.JAR.getFileName()));
+    Program.copyJars(home);
     Path link = Files.createSymbolicLink(directory.resolve("link"), home.resolve("benchmark"));
 
     Outcome outcome = Program.run(directory, List.of(link.toString(), "--rows", "3", "--check"));

@@ -15,9 +15,6 @@ final class Program {
   /** The jar of the command line with all its dependencies. */
   static final Path JAR = Path.of("target", "lumbre-all.jar").toAbsolutePath();
 
-  /** The measurements, which measuring commands need beside the program. */
-  static final Path LAB = JAR.resolveSibling("lumbre-lab.jar");
-
   /** The signals that end a render in a terminal, by their number. */
   private static final Map<Integer, String> SIGNALS = Map.of(1, "HUP", 2, "INT");
 
@@ -35,6 +32,14 @@ final class Program {
   /** Returns the path of a program in the current JDK. */
   static String java(String name) {
     return Path.of(System.getProperty("java.home"), "bin", name).toString();
+  }
+
+  /** Copies the built program, and the measurements beside it, into a project. */
+  static void copyJars(Path home) throws IOException {
+    Path target = Files.createDirectories(home.resolve("target"));
+    for (Path jar : List.of(JAR, JAR.resolveSibling("lumbre-lab.jar"))) {
+      Files.copy(jar, target.resolve(jar.getFileName()));
+    }
   }
 
   /** Copies the JVM options file to a copy of the project. */

@@ -48,12 +48,10 @@ class TerminalIT {
         isNeeded || PseudoTerminal.isSupported(),
         "TerminalIT is skipped: this system has no 'script' of util-linux to make a terminal with");
     Program.copyOptions(home);
-    Files.createDirectories(home.resolve("target"));
     Files.writeString(home.resolve("pom.xml"), "");
     Files.copy(Path.of("lumbre"), home.resolve("lumbre"));
     assertThat(home.resolve("lumbre").toFile().setExecutable(true)).isTrue();
-    Files.copy(Program.JAR, home.resolve("target/lumbre-all.jar"));
-    Files.copy(Program.LAB, home.resolve("target/lumbre-lab.jar"));
+    Program.copyJars(home);
     TinyScene.write(directory, TinyScene.JSON);
   }
 
