@@ -70,7 +70,6 @@ public enum ExitCode {
    * Returns the meanings of codes by number, in sentences for people.
    *
    * @param codes in the order of this type
-   *
    * @param different what {@link #DIFFERENT} means; empty for its own meaning
    */
   public static Map<String, String> meanings(Set<ExitCode> codes, String different) {

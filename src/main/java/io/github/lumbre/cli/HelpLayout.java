@@ -71,7 +71,9 @@ final class HelpLayout {
     Map<String, IHelpSectionRenderer> sections = command.getHelpSectionMap();
     sections.remove(UsageMessageSpec.SECTION_KEY_OPTION_LIST_HEADING);
     CommandSpec spec = command.getCommandSpec();
-    boolean isShort = !isFull && spec.options().stream().filter(o -> !o.hidden()).count() > MANY;
+    boolean hasMany = spec.options().stream().filter(o -> !o.hidden()).count() > MANY;
+    boolean isShort = hasMany && !isFull;
+    spec.usageMessage().abbreviateSynopsis(hasMany || spec.usageMessage().abbreviateSynopsis());
     sections.put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, help -> flags(help, isShort));
     if (isShort) {
       sections.remove(UsageMessageSpec.SECTION_KEY_EXIT_CODE_LIST_HEADING);

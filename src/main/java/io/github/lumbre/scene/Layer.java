@@ -75,9 +75,9 @@ public enum Layer {
   DENOISING_NORMAL("denoisingNormal", "X Y Z"),
 
   /**
-   * Alpha for denoisers, where the ground shows its shadow alone: several shadow rays for each
-   * sample tell how dark it is, while {@code alpha} counts the samples in shadow. Recorded only in
-   * scenes with such a ground.
+   * Alpha for denoisers, in [0,1]. Where the ground shows its shadow alone, several shadow rays for
+   * each sample tell how dark it is, while {@code alpha} counts the samples in shadow; what lies
+   * below the ground is taken as nothing there. Recorded only in scenes with such a ground.
    */
   DENOISING_ALPHA("denoisingAlpha", "A");
 

@@ -15,7 +15,7 @@ import java.util.concurrent.CancellationException;
  * failures become a JSON summary. {@link Failures} knows the exit codes of exceptions.
  *
  * @param summaries printer of JSON summaries; empty if there are none
- * @param frames the pictures of which each run is the next one; empty for work of another kind
+ * @param frames the sequence that the work renders the next picture of; empty for other work
  */
 public record Run(
     Interruption interruption, Optional<Messages> summaries, Optional<Frames> frames) {

@@ -62,7 +62,7 @@ public final class OptionTypes {
   }
 
   /**
-   * Lists of texts, each of which is accepted or not.
+   * Lists of texts. A list is accepted if all of its texts are.
    *
    * @param separator of the texts in one text; empty if one text is one element
    */
