@@ -33,13 +33,13 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.internal.FrameSize;
-import io.github.lumbre.scenefile.ModelViews;
 import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -202,8 +202,8 @@ final class DiffCommand extends Subcommand {
 
   private String page(Stage ofOld, Stage ofNew, ModelDifference.Result found, List<String> lines)
       throws SceneFormatException, TaskException, IOException, InterruptedException {
-    ModelViews before = views(old, ofOld);
-    ModelViews after = views(now, ofNew);
+    StagedModel before = views(old, ofOld);
+    StagedModel after = views(now, ofNew);
     View view = ofNew.view().orElse(View.DEFAULT);
     RenderSettings shown = size.map(s -> s.over(USUAL)).orElse(USUAL);
     return ChangePage.of(
@@ -215,12 +215,12 @@ final class DiffCommand extends Subcommand {
         String.join("; ", found.notCompared()));
   }
 
-  private static ModelViews views(Path model, Stage stage)
+  private static StagedModel views(Path model, Stage stage)
       throws SceneFormatException, IOException {
     View view = stage.view().orElse(View.DEFAULT);
     SceneParser parser =
         new SceneParser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build());
-    return parser.parse(model, stage, List.of(view));
+    return StagedModel.read(model, stage.seenFrom(view), parser);
   }
 
   private ChangePage.Side side(Path path, SceneFile file)

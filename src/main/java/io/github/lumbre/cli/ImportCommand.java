@@ -13,8 +13,8 @@ import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
-import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -79,7 +79,7 @@ final class ImportCommand extends Subcommand {
     OutputGuard guard =
         overwrite.guard().reads(model, "the model").writes("-o", target, OutputContent.SCENE);
     guard.check();
-    SceneFile scene = new SceneParser().parse(folder, model, stage);
+    SceneFile scene = StagedModel.readIn(folder, model, stage).scene();
     guard.checkAssets(model, scene.assetPaths(target));
     String text = scene.text().orElseThrow().pretty() + "\n";
     requireUnedited(target, text);

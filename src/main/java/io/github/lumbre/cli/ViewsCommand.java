@@ -37,12 +37,12 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.FrameSize;
-import io.github.lumbre.scenefile.ModelViews;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PartTable;
@@ -144,21 +144,22 @@ final class ViewsCommand extends Subcommand {
     Messages messages = errors();
     try (RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
         Frames frames = new Frames(targets(), interruption, Deadline.after(Optional.empty()))) {
-      ModelViews views;
+      StagedModel staged;
       Interruption.Wait reading = monitor.reading(model);
       try (reading) {
-        views = read(stage);
+        staged = read(stage);
       }
-      SceneFile first = views.first();
+      SceneFile first = staged.scene();
+      List<Scene> views = staged.seenFrom(List.copyOf(View.standard().values()));
       guard.checkAssets(model, first.assetPaths(first.text().orElseThrow().path()));
       messages.warnings(first.warnings());
       RenderSettings settings = first.settings();
       MemoryCheck.require(settings, FilmLayers.of(settings, first.scene()));
       frames.reserve(Fallback.TEMPORARY);
       long start = System.nanoTime();
-      render(views, frames, interruption, monitor, messages);
+      render(first, views, frames, interruption, monitor, messages);
       if (json) {
-        describe(views, report);
+        describe(first, views, report);
       }
       messages.line(summary(settings, (System.nanoTime() - start) * 1e-9));
       return ExitCode.OK;
@@ -206,9 +207,10 @@ final class ViewsCommand extends Subcommand {
     return targets;
   }
 
-  private ModelViews read(Stage stage) throws SceneFormatException, IOException {
+  private StagedModel read(Stage stage) throws SceneFormatException, IOException {
     SceneParser parser = new SceneParser().overriding(this::overridden);
-    return parser.parse(model, stage, List.copyOf(View.standard().values()));
+    View first = View.standard().values().iterator().next();
+    return StagedModel.read(model, stage.seenFrom(first), parser);
   }
 
   private RenderSettings overridden(RenderSettings settings) {
@@ -228,15 +230,16 @@ final class ViewsCommand extends Subcommand {
    * @throws TaskException if a picture cannot be written, or a signal ends the command
    */
   private void render(
-      ModelViews views,
+      SceneFile file,
+      List<Scene> views,
       Frames frames,
       Interruption interruption,
       RenderMonitor monitor,
       Messages messages)
       throws Exception {
-    RenderSettings settings = views.first().settings();
+    RenderSettings settings = file.settings();
     ImageWriter.Options options = settings.development();
-    ParsedScene first = ParsedScene.of(views.first());
+    ParsedScene first = ParsedScene.of(file);
     List<String> notes = new ArrayList<>();
     PictureDrawing drawing =
         monitor
@@ -244,7 +247,7 @@ final class ViewsCommand extends Subcommand {
             .orElseThrow(CancellationException::new);
     List<DisplayLight> pictures = new ArrayList<>();
     Iterator<String> names = View.standard().keySet().iterator();
-    for (Scene view : views.scenes()) {
+    for (Scene view : views) {
       Optional<String> name = Optional.of(names.next());
       new Run(interruption, Optional.empty(), Optional.of(frames)).of(
           new JsonSummary("views", model),
@@ -275,15 +278,15 @@ final class ViewsCommand extends Subcommand {
   }
 
   /** Adds the parts of the model, and what each view shows. */
-  private void describe(ModelViews views, JsonSummary report) {
-    ParsedScene first = ParsedScene.of(views.first());
+  private void describe(SceneFile file, List<Scene> views, JsonSummary report) {
+    ParsedScene first = ParsedScene.of(file);
     ModelContents contents = first.model().orElseThrow();
     PartTable parts = contents.parts(first.scene());
     report.putScene(first);
     report.putContents(first.contents());
     report.putModel(contents, parts);
-    for (int i = 0; i < views.scenes().size(); i++) {
-      ViewNumbers numbers = ViewNumbers.of(views.scenes().get(i), first.settings(), parts);
+    for (int i = 0; i < views.size(); i++) {
+      ViewNumbers numbers = ViewNumbers.of(views.get(i), first.settings(), parts);
       report.putView("file", targets().get(i), first.settings(), numbers, parts);
     }
   }

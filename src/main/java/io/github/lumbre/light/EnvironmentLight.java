@@ -19,6 +19,9 @@ import java.util.Optional;
  * towards the light's local +z and its top towards +y. Immutable.
  */
 public final class EnvironmentLight implements Light {
+  /** The largest radiance of a sky in files: the light of all its directions is finite. */
+  public static final double MAX_RADIANCE = 1e150;
+
   /** The largest texture coordinate. Textures repeat, so at 1 the zenith would show the nadir. */
   private static final double BELOW_ONE = 0x1.fffffffffffffp-1;
 

@@ -183,7 +183,7 @@ final class AssetData {
       Path path = found.orElseThrow(() -> new Unusable(Kind.ASSET, allowed.refusal(name)));
       requireFile(name, path);
       byte[] bytes = Files.readAllBytes(path);
-      note(allowed.isOwn(path) ? parent + name : WrittenStage.slashed(path), bytes);
+      note(allowed.isOwn(path) ? parent + name : slashed(path), bytes);
       return bytes;
     } catch (NoSuchFileException e) {
       throw Unusable.missing(name);
@@ -415,6 +415,11 @@ final class AssetData {
         .filter(AssetData::isPath)
         .map(Path::of)
         .filter(path -> !path.isAbsolute());
+  }
+
+  /** Returns a path as scenes state it. */
+  static String slashed(Path path) {
+    return path.toString().replace('\\', '/');
   }
 
   /** Returns whether a name is neither empty nor a URL, and no path of another system. */

@@ -149,14 +149,9 @@ final class Framing {
     parts.forEach(part -> part.forEach(visitor));
   }
 
-  /** Returns the least coordinates of the vertices. */
-  Vec3 min() {
-    return min;
-  }
-
-  /** Returns the largest coordinates of the vertices. */
-  Vec3 max() {
-    return max;
+  /** Returns the box around the vertices; a point at the origin if there are none. */
+  Bounds3 box() {
+    return new Bounds3(min, max);
   }
 
   /**

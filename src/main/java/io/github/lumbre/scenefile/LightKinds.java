@@ -84,13 +84,13 @@ final class LightKinds {
       Key.number(
           "sunAzimuth",
           Range.ANY,
-          Stage.Sky.SUN.azimuth(),
+          ClearSky.AZIMUTH,
           "Of the sun of a clear sky, in degrees: 0 towards -z, 90 towards +x.");
   static final Key<Double> SUN_ELEVATION =
       Key.number(
           "sunElevation",
           Range.closed(ClearSky.LOWEST, 90),
-          Stage.Sky.SUN.elevation(),
+          ClearSky.ELEVATION,
           "Of the sun of a clear sky, in degrees above the horizon.");
 
   static {

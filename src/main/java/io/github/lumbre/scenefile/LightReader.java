@@ -180,9 +180,9 @@ final class LightReader {
 
   Consumer<SceneAssembly> dome(Placed light, Rgb radiance) {
     hasDome = true;
-    boolean isFinite = radiance.max() <= Stage.Sky.MAX_INTENSITY;
+    boolean isFinite = radiance.max() <= EnvironmentLight.MAX_RADIANCE;
     if (!isFinite) {
-      String most = PrintableText.number(Stage.Sky.MAX_INTENSITY);
+      String most = PrintableText.number(EnvironmentLight.MAX_RADIANCE);
       intensityError(light, "expected a product with the color of at most " + most);
     }
     Rgb used = isFinite ? radiance : Rgb.BLACK;

@@ -8,6 +8,7 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
+import io.github.lumbre.scenefile.internal.PlacedCamera;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
@@ -70,7 +71,7 @@ record ModelObjects(
       Model model = ModelReader.read(name, content, files, options);
       if (ObjectKeys.USE_CAMERA.isIn(node)) {
         String camera = ObjectKeys.USE_CAMERA.in(node);
-        parts.seenBy(StageCamera.inPoses(model, camera, object.toWorld()));
+        parts.seenBy(PlacedCamera.inPoses(model, camera, object.toWorld()));
       }
       parts.add(
           model,

@@ -13,6 +13,7 @@ import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.model.internal.ModelSurface;
 import io.github.lumbre.scenefile.internal.Origin;
 import io.github.lumbre.scenefile.internal.PartSurface;
+import io.github.lumbre.scenefile.internal.PlacedCamera;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -31,7 +32,7 @@ final class ModelParts {
   private final Set<ModelGeometry> meshes = identitySet();
   private final Set<ModelMaterial> ownMaterials = identitySet();
   private final Map<Integer, PartSurface> surfaces = new HashMap<>();
-  private List<StageCamera> cameras = List.of();
+  private List<PlacedCamera> cameras = List.of();
   private int count;
   private int pictures;
   private int lights;
@@ -75,12 +76,12 @@ final class ModelParts {
   }
 
   /** Sets the camera of a model, in each pose, as the camera of the scene. */
-  void seenBy(List<StageCamera> camera) {
+  void seenBy(List<PlacedCamera> camera) {
     cameras = camera;
   }
 
   /** Returns the camera of a model that is the scene's, in each pose; empty if there is none. */
-  List<StageCamera> cameras() {
+  List<PlacedCamera> cameras() {
     return cameras;
   }
 

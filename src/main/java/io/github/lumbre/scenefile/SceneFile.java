@@ -1,6 +1,5 @@
 package io.github.lumbre.scenefile;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.nio.file.Path;
@@ -34,15 +33,6 @@ public interface SceneFile {
    * @param path of the scene, in whose folder the names of assets start
    */
   Set<Path> assetPaths(Path path);
-
-  /**
-   * Returns a picture of the scene with the lines that the settings ask for, and the labels of the
-   * {@link Stage}: the same picture if there are none. Cameras that bend straight lines show no
-   * lines. Labels that have no room are left out.
-   *
-   * @param picture in linear light, of the size of the settings' frame or crop
-   */
-  Image withDrawing(Image picture);
 
   /** Returns a copy with a different scene. */
   SceneFile with(Scene other);

@@ -2,23 +2,18 @@ package io.github.lumbre.scenefile;
 
 import io.github.lumbre.base.file.FileContent;
 import io.github.lumbre.base.limit.Limits;
-import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.internal.Sha256;
-import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.ModelReader;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import io.github.lumbre.scenefile.internal.CountingParser;
 import io.github.lumbre.scenefile.internal.FileHashes;
-import io.github.lumbre.scenefile.internal.ModelSequence;
+import io.github.lumbre.scenefile.internal.ModelParser;
 import io.github.lumbre.scenefile.internal.ParsedScene;
-import io.github.lumbre.stage.drawing.LineDrawing;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.InputStream;
@@ -44,7 +39,6 @@ public final class SceneParser {
 
   static {
     CountingParser.madeBy(SceneParser::counting);
-    ModelSequence.madeBy(SceneParser::sequence);
   }
 
   private final boolean lenient;
@@ -162,156 +156,10 @@ public final class SceneParser {
         });
   }
 
-  /**
-   * Reads a model and builds the scene around it. The parser's settings may state the picture's
-   * size; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or 4:3.
-   * The model may lack pictures.
-   *
-   * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF or ZIP file
-   * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
-   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
-   */
-  public SceneFile parse(Path model, Stage stage) throws SceneFormatException, IOException {
-    return TimedReading.of(
-        limits(), problemsOf(model), () -> staged(model, inMotion(stage), false).scene(this));
-  }
-
-  private Stage inMotion(Stage stage) {
-    return stage.reading(settings.inMotion(stage.options()));
-  }
-
-  /**
-   * Builds the scene around a model in one file, such as a GLB file or a ZIP archive, whose bytes
-   * are known; see {@link #parse(String, byte[], ModelFolder, Stage)}.
-   */
-  public SceneFile parse(String name, byte[] model, Stage stage)
-      throws SceneFormatException, IOException {
-    return parse(name, model, ModelFolder.NONE, stage);
-  }
-
-  /**
-   * Builds the scene around a model whose bytes are known; see {@link #parse(Path, Stage)}. Nothing
-   * is read from files, except what the folder reads and a picture of a sky that the stage names.
-   *
-   * @param name of the model without folders; its ending chooses the format
-   * @param model bytes of the file
-   * @param files has other files that the model names
-   * @throws SceneFormatException if the model cannot be used; it lists the errors
-   * @throws IOException if the calling thread is interrupted
-   */
-  public SceneFile parse(String name, byte[] model, ModelFolder files, Stage stage)
-      throws SceneFormatException, IOException {
-    Path file = inNoFolder(name);
-    return TimedReading.of(
-        limits(),
-        problemsOf(file),
-        () -> staged(file, model, files, inMotion(stage), false).scene(this));
-  }
-
-  private static Path inNoFolder(String name) {
-    Path here = Path.of("").toAbsolutePath();
-    Path file = here.resolve(name).normalize();
-    if (!here.equals(file.getParent())) {
-      throw new IllegalArgumentException(
-          "name: expected a name without folders, found " + PrintableText.quoted(name));
-    }
-    return file;
-  }
-
-  private StagedModel staged(
-      Path file, byte[] model, ModelFolder files, Stage stage, boolean isFrame)
-      throws SceneFormatException, IOException {
-    Stage lenient = stage.reading(stage.options().lenient(true));
-    return new StagedModel(
-        lenient, stage.folderOf(file), file, model, Optional.of(files), limits(), isFrame);
-  }
-
-  /**
-   * Reads a model and builds the scene around it for several views. The scenes share meshes,
-   * hierarchies and textures; their pictures have the bits of {@link #parse(Path, Stage)} with
-   * {@link Stage#seenFrom}.
-   *
-   * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF or ZIP file
-   * @param views at least one
-   * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
-   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
-   */
-  public ModelViews parse(Path model, Stage stage, List<Stage.View> views)
-      throws SceneFormatException, IOException {
-    return TimedReading.of(
-        limits(),
-        problemsOf(model),
-        () -> new ModelViews(staged(model, stage.seenFrom(views.get(0)), false), views, this));
-  }
-
-  /**
-   * Builds the scenes around a model whose bytes are known for several views; see {@link
-   * #parse(Path, Stage, List)} and {@link #parse(String, byte[], ModelFolder, Stage)}.
-   */
-  public ModelViews parse(
-      String name, byte[] model, ModelFolder files, Stage stage, List<Stage.View> views)
-      throws SceneFormatException, IOException {
-    Path file = inNoFolder(name);
-    return TimedReading.of(
-        limits(),
-        problemsOf(file),
-        () ->
-            new ModelViews(
-                staged(file, model, files, stage.seenFrom(views.get(0)), false), views, this));
-  }
-
-  private ModelSequence sequence(
-      Path model, Optional<byte[]> content, Stage stage, ModelSequence.Motion motion)
-      throws SceneFormatException, IOException {
-    Path file = content.isPresent() ? inNoFolder(model.toString()) : model;
-    String name = String.valueOf(file.getFileName());
-    StagedFrames.Source source =
-        content.isPresent()
-            ? (of, isFrame) -> staged(file, content.get(), ModelFolder.NONE, of, isFrame)
-            : (of, isFrame) -> staged(file, of, isFrame);
-    return TimedReading.of(
-        limits(),
-        problemsOf(file),
-        () ->
-            motion.turns() > 0
-                ? new StagedTurntable(this, source, name, stage, motion.turns())
-                : new StagedAnimation(
-                    this, source, name, stage, motion.animation(), motion.rate()));
-  }
-
-  private static Problems problemsOf(Path model) {
-    return new Problems(String.valueOf(model.getFileName()), true);
-  }
-
-  private StagedModel staged(Path model, Stage stage, boolean isFrame)
-      throws SceneFormatException, IOException {
-    Path file = model.toAbsolutePath().normalize();
-    Stage lenient = stage.reading(stage.options().lenient(true));
-    return staged(file, lenient, stage.folderOf(file), isFrame);
-  }
-
-  private StagedModel staged(Path file, Stage stage, Path folder, boolean isFrame)
-      throws SceneFormatException, IOException {
-    byte[] content =
-        InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits().bytes());
-    return new StagedModel(stage, folder, file, content, Optional.empty(), limits(), isFrame);
-  }
-
-  /**
-   * Reads a model and builds the scene around it, whose text is to be written to a file. A missing
-   * picture is an error unless the options of the stage are lenient, as it is in a scene.
-   *
-   * @param folder where asset paths start; contains the model and the sky's picture
-   * @throws SceneFormatException if the scene cannot be used; it lists the errors
-   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
-   */
-  public SceneFile parse(Path folder, Path model, Stage stage)
-      throws SceneFormatException, IOException {
-    Path file = model.toAbsolutePath().normalize();
-    // In the scene, the model may use files of the scene's folder.
-    Stage inScene = stage.reading(stage.options().with(ModelOption.ASSETS, List.of(folder)));
-    return TimedReading.of(
-        limits(), problemsOf(file), () -> staged(file, inScene, folder, false).scene(this));
+  /** Returns this parser, as the stage of models uses it. */
+  @SuppressWarnings("exports") // Other modules cannot name the type.
+  public ModelParser ofModels() {
+    return new LoneModels(this);
   }
 
   /** Returns what the parser makes of settings. */
@@ -435,8 +283,8 @@ public final class SceneParser {
     world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);
-    requireNumbers(scene, used, problems);
-    warnOfLines(scene, used, new Spot(problems, () -> "$.renderOptions.lineWidth"));
+    SceneChecks.requireNumbers(scene, used, problems);
+    SceneChecks.warnOfLines(scene, used, new Spot(problems, () -> "$.renderOptions.lineWidth"));
     return new ParsedScene(
         scene,
         used,
@@ -447,31 +295,6 @@ public final class SceneParser {
         world.origins(),
         source,
         Optional.empty());
-  }
-
-  /** Warns of lines that settings ask for and a scene lacks. */
-  static void warnOfLines(Scene scene, RenderSettings settings, Spot spot) {
-    LineDrawing.lack(scene, settings).ifPresent(spot::warn);
-  }
-
-  /** Requires that all poses number their parts and lights alike if layers record the numbers. */
-  static void requireNumbers(Scene scene, RenderSettings settings, Problems problems)
-      throws SceneFormatException {
-    SceneInside middle = SceneInside.of(scene);
-    List<SceneInside> poses = scene.poses().stream().map(SceneInside::of).toList();
-    boolean haveParts = poses.stream().allMatch(pose -> pose.names().equals(middle.names()));
-    boolean haveLights =
-        poses.stream().allMatch(pose -> pose.lightGroups().isLike(middle.lightGroups()));
-    boolean areParts =
-        settings.layers().contains(Layer.OBJECT) || settings.layers().contains(Layer.MATERIAL);
-    if (areParts && !haveParts || settings.layers().contains(Layer.LIGHTS) && !haveLights) {
-      problems.error(
-          Kind.INVALID,
-          () -> "layers",
-          "expected the same parts and lights in all poses for layers of objects, materials and"
-              + " lights, found some that appear or vanish");
-      throw problems.exception();
-    }
   }
 
   /**

@@ -11,6 +11,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import io.github.lumbre.scenefile.internal.Origin;
+import io.github.lumbre.scenefile.internal.PlacedCamera;
 import io.github.lumbre.scenefile.internal.SceneContents;
 import io.github.lumbre.scenefile.internal.SceneOrigins;
 import java.util.ArrayList;
@@ -188,11 +189,11 @@ final class SceneReader {
    * @param known the same scene, if code has built it: it gets the names of the file
    */
   Scene scene(Optional<Scene> known) {
-    List<StageCamera> ofModel = modelParts.cameras();
+    List<PlacedCamera> ofModel = modelParts.cameras();
     List<Camera> cameras =
         ofModel.isEmpty()
             ? List.of(camera.orElseThrow())
-            : StageCamera.placed(ofModel, settings.aspect());
+            : PlacedCamera.placed(ofModel, settings.aspect());
     if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
       root.object(SceneKeys.OPTIONS.name())
           .ifPresent(

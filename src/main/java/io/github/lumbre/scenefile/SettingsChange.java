@@ -1,7 +1,6 @@
 package io.github.lumbre.scenefile;
 
 import io.github.lumbre.base.limit.Limits;
-import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import java.util.Objects;
@@ -34,18 +33,6 @@ record SettingsChange(
 
   SettingsChange limitedTo(Limits newLimits) {
     return new SettingsChange(mode, change, newLimits);
-  }
-
-  /** Returns the aspect ratio for which a model is framed. */
-  double frameAspect() {
-    return change
-        .apply(RenderSettings.builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
-        .aspect();
-  }
-
-  /** Returns the options of a model, with the motion of its pose if these settings have one. */
-  ModelOptions inMotion(ModelOptions options) {
-    return options.during(change.apply(RenderSettings.DEFAULT));
   }
 
   /** Returns the settings of a scene that states none. */

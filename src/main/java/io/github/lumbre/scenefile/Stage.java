@@ -1,21 +1,25 @@
 package io.github.lumbre.scenefile;
 
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.internal.OptionTypes;
 import io.github.lumbre.model.internal.OptionTypes.TextType;
+import io.github.lumbre.model.internal.OptionTypes;
 import io.github.lumbre.model.internal.OptionValues;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scenefile.internal.Look;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.PictureDrawing;
 import io.github.lumbre.scenefile.internal.ShownLabels;
-import io.github.lumbre.scenefile.internal.StageTypes;
 import io.github.lumbre.scenefile.internal.StageTypes.BackgroundType;
 import io.github.lumbre.scenefile.internal.StageTypes.LookType;
 import io.github.lumbre.scenefile.internal.StageTypes.ViewType;
+import io.github.lumbre.scenefile.internal.StageTypes;
+import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.SunPosition;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -30,8 +34,8 @@ import java.util.stream.Stream;
 
 /**
  * What is around a model that is rendered by itself: its camera, its light and its background, and
- * what is read of it. {@link SceneParser#parse(Path, Stage)} reads the model and builds the scene.
- * Immutable.
+ * what is read of it. {@link StagedModel#read(Path, Stage, SceneParser)} reads the model and builds
+ * the scene. Immutable.
  */
 public final class Stage {
   /** The name of a camera in the model; without it, the view counts. */
@@ -214,11 +218,8 @@ public final class Stage {
    *     least 0; other skies ignore it
    */
   public record Sky(String name, double intensity, double rotation, View sun) {
-    /** The largest factor of a sky's radiance. */
-    static final double MAX_INTENSITY = StageTypes.INTENSITY.high();
-
     /** Where the sun stands if nothing else is said. */
-    static final View SUN = new View(-40, 35);
+    static final View SUN = new View(ClearSky.AZIMUTH, ClearSky.ELEVATION);
 
     /** The lights of a photographer's studio. */
     public static final Sky STUDIO = new Sky("studio");
@@ -255,14 +256,9 @@ public final class Stage {
       return new View(180 - sun.azimuth(), sun.elevation());
     }
 
-    /** Returns whether it is a clear day's, with the sun. */
-    boolean hasSun() {
-      return name.equals("sun");
-    }
-
     /** Returns the absolute path of its picture; empty if it has none. */
-    Optional<Path> picture() {
-      return hasSun() || name.equals("studio") || name.equals("white")
+    public Optional<Path> picture() {
+      return Set.of("studio", "white", "sun").contains(name)
           ? Optional.empty()
           : Optional.of(Path.of(name).toAbsolutePath().normalize());
     }
@@ -489,6 +485,18 @@ public final class Stage {
   /** Returns this stage with labels: some of {@link #LABELS}. */
   public Stage labeled(Set<String> newLabels) {
     return with(LABEL, newLabels.stream().sorted().toList());
+  }
+
+  /**
+   * Returns a picture of a scene with the lines that its settings ask for, and the labels of its
+   * stage: the same picture if there are none. Cameras that bend straight lines show no lines.
+   * Labels that have no room are left out.
+   *
+   * @param picture in linear light, of the size of the settings' frame or crop
+   */
+  public static Image withDrawing(SceneFile file, Image picture) {
+    return PictureDrawing.of(ParsedScene.of(file), note -> {})
+        .onLight(file.scene(), Optional.empty(), picture);
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */

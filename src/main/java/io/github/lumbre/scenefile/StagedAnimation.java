@@ -39,8 +39,8 @@ final class StagedAnimation extends StagedFrames {
   private final boolean hasOwnCamera;
   private final boolean isFramed;
   private final DecodedPictures pictures = new DecodedPictures();
-  private Optional<StagedModel> built = Optional.empty();
-  private Optional<StagedModel> framed = Optional.empty();
+  private Optional<Staging> built = Optional.empty();
+  private Optional<Staging> framed = Optional.empty();
 
   /**
    * @param animation name or index of the animation
@@ -48,14 +48,13 @@ final class StagedAnimation extends StagedFrames {
    * @throws SceneFormatException if the model cannot be used, lacks the animation, or has too many
    *     frames
    */
-  StagedAnimation(
-      SceneParser parser, Source source, String name, Stage stage, String animation, FrameRate rate)
+  StagedAnimation(ModelSource source, Stage stage, String animation, FrameRate rate)
       throws SceneFormatException, IOException {
-    super(parser, source, name);
+    super(source);
     this.stage = stage;
     this.animation = animation;
     this.rate = rate;
-    StagedModel atStart = read(at(0), true);
+    Staging atStart = source.read(at(0), true);
     seconds = seconds(atStart);
     count = frames(atStart);
     shown = shown(atStart);
@@ -68,20 +67,20 @@ final class StagedAnimation extends StagedFrames {
    *
    * @throws SceneFormatException if there is none
    */
-  private Stage shown(StagedModel atStart) throws SceneFormatException, IOException {
+  private Stage shown(Staging atStart) throws SceneFormatException, IOException {
     for (int i = 0; i < count && !atStart.hasSurface(); i++) {
-      if (read(stage(i), true).hasSurface()) {
+      if (source.read(stage(i), true).hasSurface()) {
         return stage(i);
       }
     }
     if (!atStart.hasSurface()) {
       // The error of a single picture states why nothing is shown.
-      read(at(0), false);
+      source.read(at(0), false);
     }
     return at(0);
   }
 
-  private double seconds(StagedModel model) throws SceneFormatException {
+  private double seconds(Staging model) throws SceneFormatException {
     List<ModelAnimation> all = model.animations();
     for (int i = 0; i < all.size(); i++) {
       boolean isNamed = all.get(i).name().equals(animation);
@@ -96,12 +95,12 @@ final class StagedAnimation extends StagedFrames {
     return all.stream().noneMatch(each -> each.name().equals(animation));
   }
 
-  private SceneFormatException endless(StagedModel model, String found) {
+  private SceneFormatException endless(Staging model, String found) {
     return model.failure(
         Kind.ASSET, "animations", "animation " + PrintableText.quoted(animation) + ": " + found);
   }
 
-  private int frames(StagedModel model) throws SceneFormatException {
+  private int frames(Staging model) throws SceneFormatException {
     double frames = Math.max(1, Math.ceil(seconds * rate.frames() / rate.seconds() - AT_END));
     Optional<String> excess =
         Limits.excess("frames of the animation", MAX_FRAMES, (long) Math.min(frames, 1e15));
@@ -119,7 +118,7 @@ final class StagedAnimation extends StagedFrames {
   @Override
   Stage stage(int index) {
     Stage still = at((double) ((long) index * rate.seconds()) / rate.frames());
-    return still.reading(parser.settings().inMotion(still.options()));
+    return source.inMotion(still);
   }
 
   private Stage at(double time) {
@@ -127,13 +126,13 @@ final class StagedAnimation extends StagedFrames {
   }
 
   @Override
-  Optional<StagedModel> first() {
+  Optional<Staging> first() {
     return built;
   }
 
   /** Returns the model at a frame, with the frame's camera. */
-  private StagedModel posed(int index) throws SceneFormatException, IOException {
-    StagedModel model = read(stage(index), true);
+  private Staging posed(int index) throws SceneFormatException, IOException {
+    Staging model = source.read(stage(index), true);
     if (isFramed) {
       model.frame(framed().framing());
     }
@@ -141,12 +140,12 @@ final class StagedAnimation extends StagedFrames {
   }
 
   /** Returns a model that has all poses in its frame. */
-  private StagedModel framed() throws SceneFormatException, IOException {
+  private Staging framed() throws SceneFormatException, IOException {
     if (framed.isEmpty()) {
-      StagedModel model = read(shown, true);
+      Staging model = source.read(shown, true);
       for (int i = 1; i <= FRAMED_PARTS; i++) {
         Stage pose = at(seconds * i / FRAMED_PARTS);
-        model.frame(model.framing().with(read(pose, true).framing()));
+        model.frame(model.framing().with(source.read(pose, true).framing()));
       }
       framed = Optional.of(model);
     }
@@ -155,11 +154,11 @@ final class StagedAnimation extends StagedFrames {
 
   @Override
   SceneFile built(int index) throws SceneFormatException, IOException {
-    StagedModel model = posed(index);
+    Staging model = posed(index);
     if (built.isEmpty()) {
       model.keepFiles();
     }
-    SceneFile scene = model.scene(parser, pictures);
+    SceneFile scene = model.scene(pictures);
     if (built.isEmpty()) {
       built = Optional.of(model);
     }
@@ -169,7 +168,7 @@ final class StagedAnimation extends StagedFrames {
   @Override
   byte[] text(int index) throws SceneFormatException, IOException {
     Stage of = stage(index);
-    StagedModel model = hasOwnCamera ? posed(index) : framed();
-    return model.textOf(of, parser);
+    Staging model = hasOwnCamera ? posed(index) : framed();
+    return model.textOf(of);
   }
 }

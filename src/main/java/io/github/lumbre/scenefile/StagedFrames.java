@@ -1,6 +1,5 @@
 package io.github.lumbre.scenefile;
 
-import io.github.lumbre.scenefile.internal.ModelSequence;
 import java.io.IOException;
 import java.util.Optional;
 
@@ -9,28 +8,10 @@ import java.util.Optional;
  * files are in the hashes of all. Mutable.
  */
 abstract class StagedFrames extends ModelSequence {
-  final SceneParser parser;
-  private final Source source;
-  private final String name;
+  final ModelSource source;
 
-  /** Reads the model as a stage wants it. */
-  @FunctionalInterface
-  interface Source {
-    /**
-     * Returns the model.
-     *
-     * @param isFrame whether it may have nothing to show, in one frame of an animation
-     */
-    StagedModel read(Stage stage, boolean isFrame) throws SceneFormatException, IOException;
-  }
-
-  /**
-   * @param name of the model, for messages
-   */
-  StagedFrames(SceneParser parser, Source source, String name) {
-    this.parser = parser;
+  StagedFrames(ModelSource source) {
     this.source = source;
-    this.name = name;
   }
 
   /** Returns the stage of a frame. */
@@ -43,15 +24,11 @@ abstract class StagedFrames extends ModelSequence {
   abstract byte[] text(int index) throws SceneFormatException, IOException;
 
   /** Returns the model of the first frame that was built, which has kept its files. */
-  abstract Optional<StagedModel> first();
-
-  final StagedModel read(Stage stage, boolean isFrame) throws SceneFormatException, IOException {
-    return source.read(stage, isFrame);
-  }
+  abstract Optional<Staging> first();
 
   @Override
   public final SceneFile frame(int index) throws SceneFormatException, IOException {
-    return timed(() -> built(index));
+    return source.timed(() -> built(index));
   }
 
   @Override
@@ -59,10 +36,6 @@ abstract class StagedFrames extends ModelSequence {
     if (first().isEmpty()) {
       frame(0);
     }
-    return timed(() -> first().orElseThrow().hashOf(text(index)));
-  }
-
-  private <T> T timed(TimedReading<T> reading) throws SceneFormatException, IOException {
-    return TimedReading.of(parser.settings().limits(), new Problems(name, true), reading);
+    return source.timed(() -> first().orElseThrow().hashOf(text(index)));
   }
 }

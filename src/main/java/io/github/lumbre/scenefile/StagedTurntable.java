@@ -1,6 +1,7 @@
 package io.github.lumbre.scenefile;
 
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.io.IOException;
 import java.util.Optional;
 
@@ -10,14 +11,14 @@ final class StagedTurntable extends StagedFrames {
 
   private final Stage stage;
   private final int count;
-  private Optional<StagedModel> model = Optional.empty();
-  private Optional<SceneFile> scene = Optional.empty();
+  private Optional<Staging> model = Optional.empty();
+  private Optional<ParsedScene> scene = Optional.empty();
 
   /**
    * @param stage of the first frame
    */
-  StagedTurntable(SceneParser parser, Source source, String name, Stage stage, int count) {
-    super(parser, source, name);
+  StagedTurntable(ModelSource source, Stage stage, int count) {
+    super(source);
     this.stage = stage;
     this.count = count;
   }
@@ -33,24 +34,24 @@ final class StagedTurntable extends StagedFrames {
   }
 
   @Override
-  Optional<StagedModel> first() {
+  Optional<Staging> first() {
     return model;
   }
 
   @Override
   SceneFile built(int index) throws SceneFormatException, IOException {
     if (scene.isPresent()) {
-      return model.orElseThrow().seenFrom(stage(index), scene.get(), parser);
+      return model.orElseThrow().seenFrom(stage(index), scene.get());
     }
-    StagedModel read = read(stage(index), false);
+    Staging read = source.read(stage(index), false);
     read.keepFiles();
-    scene = Optional.of(read.scene(parser));
+    scene = Optional.of(read.scene());
     model = Optional.of(read);
     return scene.get();
   }
 
   @Override
   byte[] text(int index) throws SceneFormatException {
-    return model.orElseThrow().textOf(stage(index), parser);
+    return model.orElseThrow().textOf(stage(index));
   }
 }

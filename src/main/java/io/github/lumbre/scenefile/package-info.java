@@ -6,10 +6,6 @@
  * degrees, defaults, units of light and names. If a scene cannot be used, a {@link
  * io.github.lumbre.scenefile.SceneFormatException} lists the place of each error, what was found
  * and what was expected.
- *
- * <p>A model that is rendered by itself stands on a {@link io.github.lumbre.scenefile.Stage}. Its
- * scene is built of what was read of the model, with the bits of the scene file that {@code lumbre
- * import} writes.
  */
 @NullMarked
 package io.github.lumbre.scenefile;

@@ -13,6 +13,7 @@ import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -148,12 +149,11 @@ class LabelCommandsTest extends CommandFixture {
   void libraryDrawsTheLabelsOfTheStage() throws Exception {
     runs("render T/a.obj -o T/a.pfm --view iso --size 240x180 --labels size -s 1");
     Stage stage = Stage.DEFAULT.seenFrom(Stage.View.of("iso")).labeled(Set.of("size"));
-    SceneFile file =
-        new SceneParser()
-            .overriding(s -> s.toBuilder().size(240, 180).samples(1).build())
-            .parse(directory.resolve("a.obj"), stage);
+    SceneParser parser =
+        new SceneParser().overriding(s -> s.toBuilder().size(240, 180).samples(1).build());
+    SceneFile file = StagedModel.read(directory.resolve("a.obj"), stage, parser).scene();
     Image plain = new PictureRenderer(file.settings()).render(file.scene());
-    Image labeled = file.withDrawing(plain);
+    Image labeled = Stage.withDrawing(file, plain);
     assertThat(labeled.rgb()).isNotEqualTo(plain.rgb());
     assertThat(Files.readAllBytes(directory.resolve("a.pfm"))).isEqualTo(labeled.toPfm());
   }

@@ -9,6 +9,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.io.IOException;
 import java.io.InputStream;
@@ -239,7 +240,7 @@ class RealModelsTest {
   }
 
   private static Content model(Path file) throws SceneFormatException, IOException {
-    SceneFile scene = new SceneParser().parse(file, Stage.DEFAULT);
+    SceneFile scene = StagedModel.read(file, Stage.DEFAULT, new SceneParser()).scene();
     List<String> warnings =
         scene.warnings().stream().map(w -> w.path() + ": " + w.message()).toList();
     return new Content(ParsedScene.of(scene).contents().triangles(), warnings);

@@ -10,6 +10,7 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.format.obj.ObjReader;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -70,7 +71,6 @@ class InterruptedReadingTest {
         Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
     byte[] bytes = Files.readAllBytes(model);
     Stage stage = Stage.DEFAULT;
-    List<Stage.View> views = List.copyOf(Stage.View.standard().values());
     SceneParser late =
         new SceneParser()
             .overriding(
@@ -80,9 +80,8 @@ class InterruptedReadingTest {
                 });
     for (ThrowingCallable reading :
         List.<ThrowingCallable>of(
-            () -> late.parse(model, stage),
-            () -> late.parse("a.obj", bytes, stage),
-            () -> late.parse(model, stage, views))) {
+            () -> StagedModel.read(model, stage, late),
+            () -> StagedModel.read("a.obj", bytes, ModelFolder.NONE, stage, late))) {
       assertThatThrownBy(reading).isInstanceOf(CancellationException.class);
       assertThat(Thread.interrupted()).isTrue();
     }

@@ -122,9 +122,10 @@ class LinearPictureTest {
     String place = first / 3 % image.width() + "," + first / 3 / image.width();
     Stage lit = Stage.DEFAULT.under(new Stage.Sky("src/test/resources/cases/e_nan.exr"));
     Path model = Path.of("src/test/resources/cases/vc.obj");
-    assertThatThrownBy(() -> new SceneParser().parse(model, lit))
+    assertThatThrownBy(() -> StagedModel.read(model, lit, new SceneParser()))
         .hasMessage("vc.obj: sky: expected finite colors, found NaN at pixel " + place);
-    assertThat(new SceneParser().lenient().parse(model, lit).warnings()).hasSize(1);
+    SceneParser lenient = new SceneParser().lenient();
+    assertThat(StagedModel.read(model, lit, lenient).scene().warnings()).hasSize(1);
   }
 
   /** The picture is 0.25 to the left, 0.75 to the right, compressed with DWAB. */

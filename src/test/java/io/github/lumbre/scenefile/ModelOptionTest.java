@@ -11,9 +11,10 @@ import io.github.lumbre.cli.mcp.Mcp;
 import io.github.lumbre.cli.mcp.McpClient;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.OptionTypes.FoldersType;
 import io.github.lumbre.model.internal.OptionTypes.NamedType;
 import io.github.lumbre.model.internal.OptionTypes.PoseType;
@@ -38,10 +39,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine;
 
 /** Options are the same on the command line, in Java, in scenes and in calls of tools. */
 class ModelOptionTest {
@@ -240,10 +241,10 @@ class ModelOptionTest {
 
   private static JsonObject text(Stage stage) throws Exception {
     byte[] model = OBJ.getBytes(StandardCharsets.US_ASCII);
+    SceneParser parser =
+        new SceneParser().overriding(settings -> settings.toBuilder().size(8, 8).build());
     SceneFile file =
-        new SceneParser()
-            .overriding(settings -> settings.toBuilder().size(8, 8).build())
-            .parse("a.obj", model, stage);
+        StagedModel.read("a.obj", model, ModelFolder.NONE, stage, parser).scene();
     byte[] text = file.text().orElseThrow().json();
     return JsonParser.parseString(new String(text, StandardCharsets.UTF_8)).getAsJsonObject();
   }

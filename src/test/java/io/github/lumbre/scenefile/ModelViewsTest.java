@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.Stage.View;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -67,7 +68,7 @@ class ModelViewsTest {
         .overriding(settings -> settings.toBuilder().size(32, 24).samples(2).build());
   }
 
-  private static Image picture(RenderSettings settings, io.github.lumbre.scene.Scene scene)
+  private static Image picture(RenderSettings settings, Scene scene)
       throws InterruptedException {
     return new PictureRenderer(settings).render(scene);
   }
@@ -77,12 +78,14 @@ class ModelViewsTest {
     Path part = part();
     for (Stage stage : List.of(Stage.DEFAULT, Stage.DEFAULT.onGround())) {
       List<View> views = List.copyOf(View.standard().values());
-      ModelViews all = parser().parse(part, stage, views);
-      assertThat(all.scenes()).hasSize(7);
+      StagedModel all = StagedModel.read(part, stage.seenFrom(views.get(0)), parser());
+      List<Scene> scenes = all.seenFrom(views);
+      assertThat(scenes).hasSize(7);
       for (int i = 0; i < views.size(); i++) {
-        SceneFile single = parser().parse(part, stage.seenFrom(views.get(i)));
-        assertThat(all.first().settings()).isEqualTo(single.settings());
-        assertThat(picture(single.settings(), all.scenes().get(i)).rgb())
+        SceneFile single =
+            StagedModel.read(part, stage.seenFrom(views.get(i)), parser()).scene();
+        assertThat(all.scene().settings()).isEqualTo(single.settings());
+        assertThat(picture(single.settings(), scenes.get(i)).rgb())
             .as(views.get(i).toString())
             .isEqualTo(picture(single.settings(), single.scene()).rgb());
       }
@@ -95,12 +98,13 @@ class ModelViewsTest {
    */
   @Test
   void standardViewsAreStableOverReleases() throws Exception {
-    ModelViews all =
-        parser().parse(part(), Stage.DEFAULT.onGround(), List.copyOf(View.standard().values()));
+    Stage stage = Stage.DEFAULT.onGround().seenFrom(View.of("front"));
+    StagedModel all = StagedModel.read(part(), stage, parser());
+    List<Scene> scenes = all.seenFrom(List.copyOf(View.standard().values()));
     Map<String, String> found = new LinkedHashMap<>();
     int i = 0;
     for (String name : View.standard().keySet()) {
-      Image image = picture(all.first().settings(), all.scenes().get(i++));
+      Image image = picture(all.scene().settings(), scenes.get(i++));
       found.put(name, Integer.toHexString(Arrays.hashCode(image.rgb())));
     }
     assertThat(found).isEqualTo(STORED);

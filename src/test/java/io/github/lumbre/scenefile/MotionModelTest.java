@@ -11,8 +11,8 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.render.PictureRenderer;
@@ -132,7 +132,11 @@ class MotionModelTest {
   }
 
   private static SceneFile read(byte[] glb, Stage stage, double shutter) throws Exception {
-    return parser(shutter, POSES).parse("a.glb", glb, stage);
+    return staged(parser(shutter, POSES), glb, stage);
+  }
+
+  private static SceneFile staged(SceneParser parser, byte[] glb, Stage stage) throws Exception {
+    return StagedModel.read("a.glb", glb, ModelFolder.NONE, stage, parser).scene();
   }
 
   private static Image render(SceneFile scene) throws InterruptedException {
@@ -209,7 +213,7 @@ class MotionModelTest {
     assertThat(Arrays.hashCode(plain)).isEqualTo(HASH);
     for (Kernel kernel : List.of(Kernel.SCALAR, Kernel.VECTOR)) {
       if (kernel == Kernel.SCALAR || Kernel.vectorObstacle().isEmpty()) {
-        SceneFile scene = parser(SHUTTER, POSES).searchedBy(kernel).parse("a.glb", glb, at(0));
+        SceneFile scene = staged(parser(SHUTTER, POSES).searchedBy(kernel), glb, at(0));
         assertThat(render(scene).rgb()).isEqualTo(plain);
         Scene other = read(glb, at(0), SHUTTER).scene().searchedBy(kernel);
         assertThat(new PictureRenderer(scene.settings()).render(other).rgb()).isEqualTo(plain);
@@ -265,7 +269,7 @@ class MotionModelTest {
                         .set(Setting.SHUTTER, SHUTTER)
                         .set(Setting.LAYERS, Set.of(Layer.OBJECT))
                         .build());
-    assertThatThrownBy(() -> recording.parse("a.glb", glb, at(.75)))
+    assertThatThrownBy(() -> staged(recording, glb, at(.75)))
         .isInstanceOf(SceneFormatException.class)
         .hasMessageContaining("expected the same parts and lights in all poses");
   }
@@ -356,9 +360,9 @@ class MotionModelTest {
   private void requireMemoryForAllPoses() throws Exception {
     byte[] glb = glb();
     Limits limits = Limits.NONE.withMemory(20_000_000);
-    SceneFile few = parser(SHUTTER, 2).limitedTo(limits).parse("a.glb", glb, at(0));
+    SceneFile few = staged(parser(SHUTTER, 2).limitedTo(limits), glb, at(0));
     assertThat(few.scene().poses()).hasSize(2);
-    assertThatThrownBy(() -> parser(SHUTTER, 256).limitedTo(limits).parse("a.glb", glb, at(0)))
+    assertThatThrownBy(() -> staged(parser(SHUTTER, 256).limitedTo(limits), glb, at(0)))
         .isInstanceOf(SceneFormatException.class)
         .hasMessageContaining(
             "animations: 256 poses: expected at most 20000000 bytes of memory for the model")
@@ -397,7 +401,7 @@ class MotionModelTest {
   void samplesAreRoundedUp() throws Exception {
     addParts();
     byte[] glb = glb();
-    SceneFile scene = parser(SHUTTER, 64).parse("a.glb", glb, at(0));
+    SceneFile scene = staged(parser(SHUTTER, 64), glb, at(0));
     assertThat(scene.settings().samples()).isEqualTo(64);
     assertThat(read(glb, at(0), 0).settings().samples()).isEqualTo(2 * POSES);
   }

@@ -38,7 +38,7 @@ class SunAndSkyTest {
   @BeforeAll
   static void read() throws IOException, SceneFormatException {
     Stage stage = Stage.DEFAULT.under(new Sky("sun", 1, 0, PLACE)).seenFrom(PLACE);
-    file = new SceneParser().parse(MODEL, stage);
+    file = StagedModel.read(MODEL, stage, new SceneParser()).scene();
     sky = file.scene().environments().get(0);
     sun = file.scene().environments().get(1);
   }
@@ -115,7 +115,7 @@ class SunAndSkyTest {
   @Test
   void aSceneFileHasTheSameLights() throws IOException, SceneFormatException {
     Stage stage = Stage.DEFAULT.under(new Sky("sun", 2, 30, PLACE));
-    SceneFile staged = new SceneParser().parse(MODEL, stage);
+    SceneFile staged = StagedModel.read(MODEL, stage, new SceneParser()).scene();
     SceneFile read = new SceneParser().parse(staged.text().orElseThrow());
     assertThat(read.hash()).isEqualTo(staged.hash());
     List<EnvironmentLight> expected = staged.scene().environments();
@@ -140,7 +140,8 @@ class SunAndSkyTest {
     assertThat(Sky.sunAt(80, 0, morning.plusSeconds(6 * 3600)).azimuth()).isBetween(-2., 2.);
     for (int turn : new int[] {0, 90}) {
       Stage stage = Stage.DEFAULT.under(new Sky("sun", 1, turn, place));
-      EnvironmentLight light = new SceneParser().parse(MODEL, stage).scene().environments().get(1);
+      SceneFile staged = StagedModel.read(MODEL, stage, new SceneParser()).scene();
+      EnvironmentLight light = staged.scene().environments().get(1);
       LightSample sample = light.sample(Vec3.ZERO, new Point2(.5, .999)).orElseThrow();
       assertThat(sample.wi().dot(turn == 0 ? Vec3.X : Vec3.Z.negated())).isGreaterThan(.999);
     }

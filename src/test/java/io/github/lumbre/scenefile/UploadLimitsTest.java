@@ -73,7 +73,7 @@ class UploadLimitsTest {
             SceneFormatException.class,
             () -> {
               if (ModelReader.isModel(file)) {
-                parser.parse(file, Stage.DEFAULT);
+                StagedModel.read(file, Stage.DEFAULT, parser);
               } else {
                 parser.parse(file);
               }
@@ -100,7 +100,8 @@ class UploadLimitsTest {
   void modelWithinTheLimitsIsRead() throws Exception {
     Limits limits = Limits.UPLOADS.withTriangles(1).withBytes(4000).withTexels(0);
     SceneParser parser = new SceneParser().limitedTo(limits);
-    assertThat(parser.parse(file("a.obj", TRIANGLE), Stage.DEFAULT).scene().primitives())
+    Path triangle = file("a.obj", TRIANGLE);
+    assertThat(StagedModel.read(triangle, Stage.DEFAULT, parser).scene().scene().primitives())
         .isNotEmpty();
   }
 
@@ -114,13 +115,14 @@ class UploadLimitsTest {
     file("a.mtl", "newmtl a\nmap_Kd a.gif\n");
     Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
     SceneParser parser = new SceneParser().limitedTo(Limits.UPLOADS);
-    assertThat(parser.parse(obj, Stage.DEFAULT).warnings().toString()).contains("GIF " + REFUSED);
+    assertThat(StagedModel.read(obj, Stage.DEFAULT, parser).scene().warnings().toString())
+        .contains("GIF " + REFUSED);
     Path scene = scene(TEXTURE.formatted(2, "a.gif"), DOME.formatted(2));
     SceneFormatException thrown =
         catchThrowableOfType(SceneFormatException.class, () -> parser.parse(scene));
     assertThat(thrown).hasMessageContaining("GIF " + REFUSED);
     SceneParser allowing = new SceneParser().limitedTo(Limits.UPLOADS.withLegacyPictures(true));
-    assertThat(allowing.parse(obj, Stage.DEFAULT).warnings()).isEmpty();
+    assertThat(StagedModel.read(obj, Stage.DEFAULT, allowing).scene().warnings()).isEmpty();
     assertThat(allowing.parse(scene).warnings().toString()).doesNotContain("GIF");
   }
 

@@ -9,6 +9,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -87,7 +88,7 @@ public final class RenderedSceneExtension implements ParameterResolver {
     SceneParser parser =
         new SceneParser().overriding(settings -> overridden(settings, wanted, isModel));
     if (isModel) {
-      return parser.parse(path, stage(wanted));
+      return StagedModel.read(path, stage(wanted), parser).scene();
     }
     if (!wanted.view().isEmpty() || wanted.ground() || !wanted.up().isEmpty()) {
       throw new IllegalArgumentException("view, ground, up: expected a model, found a scene");

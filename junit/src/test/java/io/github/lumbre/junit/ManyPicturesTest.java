@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Random;
@@ -61,7 +63,9 @@ class ManyPicturesTest {
                         .threads(threads)
                         .build());
     Stage stage = Stage.DEFAULT.seenFrom(new Stage.View(37 * number % 360, number % 60)).onGround();
-    SceneFile file = parser.parse("model.obj", obj(new Random(number)), stage);
+    byte[] obj = obj(new Random(number));
+    SceneFile file =
+        StagedModel.read("model.obj", obj, ModelFolder.NONE, stage, parser).scene();
     return new PictureRenderer(file.settings()).render(file.scene());
   }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -20,7 +21,7 @@ class SceneBundleTest {
     Files.writeString(model, "mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     Files.writeString(directory.resolve("a.mtl"), "newmtl red\nKd 1 0 0\n");
     Stage stage = Stage.DEFAULT.under(new Stage.Sky("white"));
-    SceneFile scene = new SceneParser().parse(model, stage);
+    SceneFile scene = StagedModel.read(model, stage, new SceneParser()).scene();
 
     SceneBundle bundle = SceneBundle.of(model, scene);
 

@@ -8,19 +8,18 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.Models;
-import io.github.lumbre.scenefile.ModelViews;
 import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PartTable;
 import io.github.lumbre.scenefile.internal.ViewNumbers;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -45,11 +44,11 @@ final class Studio {
   /** A model on its stage, which is read once for all pictures of it. Thread-safe. */
   static final class Staged {
     private final Path file;
-    private final ModelViews views;
+    private final StagedModel views;
     private final SeenFiles others;
     private Optional<PartTable> parts = Optional.empty();
 
-    private Staged(Path file, ModelViews views, SeenFiles others) {
+    private Staged(Path file, StagedModel views, SeenFiles others) {
       this.file = file;
       this.views = views;
       this.others = others;
@@ -83,7 +82,7 @@ final class Studio {
 
     /** Returns the scene of the view with which it was read. */
     SceneFile first() {
-      return views.first();
+      return views.scene();
     }
 
     /**
@@ -138,7 +137,7 @@ final class Studio {
     SceneParser parser = new SceneParser().limitedTo(limits);
     try {
       String name = file.getFileName().toString();
-      ModelViews views = parser.parse(name, content, others, stage, List.of(View.DEFAULT));
+      StagedModel views = StagedModel.read(name, content, others, stage, parser);
       return new Staged(file, views, others);
     } catch (SceneFormatException e) {
       throw failure(e);

@@ -3,14 +3,13 @@ package io.github.lumbre.cli.mcp;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.render.Progress;
-import io.github.lumbre.scenefile.ModelViews;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.concurrent.CancellationException;
 
 /**
@@ -52,15 +51,19 @@ final class WarmUp {
           }
         };
     try {
-      ModelViews model =
-          new SceneParser()
-              .overriding(s -> s.toBuilder().samples(ViewsTool.DEFAULT_SAMPLES).build())
-              .parse("model.obj", model(), ModelFolder.NONE, Stage.DEFAULT, List.of(View.DEFAULT));
+      StagedModel model =
+          StagedModel.read(
+              "model.obj",
+              model(),
+              ModelFolder.NONE,
+              Stage.DEFAULT.seenFrom(View.DEFAULT),
+              new SceneParser()
+                  .overriding(s -> s.toBuilder().samples(ViewsTool.DEFAULT_SAMPLES).build()));
       for (int i = 0; i < PICTURES; i++) {
         View view = new View(360. * i / PICTURES, 20);
         CleanPicture.light(model.seenFrom(view, WIDTH, HEIGHT), untilCall);
       }
-      model.first().scene().changeKernel(() -> !untilCall.isCancelled());
+      model.scene().scene().changeKernel(() -> !untilCall.isCancelled());
     } catch (SceneFormatException e) {
       throw new IllegalStateException(e);
     } catch (IOException | InterruptedException | CancellationException e) {

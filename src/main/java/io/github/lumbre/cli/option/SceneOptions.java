@@ -7,16 +7,18 @@ import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProblemText;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.scenefile.ModelSequence.Motion;
+import io.github.lumbre.scenefile.ModelSequence;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.SceneText;
 import io.github.lumbre.scenefile.Stage;
-import io.github.lumbre.scenefile.internal.ModelSequence;
-import io.github.lumbre.scenefile.internal.ModelSequence.Motion;
+import io.github.lumbre.scenefile.StagedModel;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
@@ -121,7 +123,7 @@ public final class SceneOptions {
   }
 
   private Set<Path> modelFiles(Path file) throws SceneFormatException, IOException {
-    SceneFile read = parser().parse(file, model.stage());
+    SceneFile read = StagedModel.read(file, model.stage(), parser()).scene();
     return read.assetPaths(read.text().orElseThrow().path());
   }
 
@@ -212,7 +214,9 @@ public final class SceneOptions {
   private SceneFile parsed(byte[] content, SceneParser parser)
       throws SceneFormatException, TaskException, IOException {
     return isModel()
-        ? parser.parse(PictureOutput.STDIN.toString(), content, model.stage())
+        ? StagedModel.read(
+                PictureOutput.STDIN.toString(), content, ModelFolder.NONE, model.stage(), parser)
+            .scene()
         : parser.parse(content, PictureOutput.STDIN);
   }
 
@@ -278,7 +282,7 @@ public final class SceneOptions {
       return parsed(standardInput(), parser);
     }
     if (isModel()) {
-      return parser.parse(scene, model.stage());
+      return StagedModel.read(scene, model.stage(), parser).scene();
     }
     SceneParser.requireScene(scene);
     model.requireNone();

@@ -132,7 +132,7 @@ public final class PictureMetadata {
   private static Optional<String> labels(SceneFile file) {
     return ParsedScene.of(file)
         .model()
-        .map(model -> new TreeSet<>(model.labels().kinds()))
+        .map(model -> new TreeSet<>(model.labels()))
         .filter(kinds -> !kinds.isEmpty())
         .map(kinds -> String.join(",", kinds));
   }

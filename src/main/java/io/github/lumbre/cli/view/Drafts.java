@@ -6,6 +6,7 @@ import io.github.lumbre.render.preview.Preview;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.Stage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -78,7 +79,7 @@ final class Drafts {
     double seconds = Math.max(1e-4, clock.seconds());
     Preview preview =
         new Preview(
-            file.with(small).withDrawing(film.develop()),
+            Stage.withDrawing(file.with(small), film.develop()),
             List.of(),
             1,
             film.totalSamples(),

@@ -6,6 +6,7 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.denoise.Denoised;
 import io.github.lumbre.render.denoise.NoisyPicture;
+import io.github.lumbre.scenefile.Stage;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
@@ -61,7 +62,7 @@ final class ViewDenoiser {
               clean ->
                   session.showDenoised(
                       job,
-                      job.file().withDrawing(clean.image()),
+                      Stage.withDrawing(job.file(), clean.image()),
                       film.meanSamples(),
                       Denoising.noting(clean, ImageWriter.Options.DEFAULT).metadata()));
     } catch (InterruptedException e) {

@@ -1,12 +1,16 @@
 package io.github.lumbre.geometry.internal;
 
 import io.github.lumbre.base.limit.internal.Interrupts;
+import io.github.lumbre.geometry.Mesh;
+import io.github.lumbre.geometry.MeshInstance;
+import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The edges of one or several meshes, each with the triangles that have it. Vertices at the same
@@ -80,6 +84,16 @@ public final class MeshEdges {
 
   private static double rounded(double coordinate, double cell) {
     return cell > 0 ? Math.rint(coordinate / cell + SHIFT) : coordinate;
+  }
+
+  /** Returns the mesh of a shape in its local space; empty if it is not a mesh. */
+  public static Optional<TriangleMesh> meshOf(Shape shape) {
+    if (shape instanceof Mesh mesh) {
+      return Optional.of(mesh.triangles());
+    }
+    return shape instanceof MeshInstance instance
+        ? Optional.of(instance.shared().mesh())
+        : Optional.empty();
   }
 
   /**

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * What a model offers, by the names that users give, and where it is.
@@ -21,6 +22,7 @@ import java.util.Map;
  * @param unit of its file, from which coordinates are converted to meters; empty if there is none
  * @param surfaces its surfaces in the scene, by the numbers of their primitives
  * @param labels what to draw on its pictures
+ * @param title the name of the view
  * @param fromFile from the axes and the unit of its file to world space
  * @param min the least coordinates of its vertices: right-handed, +Y up
  * @param max the largest coordinates
@@ -32,7 +34,8 @@ public record ModelContents(
     List<String> materials,
     String unit,
     Map<Integer, PartSurface> surfaces,
-    ShownLabels labels,
+    Set<String> labels,
+    String title,
     Transform fromFile,
     Vec3 min,
     Vec3 max) {
@@ -42,18 +45,18 @@ public record ModelContents(
     variants = List.copyOf(variants);
     materials = List.copyOf(materials);
     surfaces = Map.copyOf(surfaces);
+    labels = Set.copyOf(labels);
   }
 
   /**
    * Returns the contents of a model.
    *
    * @param surfaces its surfaces in the scene, by the numbers of their primitives
-   * @param labels what to draw on its pictures
-   * @param low the least coordinates of its vertices, left-handed
-   * @param high the largest coordinates, left-handed
    */
   public static ModelContents of(
-      Model model, Map<Integer, PartSurface> surfaces, ShownLabels labels, Vec3 low, Vec3 high) {
+      Model model, Map<Integer, PartSurface> surfaces, Surroundings around) {
+    Vec3 low = around.box().min();
+    Vec3 high = around.box().max();
     Map<String, String> materials = new LinkedHashMap<>();
     model.parts().stream()
         .map(part -> part.material())
@@ -66,16 +69,27 @@ public record ModelContents(
         List.copyOf(materials.values()),
         model.unit(),
         surfaces,
-        labels,
+        around.labels(),
+        around.title(),
         model.fromFile(),
         new Vec3(low.x(), low.y(), 0 - high.z()),
         new Vec3(high.x(), high.y(), 0 - low.z()));
   }
 
-  /** Returns these contents with other labels. */
-  public ModelContents labeled(ShownLabels newLabels) {
+  /** Returns these contents with another name of the view. */
+  public ModelContents titled(String newTitle) {
     return new ModelContents(
-        cameras, animations, variants, materials, unit, surfaces, newLabels, fromFile, min, max);
+        cameras,
+        animations,
+        variants,
+        materials,
+        unit,
+        surfaces,
+        labels,
+        newTitle,
+        fromFile,
+        min,
+        max);
   }
 
   /** Returns the parts of the model; finding connected pieces takes time. */

@@ -1,6 +1,5 @@
 package io.github.lumbre.scenefile.internal;
 
-import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -68,11 +67,6 @@ public record ParsedScene(
     Scene moved = scene.seenBy(pose.place(scene.camera()));
     return new ParsedScene(
         moved, settings, warnings, newHash, files, contents, origins, text, model);
-  }
-
-  @Override
-  public Image withDrawing(Image picture) {
-    return PictureDrawing.of(this, note -> {}).onLight(scene, Optional.empty(), picture);
   }
 
   @Override

@@ -9,8 +9,8 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelScene;
-import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.internal.PartTable.Part;
@@ -44,10 +44,10 @@ public final class PictureDrawing {
     this.notes = notes;
     settings = file.settings();
     lines = LineDrawing.of(file.scene(), settings);
-    labeled = file.model().filter(model -> !model.labels().kinds().isEmpty());
+    labeled = file.model().filter(model -> !model.labels().isEmpty());
     parts =
         labeled
-            .filter(model -> model.labels().kinds().contains(ShownLabels.PARTS))
+            .filter(model -> model.labels().contains(ShownLabels.PARTS))
             .map(model -> model.parts(file.scene()));
   }
 
@@ -63,7 +63,7 @@ public final class PictureDrawing {
   /** Returns whether a scene has lines or labels. */
   public static boolean isNeeded(ParsedScene file) {
     return file.settings().get(Setting.LINE_WIDTH) > 0
-        || file.model().filter(model -> !model.labels().kinds().isEmpty()).isPresent();
+        || file.model().filter(model -> !model.labels().isEmpty()).isPresent();
   }
 
   /**
@@ -102,7 +102,7 @@ public final class PictureDrawing {
     strokes.ifPresent(found -> canvas.draw(found, lines.pen()));
     labeled.ifPresent(
         model ->
-            labels(scene, model, title.orElse(model.labels().title()))
+            labels(scene, model, title.orElse(model.title()))
                 .draw(canvas, Backdrop.asLight(picture, settings.background())));
     return canvas.image();
   }
@@ -112,7 +112,7 @@ public final class PictureDrawing {
     Labels labels = new Labels(window.width(), window.height());
     LabeledModel model = model(scene, contents);
     for (String kind : ShownLabels.KINDS) {
-      if (contents.labels().kinds().contains(kind)) {
+      if (contents.labels().contains(kind)) {
         switch (kind) {
           case ShownLabels.VIEW -> labels.addTitle(title);
           case ShownLabels.AXES -> labels.addAxes(model);

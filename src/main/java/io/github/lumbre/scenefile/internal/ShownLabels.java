@@ -2,20 +2,15 @@ package io.github.lumbre.scenefile.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.internal.Model;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.Stage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/**
- * The labels on the pictures of a model.
- *
- * @param kinds of labels: some of {@link #KINDS}
- * @param title the name of the view
- */
-public record ShownLabels(Set<String> kinds, String title) {
+/** The kinds of labels on the pictures of a model. */
+public final class ShownLabels {
   static final String VIEW = "view";
   static final String AXES = "axes";
   static final String SCALE = "scale";
@@ -32,18 +27,17 @@ public record ShownLabels(Set<String> kinds, String title) {
   /** Dimensions have a tenth of the frame on all sides. */
   private static final double INSIDE_SIZES = .8;
 
-  public ShownLabels {
-    kinds = Set.copyOf(kinds);
-  }
+  private ShownLabels() {}
 
-  public static ShownLabels of(Stage stage, Model model) {
+  /** Returns the name of the view of a stage. */
+  public static String title(Stage stage, Model model) {
     Optional<String> camera =
         stage.view().isPresent()
             ? Optional.empty()
             : stage.camera().or(() -> ModelContents.cameraNames(model).stream().findFirst());
-    View view = stage.view().orElse(View.DEFAULT);
-    return new ShownLabels(
-        stage.labels(), camera.map(name -> "camera " + name).orElseGet(() -> title(view)));
+    return camera
+        .map(name -> "camera " + name)
+        .orElseGet(() -> title(stage.view().orElse(View.DEFAULT)));
   }
 
   private static String title(View view) {

@@ -3,8 +3,9 @@ package io.github.lumbre.scenefile.internal;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
-import io.github.lumbre.model.internal.OptionTypes;
+import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.model.internal.OptionTypes.TextsType;
+import io.github.lumbre.model.internal.OptionTypes;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
@@ -23,7 +24,7 @@ import java.util.Optional;
 /** The types of the options of a stage, besides those of models and settings. */
 public final class StageTypes {
   /** Factors of a sky's radiance: the light of all its directions is finite. */
-  public static final NumberType INTENSITY = new NumberType(0, 1e150);
+  public static final NumberType INTENSITY = new NumberType(0, EnvironmentLight.MAX_RADIANCE);
 
   /** Angles about an axis, in degrees. */
   public static final NumberType ROTATION = new NumberType(-Double.MAX_VALUE, Double.MAX_VALUE);

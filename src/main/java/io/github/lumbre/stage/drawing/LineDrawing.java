@@ -1,8 +1,6 @@
 package io.github.lumbre.stage.drawing;
 
-import io.github.lumbre.geometry.Plane;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
@@ -15,29 +13,6 @@ import java.util.Optional;
  * @param outlines the edges of the scene; empty if no lines are drawn
  */
 public record LineDrawing(RenderSettings settings, Optional<Outlines> outlines) {
-  /**
-   * Returns why a scene lacks lines that its settings ask for; empty if it lacks none. Infinite
-   * planes need no lines.
-   */
-  public static Optional<String> lack(Scene scene, RenderSettings settings) {
-    if (settings.get(Setting.LINE_WIDTH) == 0) {
-      return Optional.empty();
-    }
-    if (Eye.of(scene.camera(), settings).isEmpty()) {
-      return Optional.of("draws no lines, because the camera bends straight lines");
-    }
-    long others =
-        scene.primitives().stream()
-            .map(Primitive::shape)
-            .filter(shape -> !(shape instanceof Plane) && OutlinedPart.meshOf(shape).isEmpty())
-            .count();
-    return others == 0
-        ? Optional.empty()
-        : Optional.of(
-            "%s of %s shapes have no lines, because only meshes have edges"
-                .formatted(others, scene.primitives().size()));
-  }
-
   /**
    * Returns the drawing of a scene; it finds the edges if there are lines to draw.
    *

@@ -1,6 +1,5 @@
 package io.github.lumbre.stage.drawing;
 
-import io.github.lumbre.geometry.Mesh;
 import io.github.lumbre.geometry.MeshInstance;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.Shape;
@@ -9,7 +8,6 @@ import io.github.lumbre.geometry.internal.MeshEdges;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * The edges of the meshes of one object at one place.
@@ -19,16 +17,6 @@ import java.util.Optional;
  * @param begins the number of the first triangle of each mesh in {@code edges}
  */
 record OutlinedPart(MeshEdges edges, Transform toWorld, int[] primitives, int[] begins) {
-  /** Returns the mesh of a shape in its local space; empty if it is not a mesh. */
-  static Optional<TriangleMesh> meshOf(Shape shape) {
-    if (shape instanceof Mesh mesh) {
-      return Optional.of(mesh.triangles());
-    }
-    return shape instanceof MeshInstance instance
-        ? Optional.of(instance.shared().mesh())
-        : Optional.empty();
-  }
-
   /** Returns the map from the local space of a shape's mesh to world space. */
   static Transform toWorldOf(Shape shape) {
     return shape instanceof MeshInstance instance ? instance.toWorld() : Transform.IDENTITY;

@@ -33,7 +33,7 @@ public record Outlines(List<OutlinedPart> parts) {
     Map<Key, List<Integer>> groups = new LinkedHashMap<>();
     List<Primitive> primitives = scene.primitives();
     for (int i = 0; i < primitives.size(); i++) {
-      if (OutlinedPart.meshOf(primitives.get(i).shape()).isPresent()) {
+      if (MeshEdges.meshOf(primitives.get(i).shape()).isPresent()) {
         Key key = new Key(scene.objectName(i), OutlinedPart.toWorldOf(primitives.get(i).shape()));
         groups.computeIfAbsent(key, k -> new ArrayList<>()).add(i);
       }
@@ -44,7 +44,7 @@ public record Outlines(List<OutlinedPart> parts) {
         (key, members) -> {
           List<TriangleMesh> meshes =
               members.stream()
-                  .map(i -> OutlinedPart.meshOf(primitives.get(i).shape()).orElseThrow())
+                  .map(i -> MeshEdges.meshOf(primitives.get(i).shape()).orElseThrow())
                   .toList();
           MeshEdges edges = known.computeIfAbsent(meshes, MeshEdges::of);
           parts.add(OutlinedPart.of(edges, key.toWorld(), members, meshes));

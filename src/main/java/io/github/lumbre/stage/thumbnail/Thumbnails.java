@@ -3,6 +3,7 @@ package io.github.lumbre.stage.thumbnail;
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmRenderer;
@@ -18,6 +19,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -220,10 +222,15 @@ public final class Thumbnails implements AutoCloseable {
   private byte[] picture(String name, byte[] model, int side, ImageFormat format)
       throws SceneFormatException, IOException, InterruptedException {
     SceneFile file =
-        new SceneParser()
-            .limitedTo(withoutTime)
-            .overriding(settings -> small(settings, side))
-            .parse(name, model, stage);
+        StagedModel.read(
+                name,
+                model,
+                ModelFolder.NONE,
+                stage,
+                new SceneParser()
+                    .limitedTo(withoutTime)
+                    .overriding(settings -> small(settings, side)))
+            .scene();
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene()).on(pool);
     Film film = renderer.newFilm();
     new PassLoop(renderer, film).run(Progress.NONE);

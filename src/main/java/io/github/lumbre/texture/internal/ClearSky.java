@@ -24,6 +24,12 @@ public final class ClearSky implements Texture<Rgb> {
   /** The lowest elevation of the sun's center, in degrees: twilight needs finer tables. */
   public static final double LOWEST = 0;
 
+  /** Where the sun stands if nothing else is said, in degrees: to the left in front. */
+  public static final double AZIMUTH = -40;
+
+  /** How high the sun stands if nothing else is said, in degrees. */
+  public static final double ELEVATION = 35;
+
   private static final double SHORTEST = 385;
   private static final double SPACING = 30;
   private static final int COLORS = 12;

@@ -7,6 +7,7 @@ import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
@@ -19,7 +20,8 @@ class ProblemTextTest {
     SceneParser parser = new SceneParser().overriding(s -> s.toBuilder().size(9, 9).build());
     SceneFormatException e =
         catchThrowableOfType(
-            SceneFormatException.class, () -> parser.limitedTo(80).parse(MODEL, Stage.DEFAULT));
+            SceneFormatException.class,
+            () -> StagedModel.read(MODEL, Stage.DEFAULT, parser.limitedTo(80)));
     String found = "expected width x height <= 80, found 9x9";
     assertThat(e).hasMessage("vc.obj: size: " + found);
     assertThat(ProblemText.of(e)).containsExactly("vc.obj: --size: " + found);

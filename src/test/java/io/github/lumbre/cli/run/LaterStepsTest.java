@@ -17,6 +17,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -78,15 +79,16 @@ class LaterStepsTest {
 
   private SceneFile scene() throws Exception {
     Stage stage = Stage.DEFAULT.withLines(1.5).labeled(Set.of("axes"));
-    return new SceneParser()
-        .overriding(
-            settings ->
-                settings.toBuilder()
-                    .samples(2)
-                    .size(64, 48)
-                    .set(Setting.LAYERS, Layer.FOR_DENOISING)
-                    .build())
-        .parse(directory.resolve("sample.glb"), stage);
+    SceneParser parser =
+        new SceneParser()
+            .overriding(
+                settings ->
+                    settings.toBuilder()
+                        .samples(2)
+                        .size(64, 48)
+                        .set(Setting.LAYERS, Layer.FOR_DENOISING)
+                        .build());
+    return StagedModel.read(directory.resolve("sample.glb"), stage, parser).scene();
   }
 
   private interface Event {

@@ -4,13 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.Sky;
 import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
@@ -195,10 +197,11 @@ class TextureRolesTest {
               + " 'extensions': {'KHR_lights_punctual': {'light': 0}}}");
     }
     Stage stage = Stage.DEFAULT.seenFrom(View.of("front")).under(new Sky("white", 0, 0));
-    SceneFile scene =
+    SceneParser parser =
         new SceneParser()
-            .overriding(s -> s.toBuilder().size(10, 10).samples(4).threads(1).build())
-            .parse("a.glb", file.glb(), stage);
+            .overriding(s -> s.toBuilder().size(10, 10).samples(4).threads(1).build());
+    SceneFile scene =
+        StagedModel.read("a.glb", file.glb(), ModelFolder.NONE, stage, parser).scene();
     Image image = new PictureRenderer(scene.settings()).render(scene.scene());
     float[] rgb = image.rgb();
     double[] result = new double[rgb.length];

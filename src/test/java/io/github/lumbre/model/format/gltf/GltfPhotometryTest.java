@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.Stage.Sky;
+import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
@@ -39,10 +41,12 @@ class GltfPhotometryTest {
     file.add("nodes", "{'mesh': 0, 'scale': [1e-3, 1e-3, 1e-3], 'translation': [-3e-4, -3e-4, 0]}");
     file.add("nodes", "{'camera': 0, 'translation': [0, 0, 0.1]}");
     file.add("nodes", "{'extensions': {'KHR_lights_punctual': {'light': 0}}, " + place + "}");
-    SceneFile scene =
+    SceneParser parser =
         new SceneParser()
-            .overriding(s -> s.toBuilder().size(2, 2).samples(16).threads(1).build())
-            .parse("a.glb", file.glb(), Stage.DEFAULT.under(new Sky("white", 0, 0)));
+            .overriding(s -> s.toBuilder().size(2, 2).samples(16).threads(1).build());
+    Stage dark = Stage.DEFAULT.under(new Sky("white", 0, 0));
+    SceneFile scene =
+        StagedModel.read("a.glb", file.glb(), ModelFolder.NONE, dark, parser).scene();
     Image image = new PictureRenderer(scene.settings()).render(scene.scene());
     double sum = 0;
     for (float component : image.rgb()) {

@@ -17,6 +17,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.StagedModel;
 import io.github.lumbre.testing.FileMutator;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -101,11 +102,11 @@ class ZipReaderTest {
   }
 
   private static byte[] picture(String name, byte[] model, ModelFolder files) throws Exception {
-    SceneFile scene =
+    SceneParser parser =
         new SceneParser()
             .limitedTo(Limits.UPLOADS)
-            .overriding(settings -> settings.toBuilder().size(8, 8).samples(1).build())
-            .parse(name, model, files, Stage.DEFAULT);
+            .overriding(settings -> settings.toBuilder().size(8, 8).samples(1).build());
+    SceneFile scene = StagedModel.read(name, model, files, Stage.DEFAULT, parser).scene();
     assertThat(scene.warnings()).isEmpty();
     return new PictureRenderer(scene.settings()).render(scene.scene()).toPfm();
   }
@@ -169,8 +170,9 @@ class ZipReaderTest {
     byte[] zip = zip(files);
     Limits limits = Limits.UPLOADS.withBytes(900_000);
     SceneParser parser = new SceneParser().limitedTo(limits);
-    assertTooLarge(() -> parser.parse("a.zip", zip, Stage.DEFAULT));
-    assertTooLarge(() -> parser.parse("a.obj", OBJ, ModelFolder.of(files), Stage.DEFAULT));
+    assertTooLarge(() -> StagedModel.read("a.zip", zip, ModelFolder.NONE, Stage.DEFAULT, parser));
+    ModelFolder folder = ModelFolder.of(files);
+    assertTooLarge(() -> StagedModel.read("a.obj", OBJ, folder, Stage.DEFAULT, parser));
   }
 
   private static void assertTooLarge(ThrowingCallable read) {

@@ -7,42 +7,38 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.internal.PlacedCamera;
+import io.github.lumbre.scenefile.internal.Surroundings;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Writes the scene around a model as a scene file.
  *
- * @param stage the camera, sky, ground and background of the model
- * @param camera of the scene
- * @param moving name of the model's camera that moves with the pose; empty if it stands still
- * @param floor height of the ground
+ * @param folder where asset paths start
  */
-record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, double floor) {
+record WrittenSurroundings(Surroundings around, Path folder) {
   /**
    * Returns the scene.
    *
-   * @param folder where asset paths start
    * @param model absolute path of the model, in the folder
-   * @param settings of the scene
    */
-  JsonObject scene(Path folder, Path model, RenderSettings settings) {
+  JsonObject scene(Path model) {
     JsonObject scene = new JsonObject();
     SceneKeys.MAIN_CAMERA.put(scene, 1);
-    scene.add(SceneKeys.OPTIONS.name(), renderOptions(settings));
+    scene.add(SceneKeys.OPTIONS.name(), renderOptions(around.settings()));
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
     objects.add(cameraObject());
-    if (stage.sky().hasSun()) {
-      objects.add(ofSun(StagedModel.SKY, LightKinds.Sky.CLEAR));
-      objects.add(ofSun(StagedModel.SUN, LightKinds.Sky.SUN));
+    if (around.sky().hasSun()) {
+      objects.add(ofSun(ReadModel.SKY, LightKinds.Sky.CLEAR));
+      objects.add(ofSun(ReadModel.SUN, LightKinds.Sky.SUN));
     } else {
-      objects.add(dome(assets, folder));
+      objects.add(dome(assets));
     }
-    objects.add(modelObject(slashed(folder.relativize(model))));
-    if (stage.ground()) {
+    objects.add(modelObject(AssetData.slashed(folder.relativize(model))));
+    if (around.hasGround()) {
       assets.add(groundMaterial());
       objects.add(groundPlane());
     }
@@ -62,11 +58,11 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
         render.addProperty(setting.name(), settings.get(setting));
       }
     }
-    if (stage.transparent()) {
+    if (settings.transparent()) {
       render.addProperty(SceneKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
     }
-    stage
-        .background()
+    settings
+        .get(Setting.BACKPLATE)
         .map(CssColor::text)
         .ifPresent(color -> render.addProperty(Setting.BACKPLATE.name(), color));
     return render;
@@ -75,6 +71,7 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
   private JsonObject cameraObject() {
     JsonObject object = WrittenObjects.object("Camera", "");
     ObjectKeys.ID.put(object, 1);
+    PlacedCamera camera = around.camera();
     if (!camera.name().isEmpty()) {
       object.addProperty(ObjectKeys.NAME.name(), camera.name());
     }
@@ -87,25 +84,25 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
   private JsonObject dome(String name) {
     JsonObject dome = WrittenObjects.object("Light", name);
     LightKinds.FAMILY.typeKey().put(dome, LightKinds.DOME);
-    LightKinds.INTENSITY.put(dome, stage.sky().intensity());
-    ObjectKeys.ROTATION.put(dome, new Vec3(0, stage.sky().rotation(), 0));
+    LightKinds.INTENSITY.put(dome, around.sky().intensity());
+    ObjectKeys.ROTATION.put(dome, new Vec3(0, around.sky().rotation(), 0));
     return dome;
   }
 
   private JsonObject ofSun(String name, LightKinds.Sky sky) {
     JsonObject dome = dome(name);
     LightKinds.SKY.put(dome, sky);
-    LightKinds.SUN_AZIMUTH.put(dome, stage.sky().sun().azimuth());
-    LightKinds.SUN_ELEVATION.put(dome, stage.sky().sun().elevation());
+    LightKinds.SUN_AZIMUTH.put(dome, around.sky().azimuth());
+    LightKinds.SUN_ELEVATION.put(dome, around.sky().elevation());
     return dome;
   }
 
-  private JsonObject dome(JsonArray assets, Path folder) {
-    JsonObject dome = dome(StagedModel.SKY);
-    if (stage.sky().name().equals("studio")) {
+  private JsonObject dome(JsonArray assets) {
+    JsonObject dome = dome(ReadModel.SKY);
+    if (around.sky().name().equals("studio")) {
       LightKinds.SKY.put(dome, LightKinds.Sky.STUDIO);
     }
-    stage
+    around
         .sky()
         .picture()
         .ifPresent(
@@ -113,7 +110,7 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
               JsonObject texture = new JsonObject();
               ObjectKeys.ASSET_TYPE.put(texture, AssetTable.Type.TEXTURE);
               ObjectKeys.ID.put(texture, 1);
-              ObjectKeys.FILE.put(texture, slashed(folder.relativize(picture)));
+              ObjectKeys.FILE.put(texture, AssetData.slashed(folder.relativize(picture)));
               TextureKinds.FILTER.put(texture, Filter.BILINEAR);
               assets.add(texture);
               LightKinds.TEXTURE.put(dome, 1);
@@ -124,8 +121,8 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
   private JsonObject modelObject(String name) {
     JsonObject object = WrittenObjects.object("Model", "");
     ObjectKeys.FILE.put(object, name);
-    ModelKeys.write(stage.options(), object);
-    moving.ifPresent(own -> ObjectKeys.USE_CAMERA.put(object, own));
+    ModelKeys.write(around.options(), object);
+    around.moving().ifPresent(own -> ObjectKeys.USE_CAMERA.put(object, own));
     return object;
   }
 
@@ -133,22 +130,17 @@ record WrittenStage(Stage stage, StageCamera camera, Optional<String> moving, do
     JsonObject material = new JsonObject();
     ObjectKeys.ASSET_TYPE.put(material, AssetTable.Type.MATERIAL);
     ObjectKeys.ID.put(material, 2);
-    material.addProperty(ObjectKeys.NAME.name(), StagedModel.GROUND);
-    Material ground = StagedModel.groundMaterial(stage);
+    material.addProperty(ObjectKeys.NAME.name(), ReadModel.GROUND);
+    Material ground = ReadModel.groundMaterial(around);
     MaterialKinds.FAMILY.write(ground, material, new WrittenTextures(new WrittenAssets()));
     return material;
   }
 
   private JsonObject groundPlane() {
-    JsonObject plane = WrittenObjects.object("Shape", StagedModel.GROUND);
+    JsonObject plane = WrittenObjects.object("Shape", ReadModel.GROUND);
     ShapeKinds.FAMILY.typeKey().put(plane, ShapeKinds.PLANE);
     ShapeKinds.MATERIAL.put(plane, 2);
-    ObjectKeys.POSITION.put(plane, new Vec3(0, floor, 0));
+    ObjectKeys.POSITION.put(plane, new Vec3(0, around.box().min().y(), 0));
     return plane;
-  }
-
-  /** Returns a path as scenes state it. */
-  static String slashed(Path path) {
-    return path.toString().replace('\\', '/');
   }
 }

@@ -1,10 +1,7 @@
-package io.github.lumbre.scenefile.internal;
+package io.github.lumbre.scenefile;
 
 import io.github.lumbre.image.animation.FrameRate;
-import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.SceneFormatException;
-import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.model.ModelFolder;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
@@ -17,8 +14,6 @@ import java.util.Optional;
 public abstract class ModelSequence {
   /** The largest number of frames. */
   public static final int MAX_FRAMES = 10_000;
-
-  private static Maker maker;
 
   /**
    * What moves.
@@ -48,19 +43,6 @@ public abstract class ModelSequence {
     }
   }
 
-  /** Makes sequences. */
-  public interface Maker {
-    /** See {@link ModelSequence#of}. */
-    ModelSequence of(
-        SceneParser parser, Path model, Optional<byte[]> content, Stage stage, Motion motion)
-        throws SceneFormatException, IOException;
-  }
-
-  /** Sets how sequences are made. The class of parsers calls it once, before there are any. */
-  public static void madeBy(Maker newMaker) {
-    maker = newMaker;
-  }
-
   /**
    * Reads a model.
    *
@@ -73,7 +55,15 @@ public abstract class ModelSequence {
   public static ModelSequence of(
       SceneParser parser, Path model, Optional<byte[]> content, Stage stage, Motion motion)
       throws SceneFormatException, IOException {
-    return maker.of(parser, model, content, stage, motion);
+    ModelSource source =
+        content.isPresent()
+            ? ModelSource.of(parser, model.toString(), content.get(), ModelFolder.NONE)
+            : ModelSource.of(parser, model);
+    return source.timed(
+        () ->
+            motion.turns() > 0
+                ? new StagedTurntable(source, stage, motion.turns())
+                : new StagedAnimation(source, stage, motion.animation(), motion.rate()));
   }
 
   /** Returns the number of frames, at least 1. */

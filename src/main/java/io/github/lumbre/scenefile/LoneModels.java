@@ -1,0 +1,44 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.internal.LoneModel;
+import io.github.lumbre.scenefile.internal.ModelParser;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/** Reads models with the limits and changes of a parser. */
+record LoneModels(SceneParser parser) implements ModelParser {
+  private static Problems problemsOf(Path model) {
+    return new Problems(String.valueOf(model.getFileName()), true);
+  }
+
+  private Limits limits() {
+    return parser.settings().limits();
+  }
+
+  @Override
+  public <T> T timed(Path model, Step<T> step) throws SceneFormatException, IOException {
+    return TimedReading.of(limits(), problemsOf(model), step::read);
+  }
+
+  @Override
+  public byte[] content(Path file) throws SceneFormatException, IOException {
+    return InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits().bytes());
+  }
+
+  @Override
+  public LoneModel read(Source source) throws SceneFormatException, IOException {
+    return new ReadModel(parser, source);
+  }
+
+  @Override
+  public RenderSettings missing() {
+    return parser.settings().missing();
+  }
+
+  @Override
+  public RenderSettings changed(RenderSettings inFile) {
+    return parser.settings().change().apply(inFile);
+  }
+}

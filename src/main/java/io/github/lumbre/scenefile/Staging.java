@@ -1,0 +1,250 @@
+package io.github.lumbre.scenefile;
+
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.math.Transform;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.internal.DecodedPictures;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelAnimation;
+import io.github.lumbre.model.internal.ModelCamera;
+import io.github.lumbre.model.section.Sections;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.SceneFormatException.Kind;
+import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.internal.LoneModel;
+import io.github.lumbre.scenefile.internal.ModelContents;
+import io.github.lumbre.scenefile.internal.ModelParser;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.PlacedCamera;
+import io.github.lumbre.scenefile.internal.ShownLabels;
+import io.github.lumbre.scenefile.internal.Surroundings;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A model on its stage: the scene around it is built of the model that was read, once. Mutable;
+ * confined to one thread.
+ */
+final class Staging {
+  private static final int MAX_TRACE_DEPTH = 12;
+
+  private final Stage stage;
+  private final ModelParser parser;
+  private final LoneModel read;
+  private final Model model;
+
+  /** Of the whole model, so that a cut one is seen from the same place, or of an animation. */
+  private Framing framing;
+
+  /**
+   * Reads a model.
+   *
+   * @throws SceneFormatException if the model cannot be used
+   * @throws IOException if the thread is interrupted
+   */
+  Staging(ModelParser parser, Stage stage, ModelParser.Source source)
+      throws SceneFormatException, IOException {
+    this.stage = stage;
+    this.parser = parser;
+    read = parser.read(source);
+    requireSky();
+    framing = Framing.of(read.model());
+    read.requireMeasurable(framing.box());
+    model = cut(source.isFrame());
+  }
+
+  /** Makes cameras have something else in their frames, on whose lowest point the ground is. */
+  void frame(Framing other) {
+    framing = other;
+  }
+
+  /** Keeps the files in memory, for {@link #hashOf} and {@link #seenFrom(Stage, ParsedScene)}. */
+  void keepFiles() {
+    read.keepFiles();
+  }
+
+  private Model cut(boolean isFrame) throws SceneFormatException {
+    try {
+      return Sections.cut(read.model(), stage.options().limitedTo(read.left()), isFrame);
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
+  }
+
+  /** Returns whether the model has a surface to show. */
+  boolean hasSurface() {
+    return model.hasSurface();
+  }
+
+  /** Requires the sky's picture, so that a problem names it as the stage does. */
+  private void requireSky() throws SceneFormatException {
+    Stage.Sky sky = stage.sky();
+    if (sky.picture().filter(picture -> !Files.isRegularFile(picture)).isPresent()) {
+      String found = Files.isDirectory(sky.picture().get()) ? "a folder" : "none";
+      throw failure(
+          Kind.ASSET,
+          "sky",
+          "expected a file, found " + found + " at " + PrintableText.quoted(sky.name()));
+    }
+  }
+
+  /** Returns the scene. Call it once. */
+  ParsedScene scene() throws SceneFormatException {
+    return scene(new DecodedPictures());
+  }
+
+  /**
+   * Returns the scene. Call it once.
+   *
+   * @param decoded the pictures of other poses of the model
+   */
+  ParsedScene scene(DecodedPictures decoded) throws SceneFormatException {
+    return read.scene(model, around(stage), decoded);
+  }
+
+  private Surroundings around(Stage of) throws SceneFormatException {
+    try {
+      PlacedCamera camera = StageCamera.of(of, model, framing, frameAspect());
+      List<PlacedCamera> poses = inPoses(of);
+      boolean isMoving = poses.stream().distinct().count() > 1;
+      Stage.Sky sky = of.sky();
+      return new Surroundings(
+          camera,
+          isMoving ? poses : List.of(camera),
+          isMoving ? StageCamera.own(of, model).map(this::nameOf) : Optional.empty(),
+          new Surroundings.Sky(
+              sky.name(),
+              sky.picture(),
+              sky.intensity(),
+              sky.rotation(),
+              sky.sun().azimuth(),
+              sky.sun().elevation()),
+          of.ground(),
+          framing.box(),
+          of.options(),
+          settings(of, camera),
+          of.labels(),
+          ShownLabels.title(of, model));
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
+  }
+
+  /** Returns the model's own camera in each pose; empty if the whole model is framed. */
+  private List<PlacedCamera> inPoses(Stage of) throws ModelFormatException {
+    Optional<ModelCamera> own = StageCamera.own(of, model);
+    return own.isPresent()
+        ? PlacedCamera.inPoses(model, nameOf(own.get()), Transform.IDENTITY)
+        : List.of();
+  }
+
+  private String nameOf(ModelCamera camera) {
+    return ModelContents.cameraNames(model).get(model.cameras().indexOf(camera));
+  }
+
+  /** Returns the text of the scene on another stage, whose model has the same pose. */
+  byte[] textOf(Stage of) throws SceneFormatException {
+    return read.text(around(of));
+  }
+
+  /**
+   * Returns the hash of a scene around this model, once one has been built with the files kept.
+   *
+   * @param text of the scene
+   */
+  String hashOf(byte[] text) {
+    return read.hashOf(text);
+  }
+
+  /**
+   * Returns the scene on a stage that differs in its view alone, once one has been built with the
+   * files kept. The scenes share everything but the camera.
+   */
+  ParsedScene seenFrom(Stage of, ParsedScene built) throws SceneFormatException {
+    return read.seenIn(around(of), built);
+  }
+
+  /** Returns the scene, as it is seen from another direction. */
+  Scene seenFrom(View view, SceneFile scene) throws SceneFormatException {
+    return seenFrom(view, scene, frameAspect(), framing);
+  }
+
+  /**
+   * Returns the scene, as it is seen from another direction by a camera that frames something else.
+   *
+   * @param frameAspect width over height of the frame into which it is to fit
+   */
+  Scene seenFrom(View view, SceneFile scene, double frameAspect, Framing of)
+      throws SceneFormatException {
+    try {
+      return scene
+          .scene()
+          .seenBy(
+              StageCamera.of(stage.seenFrom(view), model, of, frameAspect)
+                  .placed(scene.settings().aspect()));
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
+  }
+
+  /** Returns about how many bytes of memory the model and its scene take. */
+  long memory() {
+    return read.memory();
+  }
+
+  /** Returns what the model's cameras have in their frames. */
+  Framing framing() {
+    return framing;
+  }
+
+  /** Returns whether the camera is one of the model's, so that it needs no framing. */
+  boolean hasOwnCamera() throws SceneFormatException {
+    try {
+      return StageCamera.own(stage, model).isPresent();
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
+  }
+
+  /** Returns the animations of the model. */
+  List<ModelAnimation> animations() {
+    return model.animations();
+  }
+
+  /** Returns the exception for the model, which cannot be used. */
+  SceneFormatException failure(Kind kind, String place, String message) {
+    return read.failure(kind, place, message);
+  }
+
+  /** Returns the aspect ratio for which the model is framed. */
+  private double frameAspect() {
+    return parser
+        .changed(RenderSettings.builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
+        .aspect();
+  }
+
+  /** Returns the settings. The longer side of the picture is {@link Stage#DEFAULT_WIDTH}. */
+  private RenderSettings settings(Stage of, PlacedCamera camera) {
+    double ratio = camera.aspect().orElse((double) Stage.DEFAULT_WIDTH / Stage.DEFAULT_HEIGHT);
+    double side = Stage.DEFAULT_WIDTH;
+    return parser.missing().toBuilder()
+        .size(
+            (int) Math.max(1, Math.round(side * Math.min(1, ratio))),
+            (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
+        .maxTraceDepth(MAX_TRACE_DEPTH)
+        .toneCurve(
+            of.options().find(ModelOption.LOOK).isEmpty()
+                ? Setting.TONE_MAP.inModels().orElseThrow()
+                : Setting.TONE_MAP.missing())
+        .set(Setting.LINE_WIDTH, of.lineWidth())
+        .set(Setting.CREASE_ANGLE, of.creaseDegrees())
+        .transparent(of.transparent())
+        .set(Setting.BACKPLATE, of.background())
+        .build();
+  }
+}

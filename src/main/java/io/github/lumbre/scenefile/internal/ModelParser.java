@@ -1,0 +1,56 @@
+package io.github.lumbre.scenefile.internal;
+
+import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFormatException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** A parser of scenes, as it reads models that are rendered by themselves. Immutable. */
+public interface ModelParser {
+  /**
+   * A model to read.
+   *
+   * @param folder where asset paths start; contains the model and the sky's picture
+   * @param file absolute path of the model
+   * @param content of the file
+   * @param others has the files that the model names; empty for those in its own folder and in
+   *     those of its options
+   * @param isFrame whether the model may have nothing to show, in one frame of an animation
+   */
+  record Source(
+      Path folder,
+      Path file,
+      byte[] content,
+      Optional<ModelFolder> others,
+      ModelOptions options,
+      boolean isFrame) {}
+
+  /** A part of the reading. */
+  @FunctionalInterface
+  interface Step<T> {
+    T read() throws SceneFormatException, IOException;
+  }
+
+  /** Reads within the time limit; what went wrong is a problem of the model. */
+  <T> T timed(Path model, Step<T> step) throws SceneFormatException, IOException;
+
+  /** Returns the content of a model's file. */
+  byte[] content(Path file) throws SceneFormatException, IOException;
+
+  /**
+   * Reads a model.
+   *
+   * @throws SceneFormatException if the model cannot be used
+   * @throws IOException if the thread is interrupted
+   */
+  LoneModel read(Source source) throws SceneFormatException, IOException;
+
+  /** Returns the settings of a scene that states none. */
+  RenderSettings missing();
+
+  /** Returns settings with the changes that the parser's caller makes. */
+  RenderSettings changed(RenderSettings inFile);
+}
