@@ -30,5 +30,6 @@ module io.github.lumbre {
   exports io.github.lumbre.scenefile;
   exports io.github.lumbre.scenefile.audit;
   exports io.github.lumbre.image.compare;
+  exports io.github.lumbre.stage;
   exports io.github.lumbre.stage.thumbnail;
 }

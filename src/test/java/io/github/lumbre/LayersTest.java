@@ -49,8 +49,6 @@ class LayersTest {
   /** The classes that use what is above them, in another layer or in a package of their own. */
   private static final Map<String, String> EXCEPTIONS =
       Map.of(
-          "scenefile.SceneParser", "stage.drawing",
-          "scenefile.internal.PictureDrawing", "stage.drawing",
           "model.ModelOption", "model.section",
           "model.internal.ModelReader", "model.section",
           "image.format.gif.GifWriter", "image.animation",

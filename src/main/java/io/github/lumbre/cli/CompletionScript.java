@@ -3,7 +3,7 @@ package io.github.lumbre.cli;
 import io.github.lumbre.cli.option.Choices;
 import io.github.lumbre.cli.option.FlagConverters;
 import io.github.lumbre.model.Models;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage.View;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -34,7 +34,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PartTable;
-import io.github.lumbre.scenefile.internal.ViewNumbers;
+import io.github.lumbre.stage.internal.ViewNumbers;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonParser;
 import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.output.ExitCodes;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage.View;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;

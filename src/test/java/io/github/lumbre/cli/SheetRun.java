@@ -6,7 +6,7 @@ import io.github.lumbre.cli.mcp.McpClient;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.scenefile.SceneFormatException;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.thumbnail.Thumbnails;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -12,6 +12,8 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.format.obj.ObjReader;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.StagedModel;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -12,6 +12,8 @@ import io.github.lumbre.material.Material;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.internal.BilinearTexture;
 import io.github.lumbre.texture.internal.ClearSky;

@@ -12,6 +12,8 @@ import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.NormalMapped;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.texture.Texture;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

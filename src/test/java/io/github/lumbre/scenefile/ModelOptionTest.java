@@ -13,8 +13,8 @@ import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.internal.OptionTypes.FoldersType;
 import io.github.lumbre.model.internal.OptionTypes.NamedType;
 import io.github.lumbre.model.internal.OptionTypes.PoseType;
@@ -22,7 +22,9 @@ import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
+import io.github.lumbre.stage.StagedModel;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -39,10 +41,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine;
 
 /** Options are the same on the command line, in Java, in scenes and in calls of tools. */
 class ModelOptionTest {

@@ -9,6 +9,8 @@ import io.github.lumbre.image.format.imageio.LegacyFixture;
 import io.github.lumbre.image.format.ktx.KtxSamples;
 import io.github.lumbre.model.format.threemf.ThreeMfSample;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.StagedModel;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -2,8 +2,8 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.OptionTypes.TextsType;
-import io.github.lumbre.scenefile.Stage;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;

@@ -5,7 +5,7 @@ import io.github.lumbre.cli.output.PixelPlace;
 import io.github.lumbre.cli.output.PixelReport;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.stage.Stage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -7,7 +7,7 @@ import io.github.lumbre.image.internal.ContactSheet;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -13,7 +13,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.PartTable;
 import io.github.lumbre.scenefile.internal.SceneContents;
-import io.github.lumbre.scenefile.internal.ViewNumbers;
+import io.github.lumbre.stage.internal.ViewNumbers;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;

@@ -12,8 +12,8 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.internal.ParsedScene;
-import io.github.lumbre.scenefile.internal.PictureDrawing;
 import io.github.lumbre.stage.drawing.DisplayLight;
+import io.github.lumbre.stage.internal.PictureDrawing;
 import java.util.Optional;
 import java.util.function.Consumer;
 

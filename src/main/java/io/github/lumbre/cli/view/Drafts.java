@@ -6,7 +6,7 @@ import io.github.lumbre.render.preview.Preview;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.stage.Stage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

@@ -6,7 +6,7 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.denoise.Denoised;
 import io.github.lumbre.render.denoise.NoisyPicture;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.stage.Stage;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;

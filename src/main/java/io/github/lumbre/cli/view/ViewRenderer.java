@@ -14,7 +14,7 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.internal.ParsedScene;
-import io.github.lumbre.scenefile.internal.PictureDrawing;
+import io.github.lumbre.stage.internal.PictureDrawing;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
-import io.github.lumbre.scenefile.StagedModel;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.StagedModel;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 

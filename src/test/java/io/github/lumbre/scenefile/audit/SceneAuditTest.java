@@ -3,8 +3,9 @@ package io.github.lumbre.scenefile.audit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage;
 import io.github.lumbre.scenefile.audit.Finding.Severity;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.StagedModel;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -195,7 +196,7 @@ class SceneAuditTest {
   private List<Finding> auditOfModel(String text, String material) throws Exception {
     Files.writeString(directory.resolve("a.mtl"), "newmtl a\n" + material + "\n");
     Path model = Files.writeString(directory.resolve("a.obj"), "mtllib a.mtl\n" + text);
-    return SceneAudit.of(new SceneParser().parse(model, Stage.DEFAULT));
+    return SceneAudit.of(StagedModel.read(model, Stage.DEFAULT, new SceneParser()).scene());
   }
 
   private static String obj(String text) {

@@ -12,7 +12,7 @@ import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.scenefile.SceneFormatException;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.stage.Stage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;

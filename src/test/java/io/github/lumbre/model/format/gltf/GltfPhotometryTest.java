@@ -8,9 +8,9 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.Stage.Sky;
-import io.github.lumbre.scenefile.Stage;
-import io.github.lumbre.scenefile.StagedModel;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.Sky;
+import io.github.lumbre.stage.StagedModel;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 

@@ -1,7 +1,10 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import java.io.IOException;
 import java.util.Optional;
 

@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
@@ -7,8 +7,7 @@ import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelScene;
-import io.github.lumbre.scenefile.Stage.View;
-import io.github.lumbre.scenefile.internal.ShownLabels;
+import io.github.lumbre.stage.Stage.View;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -16,7 +15,7 @@ import java.util.List;
 import java.util.Set;
 
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
-final class Framing {
+public final class Framing {
   /** The fraction of the frame that the model may fill. */
   private static final double FILL = .92;
 
@@ -118,7 +117,7 @@ final class Framing {
    * one in another pose, they share the vertices of parts that keep their shape. One without
    * vertices does not count.
    */
-  Framing with(Framing other) {
+  public Framing with(Framing other) {
     if (isEmpty || other.isEmpty) {
       return isEmpty ? other : this;
     }

@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.base.text.PrintableText;
@@ -7,7 +7,10 @@ import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.ModelAnimation;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
+import io.github.lumbre.stage.Stage;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;

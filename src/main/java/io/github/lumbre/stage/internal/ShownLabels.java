@@ -1,9 +1,10 @@
-package io.github.lumbre.scenefile.internal;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.internal.Model;
-import io.github.lumbre.scenefile.Stage.View;
-import io.github.lumbre.scenefile.Stage;
+import io.github.lumbre.scenefile.internal.ModelContents;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

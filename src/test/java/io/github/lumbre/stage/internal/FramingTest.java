@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -11,7 +11,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.model.internal.ModelScene;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage.View;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,7 +7,9 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.stage.Stage.View;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The standard views of a model, in one run and over releases. */
-class ModelViewsTest {
+class StagedModelTest {
   /** A part with a different shape from each side: three boxes of different heights. */
   private static final String PART =
       box(0, 0, 0, 4, 1, 3, 0) + box(0, 1, 0, 1, 3, 1, 1) + box(3, 1, 2, 4, 2, 3, 2);

@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.math.Transform;
@@ -12,15 +12,17 @@ import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
-import io.github.lumbre.scenefile.Stage.View;
 import io.github.lumbre.scenefile.internal.LoneModel;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ModelParser;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PlacedCamera;
-import io.github.lumbre.scenefile.internal.ShownLabels;
 import io.github.lumbre.scenefile.internal.Surroundings;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
@@ -30,7 +32,7 @@ import java.util.Optional;
  * A model on its stage: the scene around it is built of the model that was read, once. Mutable;
  * confined to one thread.
  */
-final class Staging {
+public final class Staging {
   private static final int MAX_TRACE_DEPTH = 12;
 
   private final Stage stage;
@@ -94,7 +96,7 @@ final class Staging {
   }
 
   /** Returns the scene. Call it once. */
-  ParsedScene scene() throws SceneFormatException {
+  public ParsedScene scene() throws SceneFormatException {
     return scene(new DecodedPictures());
   }
 
@@ -170,7 +172,7 @@ final class Staging {
   }
 
   /** Returns the scene, as it is seen from another direction. */
-  Scene seenFrom(View view, SceneFile scene) throws SceneFormatException {
+  public Scene seenFrom(View view, SceneFile scene) throws SceneFormatException {
     return seenFrom(view, scene, frameAspect(), framing);
   }
 
@@ -179,7 +181,7 @@ final class Staging {
    *
    * @param frameAspect width over height of the frame into which it is to fit
    */
-  Scene seenFrom(View view, SceneFile scene, double frameAspect, Framing of)
+  public Scene seenFrom(View view, SceneFile scene, double frameAspect, Framing of)
       throws SceneFormatException {
     try {
       return scene
@@ -193,12 +195,12 @@ final class Staging {
   }
 
   /** Returns about how many bytes of memory the model and its scene take. */
-  long memory() {
+  public long memory() {
     return read.memory();
   }
 
   /** Returns what the model's cameras have in their frames. */
-  Framing framing() {
+  public Framing framing() {
     return framing;
   }
 

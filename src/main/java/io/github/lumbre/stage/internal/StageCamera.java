@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.math.Transform;
@@ -7,10 +7,11 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelNames;
-import io.github.lumbre.scenefile.Stage.View;
 import io.github.lumbre.scenefile.internal.CameraPose;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.PlacedCamera;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;

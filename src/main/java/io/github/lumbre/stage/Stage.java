@@ -1,24 +1,26 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.internal.OptionTypes.TextType;
 import io.github.lumbre.model.internal.OptionTypes;
+import io.github.lumbre.model.internal.OptionTypes.TextType;
 import io.github.lumbre.model.internal.OptionValues;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
-import io.github.lumbre.scenefile.internal.Look;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.internal.ParsedScene;
-import io.github.lumbre.scenefile.internal.PictureDrawing;
-import io.github.lumbre.scenefile.internal.ShownLabels;
-import io.github.lumbre.scenefile.internal.StageTypes.BackgroundType;
-import io.github.lumbre.scenefile.internal.StageTypes.LookType;
-import io.github.lumbre.scenefile.internal.StageTypes.ViewType;
-import io.github.lumbre.scenefile.internal.StageTypes;
+import io.github.lumbre.stage.internal.Look;
+import io.github.lumbre.stage.internal.PictureDrawing;
+import io.github.lumbre.stage.internal.ShownLabels;
+import io.github.lumbre.stage.internal.StageTypes;
+import io.github.lumbre.stage.internal.StageTypes.BackgroundType;
+import io.github.lumbre.stage.internal.StageTypes.LookType;
+import io.github.lumbre.stage.internal.StageTypes.ViewType;
 import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.SunPosition;
 import java.nio.file.Path;
@@ -497,16 +499,6 @@ public final class Stage {
   public static Image withDrawing(SceneFile file, Image picture) {
     return PictureDrawing.of(ParsedScene.of(file), note -> {})
         .onLight(file.scene(), Optional.empty(), picture);
-  }
-
-  /** Returns the nearest folder that contains both the model and the sky's picture. */
-  Path folderOf(Path model) {
-    Path folder = model.getParent();
-    Path picture = sky().picture().orElse(folder);
-    while (folder.getParent() != null && !picture.startsWith(folder)) {
-      folder = folder.getParent();
-    }
-    return folder;
   }
 
   /** Returns the absolute paths of the model and, if it has one, the sky's picture. */

@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,8 +11,8 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.render.PictureRenderer;
@@ -22,6 +22,10 @@ import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.SceneText;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -1,9 +1,15 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage;
 
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.stage.Stage.View;
+import io.github.lumbre.stage.internal.Framing;
+import io.github.lumbre.stage.internal.ModelSource;
+import io.github.lumbre.stage.internal.Staging;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,10 +1,13 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.internal.ModelParser;
+import io.github.lumbre.stage.Stage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -18,10 +21,10 @@ import java.util.Optional;
  * @param content bytes of the file; empty to read it
  * @param files has other files that the model names; empty for those beside it
  */
-record ModelSource(
+public record ModelSource(
     ModelParser parser, Path file, Optional<byte[]> content, Optional<ModelFolder> files) {
   /** Returns a model in a file. */
-  static ModelSource of(SceneParser parser, Path model) {
+  public static ModelSource of(SceneParser parser, Path model) {
     Path file = model.toAbsolutePath().normalize();
     return new ModelSource(parser.ofModels(), file, Optional.empty(), Optional.empty());
   }
@@ -31,7 +34,7 @@ record ModelSource(
    *
    * @param name of the model without folders; its ending chooses the format
    */
-  static ModelSource of(SceneParser parser, String name, byte[] content, ModelFolder files) {
+  public static ModelSource of(SceneParser parser, String name, byte[] content, ModelFolder files) {
     Path here = Path.of("").toAbsolutePath();
     Path file = here.resolve(name).normalize();
     if (!here.equals(file.getParent())) {
@@ -42,7 +45,7 @@ record ModelSource(
   }
 
   /** Reads within the time limit; what went wrong is a problem of the model. */
-  <T> T timed(ModelParser.Step<T> step) throws SceneFormatException, IOException {
+  public <T> T timed(ModelParser.Step<T> step) throws SceneFormatException, IOException {
     return parser.timed(file, step);
   }
 
@@ -51,16 +54,26 @@ record ModelSource(
    *
    * @param isFrame whether it may have nothing to show, in one frame of an animation
    */
-  Staging read(Stage stage, boolean isFrame) throws SceneFormatException, IOException {
+  public Staging read(Stage stage, boolean isFrame) throws SceneFormatException, IOException {
     Stage lenient = stage.reading(stage.options().lenient(true));
-    return read(lenient, stage.folderOf(file), isFrame);
+    return read(lenient, folder(stage), isFrame);
+  }
+
+  /** Returns the nearest folder that contains both the model and the sky's picture. */
+  private Path folder(Stage stage) {
+    Path folder = file.getParent();
+    Path picture = stage.sky().picture().orElse(folder);
+    while (folder.getParent() != null && !picture.startsWith(folder)) {
+      folder = folder.getParent();
+    }
+    return folder;
   }
 
   /**
    * Reads the model for a scene in a folder, whose files the model may use. A missing picture is an
    * error unless the options of the stage are lenient, as it is in a scene.
    */
-  Staging readIn(Path folder, Stage stage) throws SceneFormatException, IOException {
+  public Staging readIn(Path folder, Stage stage) throws SceneFormatException, IOException {
     return read(
         stage.reading(stage.options().with(ModelOption.ASSETS, List.of(folder))), folder, false);
   }
@@ -75,7 +88,7 @@ record ModelSource(
   }
 
   /** Returns a stage with the motion of the model's pose, if the parser's caller wants one. */
-  Stage inMotion(Stage stage) {
+  public Stage inMotion(Stage stage) {
     return stage.reading(stage.options().during(parser.changed(RenderSettings.DEFAULT)));
   }
 }

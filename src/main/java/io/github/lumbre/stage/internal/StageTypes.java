@@ -1,16 +1,16 @@
-package io.github.lumbre.scenefile.internal;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.light.EnvironmentLight;
-import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.model.internal.OptionTypes;
+import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
-import io.github.lumbre.scenefile.Stage.Sky;
-import io.github.lumbre.scenefile.Stage.View;
+import io.github.lumbre.stage.Stage.Sky;
+import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.texture.internal.ClearSky;
 import java.time.Instant;
 import java.time.OffsetDateTime;

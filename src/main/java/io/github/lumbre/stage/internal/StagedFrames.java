@@ -1,5 +1,8 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.stage.Stage;
 import java.io.IOException;
 import java.util.Optional;
 

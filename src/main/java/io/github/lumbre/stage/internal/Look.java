@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile.internal;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOptions;

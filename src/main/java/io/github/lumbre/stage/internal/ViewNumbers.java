@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile.internal;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.camera.internal.Projection;
@@ -10,6 +10,7 @@ import io.github.lumbre.model.internal.ModelScene;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scenefile.internal.PartTable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

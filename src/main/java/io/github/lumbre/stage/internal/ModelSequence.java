@@ -1,7 +1,11 @@
-package io.github.lumbre.scenefile;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.stage.Stage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;

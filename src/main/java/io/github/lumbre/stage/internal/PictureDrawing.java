@@ -1,4 +1,4 @@
-package io.github.lumbre.scenefile.internal;
+package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.camera.internal.Projection;
 import io.github.lumbre.image.Image;
@@ -9,10 +9,13 @@ import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.ModelScene;
-import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.internal.ModelContents;
+import io.github.lumbre.scenefile.internal.ParsedScene;
+import io.github.lumbre.scenefile.internal.PartTable;
 import io.github.lumbre.scenefile.internal.PartTable.Part;
 import io.github.lumbre.stage.drawing.Canvas;
 import io.github.lumbre.stage.drawing.DisplayLight;
