@@ -1,5 +1,5 @@
 /**
- * Shared test helpers: significance tests and a sampler with given values.
+ * Shared test helpers: significance tests, a sampler with given values, and checks of refusals.
  *
  * <p>{@link io.github.lumbre.testing.Effort} sets the number of samples and the seed of a test.
  * Normal builds are quick and repeatable; {@code ./mvnw verify -Pexhaustive} uses more samples and

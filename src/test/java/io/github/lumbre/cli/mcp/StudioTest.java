@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -10,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -73,12 +73,7 @@ class StudioTest {
 
   @Test
   void anInterruptEndsReading() {
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(this::model).isInstanceOf(CancellationException.class);
-    } finally {
-      assertThat(Thread.interrupted()).isTrue();
-    }
+    assertCancelled(this::model);
   }
 
   @Test

@@ -1,7 +1,7 @@
 package io.github.lumbre.stage.drawing;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.camera.Lens;
@@ -20,7 +20,6 @@ import io.github.lumbre.scene.SceneBuilder;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -312,14 +311,8 @@ class OutlinesTest {
     Scene scene = scene(Lens.pinhole(50), Mesh.of(cube()));
     Outlines outlines = Outlines.of(scene);
     RenderSettings settings = RenderSettings.builder().size(40, 30).build();
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(() -> Outlines.of(scene)).isInstanceOf(CancellationException.class);
-      assertThatThrownBy(() -> outlines.strokes(scene, settings))
-          .isInstanceOf(CancellationException.class);
-    } finally {
-      assertThat(Thread.interrupted()).isTrue();
-    }
+    assertCancelled(() -> Outlines.of(scene));
+    assertCancelled(() -> outlines.strokes(scene, settings));
   }
 
   private static TriangleMesh triangles(Vec3... corners) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.image.format.gif;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -15,7 +16,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.CancellationException;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -180,8 +180,6 @@ class GifWriterTest {
   @Test
   void anInterruptEndsTheWork() throws IOException {
     AnimationFrames frames = AnimationFixture.frames(folder, "25", opaque(2, 2, (x, y) -> 0));
-    Thread.currentThread().interrupt();
-    assertThatThrownBy(() -> written(frames)).isInstanceOf(CancellationException.class);
-    assertThat(Thread.interrupted()).isTrue();
+    assertCancelled(() -> written(frames));
   }
 }

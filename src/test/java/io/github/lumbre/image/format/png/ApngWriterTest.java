@@ -1,5 +1,6 @@
 package io.github.lumbre.image.format.png;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -20,7 +21,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.concurrent.CancellationException;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -193,8 +193,6 @@ class ApngWriterTest {
   void anInterruptEndsTheWork() throws IOException {
     Pixels picture = random(2, 2, 3, 8, 1);
     AnimationFrames frames = AnimationFixture.frames(folder, "25", picture, picture);
-    Thread.currentThread().interrupt();
-    assertThatThrownBy(() -> written(frames)).isInstanceOf(CancellationException.class);
-    assertThat(Thread.interrupted()).isTrue();
+    assertCancelled(() -> written(frames));
   }
 }

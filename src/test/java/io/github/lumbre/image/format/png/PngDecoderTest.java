@@ -1,5 +1,6 @@
 package io.github.lumbre.image.format.png;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -13,7 +14,6 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Random;
-import java.util.concurrent.CancellationException;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -112,11 +112,6 @@ class PngDecoderTest {
   @Test
   void decodingEndsWithAnInterrupt() {
     byte[] file = file(new Random(1), PngFixture.RGB, 8, false);
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(() -> ImageReader.decode(file)).isInstanceOf(CancellationException.class);
-    } finally {
-      Thread.interrupted();
-    }
+    assertCancelled(() -> ImageReader.decode(file));
   }
 }

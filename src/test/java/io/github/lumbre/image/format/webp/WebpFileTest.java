@@ -1,5 +1,6 @@
 package io.github.lumbre.image.format.webp;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -16,7 +17,6 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -145,13 +145,7 @@ class WebpFileTest {
   @ParameterizedTest
   @ValueSource(strings = {"lossy", "lossless", "alpha-filtered"})
   void decodingEndsWhenItIsInterrupted(String name) {
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(() -> ImageReader.decode(WebpSamples.file(name)))
-          .isInstanceOf(CancellationException.class);
-    } finally {
-      assertThat(Thread.interrupted()).isTrue();
-    }
+    assertCancelled(() -> ImageReader.decode(WebpSamples.file(name)));
   }
 
   @Test

@@ -1,7 +1,7 @@
 package io.github.lumbre.model.format.draco;
 
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.github.lumbre.model.ModelFormatException;
@@ -15,7 +15,6 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -237,12 +236,6 @@ class DracoMeshTest {
 
   @Test
   void decodingIsInterrupted() {
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(() -> decode(DracoSamples.file("edgebreaker-5")))
-          .isInstanceOf(CancellationException.class);
-    } finally {
-      assertThat(Thread.interrupted()).isTrue();
-    }
+    assertCancelled(() -> decode(DracoSamples.file("edgebreaker-5")));
   }
 }

@@ -1,8 +1,8 @@
 package io.github.lumbre.model.format.off;
 
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.Rgb;
@@ -17,7 +17,6 @@ import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -242,11 +241,6 @@ class OffReaderTest {
   @Test
   void interruptEndsTheReading() {
     ModelFixture model = off("OFF" + ";".repeat(1 << 15) + "4 1 0;" + SQUARE + "4 0 1 2 3");
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(model::read).isInstanceOf(CancellationException.class);
-    } finally {
-      assertThat(Thread.interrupted()).isTrue();
-    }
+    assertCancelled(model::read);
   }
 }

@@ -2,8 +2,8 @@ package io.github.lumbre.model.format.threemf;
 
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.base.limit.Limits;
@@ -24,7 +24,6 @@ import io.github.lumbre.model.internal.ModelTexture.Wrap;
 import io.github.lumbre.model.internal.PlainModel;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -129,8 +128,7 @@ class ThreeMfReaderTest {
   @Test
   void optionsCorrectTheUnitAndTheAxis() throws ModelFormatException {
     ThreeMfSample sample = ThreeMfSample.of(object("", "", ""));
-    ModelOptions inch =
-        ModelOptions.DEFAULT.oriented(Optional.empty(), OptionalDouble.of(.0254));
+    ModelOptions inch = ModelOptions.DEFAULT.oriented(Optional.empty(), OptionalDouble.of(.0254));
     Model model = sample.fixture().with(inch).read();
     assertThat(model.unit()).isEqualTo("inch");
     assertNear(ModelFixture.mapped(model.parts().get(0), 1, 2, 3), .0254, .0762, -.0508);
@@ -490,11 +488,6 @@ class ThreeMfReaderTest {
   @Test
   void interruptEndsTheReading() {
     ModelFixture model = ThreeMfSample.of(object("", "", "")).fixture();
-    Thread.currentThread().interrupt();
-    try {
-      assertThatThrownBy(model::read).isInstanceOf(CancellationException.class);
-    } finally {
-      assertThat(Thread.interrupted()).isTrue();
-    }
+    assertCancelled(model::read);
   }
 }
