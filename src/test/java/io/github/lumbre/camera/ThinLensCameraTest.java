@@ -1,5 +1,6 @@
 package io.github.lumbre.camera;
 
+import static io.github.lumbre.testing.Draws.inSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -29,10 +30,6 @@ class ThinLensCameraTest {
         Vec3.ZERO, Frame.WORLD, 1.5, FOV, focusDistance, aperture, Aperture.DISK);
   }
 
-  private Point2 point() {
-    return new Point2(random.nextDouble(), random.nextDouble());
-  }
-
   private static Ray ray(Camera camera, Point2 film, Point2 lens) {
     ScriptedSampler sampler = new ScriptedSampler().with(Sampler.LENS, lens.x(), lens.y());
     Ray ray = camera.rayFor(film, sampler).orElseThrow();
@@ -60,8 +57,8 @@ class ThinLensCameraTest {
   void closedLensIsAPinhole() {
     for (double focus : new double[] {Double.MIN_VALUE, 1e-300, 1e-3, 5, 1e12, 1e300, INFINITY}) {
       for (int i = 0; i < 1000; i++) {
-        Point2 film = point();
-        Ray ray = ray(camera(focus, 0), film, point());
+        Point2 film = inSquare(random);
+        Ray ray = ray(camera(focus, 0), film, inSquare(random));
         assertThat(ray.origin().plus(Vec3.ZERO)).isEqualTo(Vec3.ZERO);
         assertThat(ray.direction().minus(pinhole(film)).length()).isLessThanOrEqualTo(4 * EPS);
       }
@@ -72,8 +69,8 @@ class ThinLensCameraTest {
   void tinyLensIsAlmostAPinhole() {
     for (double focus : new double[] {1, 5, 100}) {
       for (int i = 0; i < 1000; i++) {
-        Point2 film = point();
-        Ray ray = ray(camera(focus, 1e-12), film, point());
+        Point2 film = inSquare(random);
+        Ray ray = ray(camera(focus, 1e-12), film, inSquare(random));
         assertThat(ray.direction().minus(pinhole(film)).length())
             .isLessThan(1e-12 * (1 / focus + 1));
       }
@@ -87,8 +84,8 @@ class ThinLensCameraTest {
       ThinLensCamera camera = camera(lens[0], lens[1]);
       double size = Math.max(1, Math.max(lens[0], lens[1]));
       for (int i = 0; i < Effort.count(10_000, 300_000); i++) {
-        Point2 film = point();
-        Ray ray = ray(camera, film, point());
+        Point2 film = inSquare(random);
+        Ray ray = ray(camera, film, inSquare(random));
         assertThat(distance(ray, chief(film, lens[0]))).isLessThanOrEqualTo(16 * EPS * size);
       }
     }
@@ -98,7 +95,7 @@ class ThinLensCameraTest {
   void lensIsADiscOfTheApertureAsRadius() {
     double most = 0;
     for (int i = 0; i < 10_000; i++) {
-      Vec3 origin = ray(camera(5, .3), point(), point()).origin();
+      Vec3 origin = ray(camera(5, .3), inSquare(random), inSquare(random)).origin();
       assertThat(origin.z()).isZero();
       most = Math.max(most, origin.length());
     }
@@ -121,7 +118,7 @@ class ThinLensCameraTest {
       Moments moments = new Moments();
       int n = Statistics.samplesToDetect(Effort.isExhaustive() ? .002 : .005, .289);
       for (int i = 0; i < n; i++) {
-        Ray ray = ray(camera, film, point());
+        Ray ray = ray(camera, film, inSquare(random));
         Vec3 hit = ray.at((depth - ray.origin().z()) / ray.direction().z());
         double r = hit.minus(center).length() / radius;
         if (r > 1 + 1e-12) {
@@ -138,8 +135,8 @@ class ThinLensCameraTest {
     for (double focus : new double[] {INFINITY, 1e300, 1.0001e12}) {
       ThinLensCamera camera = camera(focus, 1e6);
       for (int i = 0; i < 1000; i++) {
-        Point2 film = point();
-        Vec3 direction = ray(camera, film, point()).direction();
+        Point2 film = inSquare(random);
+        Vec3 direction = ray(camera, film, inSquare(random)).direction();
         assertThat(direction).isEqualTo(ray(camera, film, new Point2(.5, .5)).direction());
         assertThat(direction).isEqualTo(pinhole(film));
       }
@@ -161,7 +158,7 @@ class ThinLensCameraTest {
     for (double focus : sizes) {
       for (double aperture : sizes) {
         for (int i = 0; i < 20; i++) {
-          Ray ray = ray(camera(focus, aperture), point(), point());
+          Ray ray = ray(camera(focus, aperture), inSquare(random), inSquare(random));
           assertThat(ray.direction().length()).isCloseTo(1, within(4 * EPS));
           assertThat(ray.origin().isFinite()).isTrue();
         }

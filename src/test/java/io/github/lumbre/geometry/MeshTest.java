@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -96,10 +97,10 @@ class MeshTest {
       for (TriangleMesh each : List.of(mesh, mesh.part(new int[] {0}))) {
         SurfaceHit hit = hit(each, Transform.IDENTITY, new Vec3(.5, .25, 1), up);
         assertThat(hit.geometricNormal()).isEqualTo(Vec3.Z);
-        assertSame(new Vec3(.3, 0, .9).normalized(), hit.shadingNormal());
+        assertNear(hit.shadingNormal(), new Vec3(.3, 0, .9).normalized(), 1e-14);
         SurfaceHit mirrored = hit(each, MIRROR, MIRROR.point(new Vec3(.5, .25, 1)), up);
-        assertSame(MIRROR.vector(hit.geometricNormal()), mirrored.geometricNormal());
-        assertSame(MIRROR.vector(hit.shadingNormal()), mirrored.shadingNormal());
+        assertNear(mirrored.geometricNormal(), MIRROR.vector(hit.geometricNormal()), 1e-14);
+        assertNear(mirrored.shadingNormal(), MIRROR.vector(hit.shadingNormal()), 1e-14);
       }
     }
     assertThat(TriangleMesh.of(CORNER, new double[] {0, 0, -1, 0, 0, -1, 0, 0, -1}, NONE, ONE))
@@ -126,19 +127,15 @@ class MeshTest {
                     Mesh.baked(data, MIRROR), new Ray(mirroredOrigin, mirroredDirection)))
             .isEqualTo(
                 Shapes.distance(Mesh.baked(data, Transform.IDENTITY), new Ray(origin, direction)));
-        assertSame(MIRROR.point(plain.position()), mirrored.position());
-        assertSame(MIRROR.vector(plain.geometricNormal()), mirrored.geometricNormal());
+        assertNear(mirrored.position(), MIRROR.point(plain.position()), 1e-14);
+        assertNear(mirrored.geometricNormal(), MIRROR.vector(plain.geometricNormal()), 1e-14);
         Frame frame = mirrored.shading();
-        assertSame(MIRROR.vector(plain.shading().normal()), frame.normal());
-        assertSame(MIRROR.vector(plain.shading().tangent()), frame.tangent());
-        assertSame(MIRROR.vector(plain.shading().bitangent()), frame.bitangent());
+        assertNear(frame.normal(), MIRROR.vector(plain.shading().normal()), 1e-14);
+        assertNear(frame.tangent(), MIRROR.vector(plain.shading().tangent()), 1e-14);
+        assertNear(frame.bitangent(), MIRROR.vector(plain.shading().bitangent()), 1e-14);
         assertThat(mirrored.texture()).isEqualTo(plain.texture());
       }
     }
-  }
-
-  private static void assertSame(Vec3 expected, Vec3 found) {
-    assertThat(found.minus(expected).length()).isLessThan(1e-14);
   }
 
   @Test
@@ -166,7 +163,7 @@ class MeshTest {
         SurfaceHit expected = Mesh.baked(data, place).surfaceAt(a);
         SurfaceHit found = instance.surfaceAt(b);
         assertThat(found.position().minus(expected.position()).length()).isLessThan(1e-9);
-        assertSame(expected.geometricNormal(), found.geometricNormal());
+        assertNear(found.geometricNormal(), expected.geometricNormal(), 1e-14);
         Vec3 bend = found.shading().normal().minus(expected.shading().normal());
         assertThat(bend.length()).isLessThan(1e-9);
       }
@@ -180,7 +177,7 @@ class MeshTest {
     TriangleMesh mesh = TriangleMesh.of(CORNER, normals, NONE, ONE);
     SurfaceHit hit = hit(mesh, Transform.IDENTITY, new Vec3(.5, .25, 1), Vec3.Z.negated());
     Vec3 expected = new Vec3(.5, 0, .5).normalized();
-    assertSame(expected, hit.shading().normal());
+    assertNear(hit.shading().normal(), expected, 1e-14);
     double[] against = {0, 0, 9, 0, 0, -1, 0, 0, -1};
     TriangleMesh wild = TriangleMesh.of(CORNER, against, NONE, ONE);
     SurfaceHit behind = hit(wild, Transform.IDENTITY, new Vec3(.9, .05, 1), Vec3.Z.negated());
@@ -199,8 +196,8 @@ class MeshTest {
     SurfaceHit hit = hit(mesh, Transform.IDENTITY, origin, Vec3.Z.negated());
     assertThat(hit.texture().u()).isEqualTo(1);
     assertThat(hit.texture().v()).isEqualTo(.25);
-    assertSame(Vec3.Y, hit.shading().tangent());
-    assertSame(Vec3.X, hit.shading().bitangent());
+    assertNear(hit.shading().tangent(), Vec3.Y, 1e-14);
+    assertNear(hit.shading().bitangent(), Vec3.X, 1e-14);
   }
 
   @Test
@@ -209,8 +206,8 @@ class MeshTest {
     SurfaceHit hit = hit(mesh, Transform.IDENTITY, new Vec3(.25, .5, 1), Vec3.Z.negated());
     assertThat(hit.texture().u()).isEqualTo(.25);
     assertThat(hit.texture().v()).isEqualTo(.5);
-    assertSame(Vec3.X, hit.shading().tangent());
-    assertSame(Vec3.Y, hit.shading().bitangent());
+    assertNear(hit.shading().tangent(), Vec3.X, 1e-14);
+    assertNear(hit.shading().bitangent(), Vec3.Y, 1e-14);
   }
 
   @Test

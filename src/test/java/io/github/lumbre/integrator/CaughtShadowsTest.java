@@ -1,13 +1,13 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.floor;
-import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.point;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
+import static io.github.lumbre.testing.TestScenes.ceilingLamp;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.floor;
+import static io.github.lumbre.testing.TestScenes.lookingDownAt;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.point;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 

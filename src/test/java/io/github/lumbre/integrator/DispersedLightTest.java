@@ -1,10 +1,5 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.floor;
-import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.sphere;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
@@ -15,6 +10,11 @@ import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.floor;
+import static io.github.lumbre.testing.TestScenes.glow;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.sphere;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -29,6 +29,7 @@ import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Moments;
+import io.github.lumbre.testing.TestScenes;
 import java.util.EnumSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,9 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.point;
-import static io.github.lumbre.integrator.TestScenes.sphere;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.point;
+import static io.github.lumbre.testing.TestScenes.sphere;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -18,6 +18,7 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Moments;
 import io.github.lumbre.testing.Statistics;
+import io.github.lumbre.testing.TestScenes;
 import io.github.lumbre.texture.Texture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -3,6 +3,7 @@ package io.github.lumbre.integrator;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.testing.TestScenes;
 import org.junit.jupiter.api.Test;
 
 /** Tests which points of surfaces see each other. */

@@ -1,8 +1,8 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.turned;
+import static io.github.lumbre.testing.TestScenes.glow;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.turned;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -198,7 +198,7 @@ class LensLightsTest {
   }
 
   private static boolean lensLights(Scene scene) {
-    return LensLights.of(TestScenes.sampling(scene)).isPresent();
+    return LensLights.of(ScatteredLight.sampling(scene)).isPresent();
   }
 
   /** Light that is sampled through the lens is reported with the camera ray. */

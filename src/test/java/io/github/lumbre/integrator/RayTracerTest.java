@@ -1,16 +1,16 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.at;
-import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.floor;
-import static io.github.lumbre.integrator.TestScenes.glass;
-import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.point;
-import static io.github.lumbre.integrator.TestScenes.sphere;
-import static io.github.lumbre.integrator.TestScenes.turned;
+import static io.github.lumbre.testing.TestScenes.at;
+import static io.github.lumbre.testing.TestScenes.ceilingLamp;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.floor;
+import static io.github.lumbre.testing.TestScenes.glass;
+import static io.github.lumbre.testing.TestScenes.glow;
+import static io.github.lumbre.testing.TestScenes.lookingDownAt;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.point;
+import static io.github.lumbre.testing.TestScenes.sphere;
+import static io.github.lumbre.testing.TestScenes.turned;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -33,6 +33,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.sampling.internal.SobolSampler;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.testing.TestScenes;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.List;

@@ -5,16 +5,16 @@ import static io.github.lumbre.integrator.ScatteredLight.assertRecordedLightsAdd
 import static io.github.lumbre.integrator.ScatteredLight.assertSameMean;
 import static io.github.lumbre.integrator.ScatteredLight.samples;
 import static io.github.lumbre.integrator.ScatteredLight.scattered;
-import static io.github.lumbre.integrator.TestScenes.at;
-import static io.github.lumbre.integrator.TestScenes.ceilingLamp;
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.floor;
-import static io.github.lumbre.integrator.TestScenes.glass;
-import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.point;
-import static io.github.lumbre.integrator.TestScenes.sphere;
-import static io.github.lumbre.integrator.TestScenes.turned;
+import static io.github.lumbre.testing.TestScenes.at;
+import static io.github.lumbre.testing.TestScenes.ceilingLamp;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.floor;
+import static io.github.lumbre.testing.TestScenes.glass;
+import static io.github.lumbre.testing.TestScenes.glow;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.point;
+import static io.github.lumbre.testing.TestScenes.sphere;
+import static io.github.lumbre.testing.TestScenes.turned;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Box;
@@ -117,7 +117,7 @@ class RefractedLightsTest {
   }
 
   private static boolean isUsed(Scene scene) {
-    return RefractedLights.of(TestScenes.sampling(scene)).isPresent();
+    return RefractedLights.of(ScatteredLight.sampling(scene)).isPresent();
   }
 
   @ParameterizedTest

@@ -1,10 +1,11 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.lookingDownAt;
+import static io.github.lumbre.testing.TestScenes.lookingDownAt;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.integrator.guiding.Guide;
 import io.github.lumbre.integrator.path.PathVertex;
 import io.github.lumbre.integrator.path.PathVertex.Contribution;
 import io.github.lumbre.integrator.path.PathVertex.FoundLight;
@@ -27,6 +28,16 @@ final class ScatteredLight {
   private static final double ERROR = .009;
 
   private ScatteredLight() {}
+
+  /** Returns what the techniques of a path tracer with default options share. */
+  static LightSampling sampling(Scene scene) {
+    PathOptions options = PathOptions.toDepth(5);
+    return new LightSampling(
+        scene,
+        options,
+        options.lightSampler().over(scene),
+        DirectionStrategy.of(options, Guide.NONE));
+  }
 
   static Moments samples(Scene scene, PathOptions options) {
     return samples(scene, options, new RenderContext(), lookingDownAt(0, .05), SAMPLES);

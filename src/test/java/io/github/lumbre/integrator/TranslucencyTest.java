@@ -1,22 +1,18 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.at;
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.point;
-import static io.github.lumbre.integrator.TestScenes.sphere;
-import static io.github.lumbre.integrator.TestScenes.turned;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
-import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION;
 import static io.github.lumbre.material.MaterialParameter.DIFFUSE_TRANSMISSION_COLOR;
-import static io.github.lumbre.material.MaterialParameter.METALLIC;
-import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.glow;
+import static io.github.lumbre.testing.TestScenes.plastic;
+import static io.github.lumbre.testing.TestScenes.point;
+import static io.github.lumbre.testing.TestScenes.sphere;
+import static io.github.lumbre.testing.TestScenes.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.material.MetallicRoughness;
@@ -39,17 +35,9 @@ class TranslucencyTest {
   private static final double THROUGH = .8;
 
   private static MetallicRoughness.Builder paper(double strength) {
-    return MetallicRoughness.builder()
-        .set(METALLIC, 0)
-        .set(SPECULAR, 0)
-        .set(BASE_COLOR, Rgb.WHITE)
+    return plastic(1)
         .set(DIFFUSE_TRANSMISSION, strength)
         .set(DIFFUSE_TRANSMISSION_COLOR, Rgb.gray(THROUGH));
-  }
-
-  /** Returns a wide rectangle at a distance that faces the origin. */
-  private static Rectangle wall(double z) {
-    return new Rectangle(at(0, 0, z).times(turned(-90, 0, 0)), 100, 100, true);
   }
 
   private static void assertMean(Integrator integrator, double expected) {

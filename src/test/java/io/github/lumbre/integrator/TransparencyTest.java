@@ -1,12 +1,5 @@
 package io.github.lumbre.integrator;
 
-import static io.github.lumbre.integrator.TestScenes.at;
-import static io.github.lumbre.integrator.TestScenes.empty;
-import static io.github.lumbre.integrator.TestScenes.floor;
-import static io.github.lumbre.integrator.TestScenes.glow;
-import static io.github.lumbre.integrator.TestScenes.matte;
-import static io.github.lumbre.integrator.TestScenes.point;
-import static io.github.lumbre.integrator.TestScenes.turned;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_COLOR;
 import static io.github.lumbre.material.MaterialParameter.ATTENUATION_DISTANCE;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
@@ -14,8 +7,16 @@ import static io.github.lumbre.material.MaterialParameter.IOR;
 import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
-import static io.github.lumbre.material.MaterialParameter.SPECULAR;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
+import static io.github.lumbre.testing.TestScenes.at;
+import static io.github.lumbre.testing.TestScenes.empty;
+import static io.github.lumbre.testing.TestScenes.floor;
+import static io.github.lumbre.testing.TestScenes.glow;
+import static io.github.lumbre.testing.TestScenes.matte;
+import static io.github.lumbre.testing.TestScenes.plastic;
+import static io.github.lumbre.testing.TestScenes.point;
+import static io.github.lumbre.testing.TestScenes.turned;
+import static io.github.lumbre.testing.TestScenes.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -62,13 +63,6 @@ class TransparencyTest {
     return new RayTracer(scene, 4, 8);
   }
 
-  private static MetallicRoughness.Builder plastic(double albedo) {
-    return MetallicRoughness.builder()
-        .set(METALLIC, ScalarChannel.of(0))
-        .set(SPECULAR, ScalarChannel.of(0))
-        .set(BASE_COLOR, ColorChannel.of(Rgb.gray(albedo)));
-  }
-
   private static Material veil(double albedo, double opacity) {
     return plastic(albedo).set(OPACITY, ScalarChannel.of(opacity)).build();
   }
@@ -80,11 +74,6 @@ class TransparencyTest {
         .set(TRANSMISSION, ScalarChannel.of(1))
         .set(BASE_COLOR, ColorChannel.of(tint))
         .build();
-  }
-
-  /** Returns a wide rectangle at a distance that faces the origin. */
-  private static Rectangle wall(double z) {
-    return new Rectangle(at(0, 0, z).times(turned(-90, 0, 0)), 100, 100, true);
   }
 
   /** Returns a small rectangle at a distance that faces the origin. */
@@ -380,9 +369,9 @@ class TransparencyTest {
   }
 
   /**
-   * Camera rays and shadow rays pass 65,536 surfaces; samples that meet more are rejected. The scene
-   * is small, so that floats tell the surfaces apart: in one 100 wide, the boxes of about 18 overlap
-   * for the vector kernel, which then tests 15 times as many.
+   * Camera rays and shadow rays pass 65,536 surfaces; samples that meet more are rejected. The
+   * scene is small, so that floats tell the surfaces apart: in one 100 wide, the boxes of about 18
+   * overlap for the vector kernel, which then tests 15 times as many.
    */
   @ParameterizedTest
   @ValueSource(ints = {255, 256, 1000, 65_536, 65_537})

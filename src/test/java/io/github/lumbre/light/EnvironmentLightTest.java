@@ -1,5 +1,6 @@
 package io.github.lumbre.light;
 
+import static io.github.lumbre.testing.Draws.inSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -26,10 +27,6 @@ class EnvironmentLightTest {
 
   /** Returns the texture coordinates as its value. */
   private static final Texture<Rgb> COORDINATES = (u, v) -> new Rgb(u, v, 1);
-
-  private Point2 point() {
-    return new Point2(random.nextDouble(), random.nextDouble());
-  }
 
   private Vec3 direction() {
     double z = random.nextDouble(-1, 1);
@@ -116,7 +113,7 @@ class EnvironmentLightTest {
     long[] counts = new long[rows * columns];
     double[] expected = new double[counts.length];
     for (int i = 0; i < n; i++) {
-      Vec3 wi = sample(light, point()).wi();
+      Vec3 wi = sample(light, inSquare(random)).wi();
       double v = .5 + Math.asin(wi.y()) / Math.PI;
       double u = .5 + Math.atan2(wi.x(), wi.z()) / (2 * Math.PI);
       counts[(int) (v * rows) * columns + (int) (u * columns)]++;
@@ -139,7 +136,7 @@ class EnvironmentLightTest {
     EnvironmentLight light = EnvironmentLight.uniform(Rgb.WHITE);
     ChiSquare test =
         ChiSquare.ofDirections(
-            300_000, () -> Optional.of(sample(light, point()).wi()), light::pdf, 1);
+            300_000, () -> Optional.of(sample(light, inSquare(random)).wi()), light::pdf, 1);
     assertThat(test.passes()).isTrue();
   }
 
@@ -148,7 +145,7 @@ class EnvironmentLightTest {
     for (Frame axes : new Frame[] {Frame.WORLD, turned()}) {
       EnvironmentLight light = dome(axes, noise(31, 64));
       for (int i = 0; i < 100_000; i++) {
-        LightSample sample = sample(light, point());
+        LightSample sample = sample(light, inSquare(random));
         double pdf = light.pdf(sample.wi());
         assertThat(sample.pdf()).isCloseTo(pdf, within(1e-9 * pdf));
         assertThat(sample.wi().length()).isCloseTo(1, within(8 * EPS));
@@ -197,7 +194,7 @@ class EnvironmentLightTest {
 
   /** One sample of the irradiance of the plane with normal +y. */
   private double estimate(EnvironmentLight light) {
-    LightSample sample = sample(light, point());
+    LightSample sample = sample(light, inSquare(random));
     return sample.radiance().g() * Math.max(0, sample.wi().y()) / sample.pdf();
   }
 
@@ -226,7 +223,7 @@ class EnvironmentLightTest {
       Moments irradiance = new Moments();
       Vec3 normal = axes.toWorld(new Vec3(.6, .8, 0));
       for (int i = 0; i < 10_000; i++) {
-        LightSample sample = sample(light, point());
+        LightSample sample = sample(light, inSquare(random));
         assertThat(sample.radiance()).isEqualTo(Rgb.gray(1e6));
         irradiance.add(1e6 * Math.max(0, sample.wi().dot(normal)) / sample.pdf());
       }
@@ -301,7 +298,7 @@ class EnvironmentLightTest {
       assertThat(light.from(axes.toWorld(d))).isEqualTo(straight.from(d));
       double pdf = straight.pdf(d);
       assertThat(light.pdf(axes.toWorld(d))).isCloseTo(pdf, within(1e-12 * pdf));
-      Point2 u = point();
+      Point2 u = inSquare(random);
       Vec3 expected = axes.toWorld(sample(straight, u).wi());
       assertThat(sample(light, u).wi().minus(expected).length()).isLessThan(8 * EPS);
     }
@@ -340,7 +337,7 @@ class EnvironmentLightTest {
 
   @Test
   void lightOfTheDomeComesFromInfinity() {
-    LightSample sample = sample(dome(turned(), noise(3, 3)), point());
+    LightSample sample = sample(dome(turned(), noise(3, 3)), inSquare(random));
     assertThat(sample.target()).isEqualTo(LightSample.Target.INFINITY);
     assertThat(sample.isDelta()).isFalse();
   }
@@ -361,7 +358,7 @@ class EnvironmentLightTest {
       double height = turned().toLocal(direction).y();
       double texel = 2 * Math.PI * Math.PI * Math.sqrt(1 - height * height) / 8;
       assertThat(beside.pdf(direction)).isCloseTo(excess / above / texel, within(1e-9));
-      LightSample sample = sample(beside, point());
+      LightSample sample = sample(beside, inSquare(random));
       assertThat(sample.r()).isGreaterThan(mean);
       assertThat(sample.pdf()).isCloseTo(beside.pdf(sample.wi()), within(1e-9 * sample.pdf()));
     }

@@ -1,5 +1,6 @@
 package io.github.lumbre.light;
 
+import static io.github.lumbre.testing.Draws.inCube;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -16,10 +17,6 @@ class LightBoundsTest {
   private static final double RADIUS = 3;
 
   private final SplittableRandom random = new SplittableRandom(82);
-
-  private Vec3 point() {
-    return new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-  }
 
   private static double between(Vec3 a, Vec3 b) {
     return StrictMath.atan2(a.cross(b).length(), a.dot(b));
@@ -82,7 +79,11 @@ class LightBoundsTest {
   private LightBounds any() {
     double spread = random.nextDouble() < .5 ? random.nextDouble(1e-3) : random.nextDouble(Math.PI);
     return new LightBounds(
-        Bounds3.of(point(), point()), point().normalized(), spread, random.nextDouble(1.5), 2);
+        Bounds3.of(inCube(random, 1), inCube(random, 1)),
+        inCube(random, 1).normalized(),
+        spread,
+        random.nextDouble(1.5),
+        2);
   }
 
   @Test

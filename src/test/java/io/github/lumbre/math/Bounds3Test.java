@@ -1,5 +1,6 @@
 package io.github.lumbre.math;
 
+import static io.github.lumbre.testing.Draws.inCube;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
@@ -69,8 +70,8 @@ class Bounds3Test {
     Bounds3 box = new Bounds3(LOW, HIGH);
     int met = 0;
     for (int i = 0; i < 2000; i++) {
-      Vec3 a = point(random);
-      Vec3 b = point(random);
+      Vec3 a = inCube(random, 12);
+      Vec3 b = inCube(random, 12);
       boolean passes = false;
       for (int step = 0; step <= 2000; step++) {
         Vec3 p = a.plus(step / 2000.0, b.minus(a));
@@ -87,11 +88,6 @@ class Bounds3Test {
     }
     // A segment that cuts a corner off may pass between two points.
     assertThat(met).isGreaterThan(1990);
-  }
-
-  private static Vec3 point(SplittableRandom random) {
-    return new Vec3(
-        random.nextDouble(-12, 12), random.nextDouble(-12, 12), random.nextDouble(-12, 12));
   }
 
   @Test

@@ -1,5 +1,6 @@
 package io.github.lumbre.math;
 
+import static io.github.lumbre.testing.Draws.inCube;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -17,19 +18,13 @@ class TransformTest {
 
   private final SplittableRandom random = new SplittableRandom(5);
 
-  private Vec3 vector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
-  }
-
   private double decades(double n) {
     return StrictMath.pow(10, random.nextDouble(-n, n));
   }
 
   private Transform rigid() {
-    return Transform.translation(vector(10)).times(Transform.rotationDegrees(vector(360)));
+    return Transform.translation(inCube(random, 10))
+        .times(Transform.rotationDegrees(inCube(random, 360)));
   }
 
   private static Transform rotation(double x, double y, double z) {
@@ -42,7 +37,7 @@ class TransformTest {
     Transform copy =
         Transform.ofAxes(
             map.vector(Vec3.X), map.vector(Vec3.Y), map.vector(Vec3.Z), map.point(Vec3.ZERO));
-    Vec3 p = vector(5);
+    Vec3 p = inCube(random, 5);
     assertThat(copy.point(p).minus(map.point(p)).length()).isLessThan(1e-13);
     assertThat(copy.inversePoint(p).minus(map.inversePoint(p)).length()).isLessThan(1e-13);
     assertThat(copy.determinant()).isEqualTo(-3, within(1e-14));
@@ -101,7 +96,7 @@ class TransformTest {
     Transform t = Transform.IDENTITY;
     for (int level = 0; level < 2000; level++) {
       t = t.times(rigid());
-      Vec3 v = vector(1);
+      Vec3 v = inCube(random, 1);
       assertThat(t.inverseVector(t.vector(v)).minus(v).maxAbs()).isLessThan(16 * EPS);
     }
   }
@@ -129,11 +124,11 @@ class TransformTest {
     // In the other order, the rotation about y would first take x to -z.
     assertThat(exact(rotation(90, 90, 90).vector(Vec3.Y))).isEqualTo(new Vec3(0, 0, 1));
     for (int i = 0; i < 1000; i++) {
-      Vec3 a = vector(360);
+      Vec3 a = inCube(random, 360);
       Transform all = Transform.rotationDegrees(a);
       Transform steps = rotation(0, a.y(), 0).times(rotation(a.x(), 0, 0));
       steps = steps.times(rotation(0, 0, a.z()));
-      Vec3 v = vector(1);
+      Vec3 v = inCube(random, 1);
       assertThat(all.vector(v).minus(steps.vector(v)).maxAbs()).isLessThan(8 * EPS);
     }
   }
@@ -165,14 +160,14 @@ class TransformTest {
   void longChainThatUndoesItselfIsTheIdentity(int depth) {
     Transform chain = Transform.IDENTITY;
     for (int i = 0; i < depth / 4; i++) {
-      Vec3 offset = vector(1);
+      Vec3 offset = inCube(random, 1);
       double angle = random.nextDouble(-180, 180);
       chain = chain.times(Transform.translation(offset)).times(rotation(0, angle, 0));
       chain = chain.times(rotation(0, -angle, 0)).times(Transform.translation(offset.negated()));
     }
     double bound = depth * 8 * EPS;
     for (int i = 0; i < 100; i++) {
-      Vec3 p = vector(1);
+      Vec3 p = inCube(random, 1);
       assertThat(chain.point(p).minus(p).maxAbs()).isLessThan(bound);
       assertThat(chain.inversePoint(p).minus(p).maxAbs()).isLessThan(bound);
     }
@@ -218,7 +213,7 @@ class TransformTest {
   void shearsOfScalesAndTurnsAreThoseOfFiftyDigits() {
     for (int i = 0; i < Effort.count(60, 10_000); i++) {
       Vec3 outer = new Vec3(decades(3), decades(3), decades(3));
-      Vec3 angles = vector(360);
+      Vec3 angles = inCube(random, 360);
       Vec3 inner = new Vec3(decades(3), decades(3), decades(3));
       Transform t =
           Transform.scale(outer)
@@ -349,7 +344,7 @@ class TransformTest {
     for (int i = 0; i < 10_000; i++) {
       Vec3 scale = new Vec3(decades(3), decades(3), decades(3));
       Transform t = rigid().times(Transform.scale(scale));
-      Frame frame = Frame.around(vector(1).normalized());
+      Frame frame = Frame.around(inCube(random, 1).normalized());
       Vec3 normal = t.normal(frame.normal());
       Vec3 tangent = t.vector(frame.tangent());
       assertThat(normal.length()).isCloseTo(1, within(4 * EPS));
@@ -364,7 +359,7 @@ class TransformTest {
     Vec3 scale = new Vec3(1e-3, 1, 1e3);
     Transform t = Transform.scale(scale);
     for (int i = 0; i < 1000; i++) {
-      Vec3 onSphere = vector(1).normalized();
+      Vec3 onSphere = inCube(random, 1).normalized();
       Vec3 gradient =
           new Vec3(onSphere.x() / scale.x(), onSphere.y() / scale.y(), onSphere.z() / scale.z());
       assertThat(t.normal(onSphere).minus(gradient.normalized()).maxAbs()).isLessThan(8 * EPS);
@@ -380,7 +375,7 @@ class TransformTest {
     assertThat(Transform.scale(new Vec3(-1, -1, 1)).isMirroring()).isFalse();
     for (int i = 0; i < 1000; i++) {
       Transform t = rigid().times(Transform.scale(new Vec3(-decades(1), decades(1), decades(1))));
-      Vec3 outward = vector(1).normalized();
+      Vec3 outward = inCube(random, 1).normalized();
       assertThat(t.normal(outward).dot(t.vector(outward))).isPositive();
     }
   }
@@ -391,7 +386,7 @@ class TransformTest {
       double s = Math.scalb(1.0, exponent);
       Transform inner = rigid().times(Transform.scale(new Vec3(decades(2), decades(2), 1)));
       Transform outer = Transform.scale(new Vec3(s, s, s)).times(inner);
-      Vec3 p = vector(5);
+      Vec3 p = inCube(random, 5);
       assertThat(outer.point(p)).isEqualTo(inner.point(p).times(s));
       assertThat(outer.inversePoint(p.times(s))).isEqualTo(inner.inversePoint(p));
       assertThat(outer.normal(p)).isEqualTo(inner.normal(p));
@@ -424,8 +419,8 @@ class TransformTest {
   @Test
   void boxAroundTheImageHoldsTheImageAndTouchesIt() {
     for (int i = 0; i < 1000; i++) {
-      Transform t = rigid().times(Transform.scale(vector(3)));
-      Bounds3 local = Bounds3.of(vector(1), vector(1));
+      Transform t = rigid().times(Transform.scale(inCube(random, 3)));
+      Bounds3 local = Bounds3.of(inCube(random, 1), inCube(random, 1));
       Bounds3 world = t.bounds(local);
       Bounds3 corners = Bounds3.EMPTY;
       for (int corner = 0; corner < 8; corner++) {
@@ -443,7 +438,7 @@ class TransformTest {
    */
   private Transform uneven() {
     Transform turned = rigid().times(Transform.scale(new Vec3(decades(3), decades(3), decades(3))));
-    return Transform.translation(vector(decades(4))).times(turned).times(rigid());
+    return Transform.translation(inCube(random, decades(4))).times(turned).times(rigid());
   }
 
   private Vec3 unevenPoint() {
@@ -475,7 +470,7 @@ class TransformTest {
   void inversePointUndoesPoint() {
     for (int i = 0; i < 200; i++) {
       Transform t = rigid();
-      Vec3 p = vector(10);
+      Vec3 p = inCube(random, 10);
       assertThat(t.inversePoint(t.point(p)).minus(p).maxAbs()).isLessThan(1e-13);
     }
   }
@@ -570,7 +565,7 @@ class TransformTest {
   @Test
   void determinantIsTheFactorOfVolumesWithItsSign() {
     for (int i = 0; i < 200; i++) {
-      Transform t = rigid().times(Transform.scale(vector(3))).times(rigid());
+      Transform t = rigid().times(Transform.scale(inCube(random, 3))).times(rigid());
       double volume = t.vector(Vec3.X).cross(t.vector(Vec3.Y)).dot(t.vector(Vec3.Z));
       assertThat(t.determinant()).isCloseTo(volume, within(1e-12 * (1 + Math.abs(volume))));
       assertThat(t.isMirroring()).isEqualTo(volume < 0);

@@ -1,5 +1,6 @@
 package io.github.lumbre.math;
 
+import static io.github.lumbre.testing.Draws.inCube;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -12,16 +13,12 @@ class Vec3Test {
 
   private final SplittableRandom random = new SplittableRandom(1);
 
-  private Vec3 randomVector() {
-    return new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-  }
-
   @Test
   void normalizedIsOfUnitLengthAtAnyScale() {
     for (int exponent = -300; exponent <= 300; exponent++) {
       double scale = Double.parseDouble("1e" + exponent);
       for (int i = 0; i < 100; i++) {
-        Vec3 v = randomVector();
+        Vec3 v = inCube(random, 1);
         Vec3 unit = v.times(scale).normalized();
         assertThat(unit.length()).isCloseTo(1, within(2 * EPS));
         assertThat(unit.minus(v.normalized()).length()).isLessThan(4 * EPS);
@@ -44,7 +41,7 @@ class Vec3Test {
   @Test
   void normalizedIsUnchangedByPowersOfTwo() {
     for (int i = 0; i < 1000; i++) {
-      Vec3 v = randomVector();
+      Vec3 v = inCube(random, 1);
       assertThat(v.times(0x1p-480).normalized()).isEqualTo(v.times(0x1p500).normalized());
     }
   }
@@ -67,8 +64,8 @@ class Vec3Test {
     assertThat(Vec3.X.cross(Vec3.Y)).isEqualTo(Vec3.Z);
     assertThat(Vec3.Y.cross(Vec3.Z)).isEqualTo(Vec3.X);
     assertThat(Vec3.Z.cross(Vec3.X)).isEqualTo(Vec3.Y);
-    Vec3 a = randomVector();
-    Vec3 b = randomVector();
+    Vec3 a = inCube(random, 1);
+    Vec3 b = inCube(random, 1);
     assertThat(a.cross(b).dot(a)).isCloseTo(0, within(4 * EPS));
     assertThat(a.cross(b).dot(b)).isCloseTo(0, within(4 * EPS));
   }

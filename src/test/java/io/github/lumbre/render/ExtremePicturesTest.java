@@ -1,5 +1,7 @@
 package io.github.lumbre.render;
 
+import static io.github.lumbre.testing.Draws.inCube;
+import static io.github.lumbre.testing.TestScenes.at;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -57,17 +59,6 @@ class ExtremePicturesTest {
 
   private static Emission glow(Rgb radiance) {
     return new Emission(Texture.constant(radiance), true);
-  }
-
-  private static Transform at(double x, double y, double z) {
-    return Transform.translation(new Vec3(x, y, z));
-  }
-
-  private Vec3 vector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
   }
 
   private static List<Camera> cameras(Vec3 position, double aspect) {
@@ -175,7 +166,7 @@ class ExtremePicturesTest {
     for (int i = 0; i < 20; i++) {
       Transform place =
           at(0, 0, 4)
-              .times(Transform.rotationDegrees(vector(40)))
+              .times(Transform.rotationDegrees(inCube(random, 40)))
               .times(Transform.rotationDegrees(new Vec3(-90, 0, 0)));
       for (boolean redFirst : new boolean[] {true, false}) {
         Scene scene =
@@ -201,7 +192,7 @@ class ExtremePicturesTest {
   @CsvSource({"1e-9, 1", "1e-9, 1e3", "1e-6, 1e3", "1e-3, 10", "1, 10"})
   void noLightComesBetweenTwoPlanes(double gap, double distance) throws InterruptedException {
     double fov = 2 * Math.toDegrees(StrictMath.atan(.4 * gap / distance));
-    Transform tilt = Transform.rotationDegrees(vector(180));
+    Transform tilt = Transform.rotationDegrees(inCube(random, 180));
     Frame axes = new Frame(tilt.vector(Vec3.X), tilt.vector(Vec3.Y), tilt.vector(Vec3.Z));
     Vec3 eye = tilt.point(new Vec3(0, .5 * gap, 0));
     Transform above = tilt.times(at(0, gap, 0));
@@ -341,8 +332,8 @@ class ExtremePicturesTest {
     for (int i = 0; i < 1000; i++) {
       double size = random.nextDouble(.1, .5);
       places.add(
-          Transform.translation(vector(3))
-              .times(Transform.rotationDegrees(vector(180)))
+          Transform.translation(inCube(random, 3))
+              .times(Transform.rotationDegrees(inCube(random, 180)))
               .times(Transform.scale(new Vec3(size, size * random.nextDouble(.5, 2), size))));
     }
     int height = Effort.count(60, 480);

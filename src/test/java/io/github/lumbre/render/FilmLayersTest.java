@@ -1,5 +1,7 @@
 package io.github.lumbre.render;
 
+import static io.github.lumbre.testing.Renders.film;
+import static io.github.lumbre.testing.TestScenes.glass;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -12,7 +14,6 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
-import io.github.lumbre.material.Glass;
 import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
 import io.github.lumbre.material.Mirror;
@@ -20,6 +21,7 @@ import io.github.lumbre.material.Unlit;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.render.checkpoint.FilmFixture;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
@@ -28,7 +30,6 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.SceneInside;
-import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.nio.ByteBuffer;
 import java.util.EnumSet;
@@ -36,7 +37,6 @@ import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,7 +65,7 @@ class FilmLayersTest {
   }
 
   /** Returns a camera at z = -4 that looks along +z. */
-  private static SceneBuilder scene() {
+  static SceneBuilder scene() {
     Vec3 eye = new Vec3(0, 0, -4);
     return Scene.builder()
         .seenBy(Lens.pinhole(50).camera(eye, Frame.WORLD, (double) WIDTH / HEIGHT));
@@ -75,7 +75,7 @@ class FilmLayersTest {
   private static Scene mixed() {
     return scene()
         .add("wall", new Rectangle(Transform.translation(Vec3.Z).times(UPRIGHT), 3, 9, true), MATTE)
-        .add("ball", sphere(-.8, 0, .5), glass())
+        .add("ball", sphere(-.8, 0, .5), glass(1.5))
         .add("bead", sphere(.8, 0, .4), new Mirror(Texture.constant(Rgb.gray(.9))))
         .lightGroup("lamp")
         .addAreaLight(sphere(0, 1.2, .2), new Emission(Texture.constant(Rgb.gray(9)), false))
@@ -88,32 +88,6 @@ class FilmLayersTest {
 
   private static Sphere sphere(double x, double y, double radius) {
     return new Sphere(Transform.translation(new Vec3(x, y, 0)), radius);
-  }
-
-  private static Material glass() {
-    return new Glass(
-        Texture.constant(Rgb.WHITE),
-        Texture.constant(Rgb.WHITE),
-        ScalarTexture.constant(1.5),
-        ScalarTexture.constant(0));
-  }
-
-  private static Film film(RenderSettings settings, Scene scene) throws InterruptedException {
-    FilmRenderer renderer = new FilmRenderer(settings, scene);
-    Film film = renderer.newFilm();
-    renderer.addSamples(film, settings.samples(), Progress.NONE);
-    return film;
-  }
-
-  private static byte[] bytes(Film film) {
-    int pixels = film.window().width() * film.window().height();
-    ByteBuffer out = ByteBuffer.allocate(IntStream.range(0, pixels).map(film::encodedBytes).sum());
-    for (int pixel = 0; pixel < pixels; pixel++) {
-      film.encode(pixel, out);
-    }
-    byte[] bytes = new byte[out.position()];
-    out.flip().get(bytes);
-    return bytes;
   }
 
   private static float[] pixel(Film film, Layer layer, int x, int y) {
@@ -144,7 +118,7 @@ class FilmLayersTest {
 
   @Test
   void anyPassesThreadsAndBucketsGiveTheSameBits() throws InterruptedException {
-    byte[] expected = bytes(film(settings(ALL).build(), mixed()));
+    byte[] expected = FilmFixture.pixels(film(settings(ALL).build(), mixed()));
     Random random = new Random(7);
     for (int run = 0; run < 6; run++) {
       RenderSettings other =
@@ -155,13 +129,13 @@ class FilmLayersTest {
         done = Math.min(16, done + 1 + random.nextInt(6));
         renderer.addSamples(film, done, Progress.NONE);
       }
-      assertThat(bytes(film)).isEqualTo(expected);
+      assertThat(FilmFixture.pixels(film)).isEqualTo(expected);
     }
   }
 
   @Test
   void sharesAndCropsAddUpToTheSameBits() throws InterruptedException {
-    byte[] expected = bytes(film(settings(ALL).build(), mixed()));
+    byte[] expected = FilmFixture.pixels(film(settings(ALL).build(), mixed()));
     FilmRenderer renderer = new FilmRenderer(settings(ALL).build(), mixed());
     Film sum = renderer.newFilm();
     for (int first = 0; first < 16; first += 8) {
@@ -172,14 +146,14 @@ class FilmLayersTest {
         sum.addAll(film);
       }
     }
-    assertThat(bytes(sum)).isEqualTo(expected);
-    assertThat(bytes(sum.copy())).isEqualTo(expected);
+    assertThat(FilmFixture.pixels(sum)).isEqualTo(expected);
+    assertThat(FilmFixture.pixels(sum.copy())).isEqualTo(expected);
   }
 
   @Test
   void pixelsSurviveEncoding() throws InterruptedException {
     Film film = film(settings(ALL).build(), mixed());
-    byte[] bytes = bytes(film);
+    byte[] bytes = FilmFixture.pixels(film);
     Film read = new Film(film.window(), film.hasAlpha(), 0, film.layers());
     ByteBuffer in = ByteBuffer.wrap(bytes);
     for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
@@ -187,7 +161,7 @@ class FilmLayersTest {
       read.decode(pixel, in);
     }
     assertThat(in.hasRemaining()).isFalse();
-    assertThat(bytes(read)).isEqualTo(bytes);
+    assertThat(FilmFixture.pixels(read)).isEqualTo(bytes);
   }
 
   @Test

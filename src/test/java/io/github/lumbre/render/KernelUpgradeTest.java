@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import static io.github.lumbre.testing.Renders.film;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -114,7 +115,7 @@ class KernelUpgradeTest {
   void samplesBeforeAndAfterTheChangeHaveTheSameBits() throws InterruptedException {
     RenderSettings settings =
         file.settings().toBuilder().size(64, 48).samples(4).threads(2).build();
-    Film expected = film(scene.searchedBy(Kernel.SCALAR), settings);
+    Film expected = film(settings, scene.searchedBy(Kernel.SCALAR));
     FilmRenderer renderer = new FilmRenderer(settings, scene);
     Film film = renderer.newFilm();
     renderer.addSamples(film, 2, Progress.NONE);
@@ -135,19 +136,12 @@ class KernelUpgradeTest {
             .redirectError(ProcessBuilder.Redirect.INHERIT)
             .start();
     assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
-    Film expected = film(scene.searchedBy(Kernel.SCALAR), WithoutVectors.settings(file));
+    Film expected = film(WithoutVectors.settings(file), scene.searchedBy(Kernel.SCALAR));
     assertThat(Files.readAllLines(out))
         .containsExactly(
             "Java runs without --add-modules jdk.incubator.vector",
             "true",
             "false",
             String.valueOf(WithoutVectors.hash(expected.develop())));
-  }
-
-  private static Film film(Scene scene, RenderSettings settings) throws InterruptedException {
-    FilmRenderer renderer = new FilmRenderer(settings, scene);
-    Film film = renderer.newFilm();
-    renderer.addSamples(film, settings.samples(), Progress.NONE);
-    return film;
   }
 }

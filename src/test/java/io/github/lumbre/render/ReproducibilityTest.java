@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import static io.github.lumbre.testing.Folders.scenes;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.Image;
@@ -8,11 +9,8 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Random;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -23,12 +21,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ReproducibilityTest {
   private static final int[] THREADS = {1, 2, 3, 8, 64};
   private static final int[] BUCKETS = {1, 7, 32, 10_000};
-
-  static List<Path> scenes() throws IOException {
-    try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-      return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
-    }
-  }
 
   @Test
   void thereAreAtLeastTenScenes() throws IOException {

@@ -111,7 +111,7 @@ class SharedThreadsTest {
     assertThat(threads).hasSize(3).contains(Thread.currentThread());
   }
 
-  private static void awaitQuietly(CountDownLatch latch) {
+  static void awaitQuietly(CountDownLatch latch) {
     try {
       latch.await();
     } catch (InterruptedException e) {

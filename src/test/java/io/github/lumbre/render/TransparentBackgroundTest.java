@@ -1,25 +1,21 @@
 package io.github.lumbre.render;
 
-import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
-import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.OPACITY;
-import static io.github.lumbre.material.MaterialParameter.SPECULAR;
+import static io.github.lumbre.render.FilmLayersTest.scene;
+import static io.github.lumbre.testing.Renders.film;
+import static io.github.lumbre.testing.TestScenes.at;
+import static io.github.lumbre.testing.TestScenes.plastic;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.lumbre.camera.Lens;
 import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.material.Material;
-import io.github.lumbre.material.MetallicRoughness;
 import io.github.lumbre.material.Mirror;
 import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
-import io.github.lumbre.material.internal.ColorChannel;
-import io.github.lumbre.material.internal.ScalarChannel;
-import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Layer;
@@ -46,24 +42,9 @@ class TransparentBackgroundTest {
   /** Turns a rectangle, whose normal is +y, to face the camera. */
   private static final Transform UPRIGHT = Transform.rotationDegrees(new Vec3(-90, 0, 0));
 
-  private static SceneBuilder scene() {
-    Vec3 eye = new Vec3(0, 0, -4);
-    return Scene.builder()
-        .seenBy(Lens.pinhole(50).camera(eye, Frame.WORLD, (double) WIDTH / HEIGHT));
-  }
-
-  private static Transform at(double x, double y, double z) {
-    return Transform.translation(new Vec3(x, y, z));
-  }
-
   /** Returns a black surface that lets a part of the rays pass. */
   private static Material veil(double opacity) {
-    return MetallicRoughness.builder()
-        .set(METALLIC, ScalarChannel.of(0))
-        .set(SPECULAR, ScalarChannel.of(0))
-        .set(BASE_COLOR, ColorChannel.of(Rgb.BLACK))
-        .set(OPACITY, ScalarChannel.of(opacity))
-        .build();
+    return plastic(0).set(OPACITY, opacity).build();
   }
 
   /** Returns surfaces of one color that no light changes: opaque, and with alpha before nothing. */
@@ -86,13 +67,6 @@ class TransparentBackgroundTest {
         .threads(1)
         .transparent(true)
         .set(Setting.LAYERS, layers);
-  }
-
-  private static Film film(RenderSettings settings, Scene scene) throws InterruptedException {
-    FilmRenderer renderer = new FilmRenderer(settings, scene);
-    Film film = renderer.newFilm();
-    renderer.addSamples(film, settings.samples(), Progress.NONE);
-    return film;
   }
 
   /** The sums of the film decide everything else: layers, noise, and the denoised picture. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import static io.github.lumbre.render.SharedThreadsTest.awaitQuietly;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.camera.Lens;
@@ -87,14 +88,6 @@ class WatchdogTest {
       }
       return Rgb.WHITE;
     };
-  }
-
-  private static void awaitQuietly(CountDownLatch latch) {
-    try {
-      latch.await();
-    } catch (InterruptedException e) {
-      throw new AssertionError(e);
-    }
   }
 
   @Test

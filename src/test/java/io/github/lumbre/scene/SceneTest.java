@@ -1,5 +1,6 @@
 package io.github.lumbre.scene;
 
+import static io.github.lumbre.testing.TestScenes.glow;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIndexOutOfBoundsException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
@@ -18,7 +19,6 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.AreaLight;
-import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
@@ -31,7 +31,6 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.internal.Specialization;
-import io.github.lumbre.texture.Texture;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
@@ -49,10 +48,6 @@ class SceneTest {
 
   private static Sphere sphere(double x) {
     return new Sphere(Transform.translation(new Vec3(x, 0, 0)), 1);
-  }
-
-  private static Emission glow(double radiance) {
-    return new Emission(Texture.constant(Rgb.gray(radiance)), false);
   }
 
   private static Light point(double intensity) {

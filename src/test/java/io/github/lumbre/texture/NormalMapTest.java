@@ -1,5 +1,6 @@
 package io.github.lumbre.texture;
 
+import static io.github.lumbre.testing.Draws.direction;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -24,11 +25,6 @@ class NormalMapTest {
 
   private final SplittableRandom random = new SplittableRandom(59);
 
-  private Vec3 direction() {
-    Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-    return v.normalized();
-  }
-
   private static Vec3 perturbed(Rgb normal, UvMapping mapping, double strength) {
     NormalMap map = new NormalMap(Texture.constant(normal), mapping, strength);
     return perturbed(map, Frame.WORLD, Vec3.Z).normal();
@@ -52,7 +48,7 @@ class NormalMapTest {
     for (Filter filter : Filter.values()) {
       NormalMap map =
           new NormalMap(new ImageTexture(pixels, Role.NORMAL, filter), UvMapping.IDENTITY, 1);
-      Frame frame = Frame.around(direction());
+      Frame frame = Frame.around(direction(random));
       assertThat(perturbed(map, frame, frame.normal())).isEqualTo(frame);
     }
   }
@@ -120,16 +116,16 @@ class NormalMapTest {
   @Test
   void wildMapsGiveFramesThatRiseAboveTheSurface() {
     for (int i = 0; i < 20_000; i++) {
-      Vec3 geometric = direction();
-      Vec3 shading = geometric.plus(.9, direction()).normalized();
-      Vec3 n = i % 2 == 0 ? direction() : new Vec3(i % 3 - 1, i % 5 - 2, i % 7 - 3);
+      Vec3 geometric = direction(random);
+      Vec3 shading = geometric.plus(.9, direction(random)).normalized();
+      Vec3 n = i % 2 == 0 ? direction(random) : new Vec3(i % 3 - 1, i % 5 - 2, i % 7 - 3);
       NormalMap map =
           new NormalMap(
               Texture.constant(new Rgb(n.x(), n.y(), n.z())),
               UvMapping.IDENTITY,
               Math.pow(10, random.nextDouble(-308, 308)));
-      Vec3 u = direction();
-      Vec3 v = direction();
+      Vec3 u = direction(random);
+      Vec3 v = direction(random);
       Frame frame = Frame.around(shading, u, v);
       Frame perturbed = perturbed(map, frame, geometric);
       assertThat(perturbed.normal().dot(geometric)).isGreaterThan(9e-4);

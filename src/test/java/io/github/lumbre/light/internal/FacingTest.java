@@ -1,5 +1,6 @@
 package io.github.lumbre.light.internal;
 
+import static io.github.lumbre.testing.Draws.inSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.geometry.Rectangle;
@@ -13,7 +14,6 @@ import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.Light;
 import io.github.lumbre.light.LightSample;
 import io.github.lumbre.light.PointLight;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.sampling.internal.Warp;
@@ -48,12 +48,12 @@ class FacingTest {
       int passed = 0;
       for (int i = 0; i < 20_000; i++) {
         Vec3 point = inCube(random);
-        Vec3 normal = Warp.uniformSphere(uniform(random));
+        Vec3 normal = Warp.uniformSphere(inSquare(random));
         if (!isAway(light, point, normal)) {
           continue;
         }
         passed++;
-        Optional<LightSample> sample = light.sample(point, uniform(random));
+        Optional<LightSample> sample = light.sample(point, inSquare(random));
         assertThat(sample.filter(s -> s.wi().dot(normal) > 0)).isEmpty();
       }
       assertThat(passed > 2_000).isEqualTo(light.bounds().isPresent());
@@ -89,9 +89,5 @@ class FacingTest {
 
   private static Vec3 inCube(SplittableRandom random) {
     return new Vec3(random.nextDouble(-4, 4), random.nextDouble(-4, 4), random.nextDouble(-4, 4));
-  }
-
-  private static Point2 uniform(SplittableRandom random) {
-    return new Point2(random.nextDouble(), random.nextDouble());
   }
 }

@@ -308,14 +308,14 @@ class LightSamplerTest {
     assertThat(LightSampler.over(List.of(sun, bulb.get(0))).isRandom()).isTrue();
   }
 
-  private static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {
+  static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {
     LightChoice choice = new LightChoice();
     choice.moveTo(point, normal);
     selector.choose(u, choice);
     return choice;
   }
 
-  private static double probability(LightSampler selector, Vec3 point, Vec3 normal, int emitter) {
+  static double probability(LightSampler selector, Vec3 point, Vec3 normal, int emitter) {
     LightChoice asked = new LightChoice();
     asked.moveTo(point, normal);
     return selector.probability(asked, emitter);

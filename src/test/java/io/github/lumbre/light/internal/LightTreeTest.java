@@ -1,5 +1,9 @@
 package io.github.lumbre.light.internal;
 
+import static io.github.lumbre.light.internal.LightSamplerTest.choose;
+import static io.github.lumbre.light.internal.LightSamplerTest.probability;
+import static io.github.lumbre.testing.Draws.direction;
+import static io.github.lumbre.testing.Draws.inCube;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -34,27 +38,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LightTreeTest {
   private static final double SCENE = 5;
 
-  private static Vec3 point(SplittableRandom random, double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
-  }
-
-  private static Vec3 direction(SplittableRandom random) {
-    return point(random, 1).normalized();
-  }
-
   /** Returns lights of all kinds, a few of them with unlimited range. */
   private static List<Light> lights(int count, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     List<Light> lights = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       Rgb color = Rgb.gray(Math.exp(random.nextDouble(-3, 3)));
-      Vec3 position = point(random, SCENE);
+      Vec3 position = inCube(random, SCENE);
       Transform place =
           Transform.translation(position)
-              .times(Transform.rotationDegrees(point(random, 180)))
+              .times(Transform.rotationDegrees(inCube(random, 180)))
               .times(Transform.scale(new Vec3(1, 1, .5)));
       double size = Math.exp(random.nextDouble(-4, .5));
       Emission emission = new Emission(Texture.constant(color), random.nextInt(4) == 0);
@@ -86,7 +79,7 @@ class LightTreeTest {
     LightSampler selector = LightSampler.over(lights);
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 30; i++) {
-      Vec3 from = point(random, i % 3 == 0 ? 1000 : SCENE);
+      Vec3 from = inCube(random, i % 3 == 0 ? 1000 : SCENE);
       Vec3 normal = i % 5 == 0 ? Vec3.ZERO : direction(random);
       double sum = 0;
       for (int index = 0; index < lights.size(); index++) {
@@ -104,7 +97,7 @@ class LightTreeTest {
     SplittableRandom random = new SplittableRandom(4);
     int compared = 0;
     for (int i = 0; i < 30; i++) {
-      Vec3 from = point(random, SCENE);
+      Vec3 from = inCube(random, SCENE);
       Vec3 normal = i % 5 == 0 ? Vec3.ZERO : direction(random);
       int samples = 20_000;
       long[] counts = new long[lights.size()];
@@ -136,7 +129,7 @@ class LightTreeTest {
     int lit = 0;
     int left = 0;
     for (int i = 0; i < 1000; i++) {
-      Vec3 from = point(random, i % 2 == 0 ? SCENE : 2 * SCENE);
+      Vec3 from = inCube(random, i % 2 == 0 ? SCENE : 2 * SCENE);
       Vec3 normal = direction(random);
       for (int index = 0; index < lights.size(); index++) {
         Point2 u = new Point2(random.nextDouble(), random.nextDouble());
@@ -162,7 +155,7 @@ class LightTreeTest {
   void edgesOfConesCanBeChosen(int others) {
     SplittableRandom random = new SplittableRandom(7);
     for (int i = 0; i < 2000; i++) {
-      PointLight bulb = new PointLight(point(random, SCENE), Rgb.WHITE, Falloff.INVERSE_SQUARE);
+      PointLight bulb = new PointLight(inCube(random, SCENE), Rgb.WHITE, Falloff.INVERSE_SQUARE);
       double degrees = Math.pow(10, random.nextDouble(-5, Math.log10(90)));
       Vec3 axis = direction(random);
       List<Light> lights = lights(others, i);
@@ -187,8 +180,8 @@ class LightTreeTest {
     List<Light> lights = new ArrayList<>();
     for (int i = 0; i < 60; i++) {
       Transform place =
-          Transform.translation(point(random, SCENE))
-              .times(Transform.rotationDegrees(point(random, 180)));
+          Transform.translation(inCube(random, SCENE))
+              .times(Transform.rotationDegrees(inCube(random, 180)));
       lights.add(new AreaLight(new Rectangle(place, .1, .1, false), glow));
     }
     LightSampler selector = LightSampler.over(lights);
@@ -318,18 +311,5 @@ class LightTreeTest {
       assertThat(choose(selector, from, Vec3.Y, 1 - 0x1p-53).emitter())
           .isBetween(0, lights.size() - 1);
     }
-  }
-
-  private static LightChoice choose(LightSampler selector, Vec3 point, Vec3 normal, double u) {
-    LightChoice choice = new LightChoice();
-    choice.moveTo(point, normal);
-    selector.choose(u, choice);
-    return choice;
-  }
-
-  private static double probability(LightSampler selector, Vec3 point, Vec3 normal, int emitter) {
-    LightChoice asked = new LightChoice();
-    asked.moveTo(point, normal);
-    return selector.probability(asked, emitter);
   }
 }

@@ -6,12 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.lumbre.base.file.Disk;
 import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.render.checkpoint.FilmFixture.FailingDisk;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,9 +54,7 @@ class CheckpointFileTest {
     save(1, 2, 3);
     assertThat(samples(FilmFile.read(path))).isEqualTo(3);
     assertThat(samples(FilmFile.read(OutputFile.previous(path)))).isEqualTo(2);
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files).hasSize(2);
-    }
+    assertThat(Folders.files(directory)).hasSize(2);
   }
 
   /** The last film has just lost its hidden name, and the next film does not have it yet. */
@@ -205,9 +203,7 @@ class CheckpointFileTest {
     try (CheckpointFile file = CheckpointFile.reserve(path)) {
       assertThat(file.path()).isEqualTo(path);
     }
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files).isEmpty();
-    }
+    assertThat(Folders.files(directory)).isEmpty();
   }
 
   @Test

@@ -10,7 +10,6 @@ import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +18,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.IntStream;
-import java.util.zip.CRC32C;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -129,28 +127,7 @@ class FilmFileTest {
     for (String text : new String[] {"", "hello", "{\"a\": 1}", "LUMBRE-FILM 1\n"}) {
       assertRefused(text.getBytes(StandardCharsets.UTF_8));
     }
-    assertRefusedFor("is not a film", ascii("hello, this is no film"));
-  }
-
-  /** Writes content with a valid checksum. */
-  private void writeSealed(byte[] content) throws IOException {
-    CRC32C checksum = new CRC32C();
-    checksum.update(content);
-    ByteBuffer bytes = ByteBuffer.allocate(content.length + Integer.BYTES);
-    bytes.order(ByteOrder.LITTLE_ENDIAN).put(content).putInt((int) checksum.getValue());
-    Files.write(path, bytes.array());
-  }
-
-  private byte[] content() throws IOException {
-    byte[] whole = Files.readAllBytes(path);
-    return Arrays.copyOf(whole, whole.length - Integer.BYTES);
-  }
-
-  private void assertRefusedFor(String reason, byte[] content) throws IOException {
-    writeSealed(content);
-    assertThatThrownBy(() -> FilmFile.read(path))
-        .isInstanceOf(FilmFormatException.class)
-        .hasMessageContaining(reason);
+    FilmFixture.assertRefused(path, ascii("hello, this is no film"), "is not a film");
   }
 
   private static byte[] ascii(String text) {
@@ -159,25 +136,32 @@ class FilmFileTest {
 
   @Test
   void filmsWithTheRightChecksumAndTheWrongContentAreRefusedForTheReason() throws IOException {
-    byte[] content = content();
+    byte[] content = FilmFixture.content(path);
     String text = new String(content, StandardCharsets.ISO_8859_1);
     int pixels = text.indexOf("\n\n") + 2;
-    assertRefusedFor("after the last pixel", Arrays.copyOf(content, content.length + 1));
+    FilmFixture.assertRefused(
+        path, Arrays.copyOf(content, content.length + 1), "after the last pixel");
     // As many bytes too many in the buffer as behind it.
     int twice = content.length + 2 * ((1 << 16) - content.length);
-    assertRefusedFor("after the last pixel", Arrays.copyOf(content, twice));
-    assertRefusedFor("pixel 83 cannot be read", Arrays.copyOf(content, content.length - 1));
-    assertRefusedFor("fewer bytes than its window has pixels", Arrays.copyOf(content, pixels + 83));
-    assertRefusedFor(
-        "the header does not end in an empty line", Arrays.copyOf(content, pixels - 1));
-    assertRefusedFor(
-        "found 'LUMBRE-FILM 3'", ascii(text.replace("LUMBRE-FILM 1", "LUMBRE-FILM 3")));
-    assertRefusedFor("found 'seed 0'", ascii(text.replace("seed: 0", "seed 0")));
-    assertRefusedFor(
-        "pixel: unknown layout 'x'", ascii(text.replace("samples covered sums first-mean", "x")));
-    assertRefusedFor("window: invalid value '-1", ascii(text.replace("window: 0", "window: -1")));
-    assertRefusedFor("rejected: invalid value '-1'", ascii(withRejected(text, "-1")));
-    assertRefusedFor("rejected: invalid value 'x'", ascii(withRejected(text, "x")));
+    FilmFixture.assertRefused(path, Arrays.copyOf(content, twice), "after the last pixel");
+    FilmFixture.assertRefused(
+        path, Arrays.copyOf(content, content.length - 1), "pixel 83 cannot be read");
+    FilmFixture.assertRefused(
+        path, Arrays.copyOf(content, pixels + 83), "fewer bytes than its window has pixels");
+    FilmFixture.assertRefused(
+        path, Arrays.copyOf(content, pixels - 1), "the header does not end in an empty line");
+    FilmFixture.assertRefused(
+        path, ascii(text.replace("LUMBRE-FILM 1", "LUMBRE-FILM 3")), "found 'LUMBRE-FILM 3'");
+    FilmFixture.assertRefused(path, ascii(text.replace("seed: 0", "seed 0")), "found 'seed 0'");
+    FilmFixture.assertRefused(
+        path,
+        ascii(text.replace("samples covered sums first-mean", "x")),
+        "pixel: unknown layout 'x'");
+    FilmFixture.assertRefused(
+        path, ascii(text.replace("window: 0", "window: -1")), "window: invalid value '-1");
+    FilmFixture.assertRefused(
+        path, ascii(withRejected(text, "-1")), "rejected: invalid value '-1'");
+    FilmFixture.assertRefused(path, ascii(withRejected(text, "x")), "rejected: invalid value 'x'");
   }
 
   private static String withRejected(String text, String count) {
@@ -188,7 +172,7 @@ class FilmFileTest {
   void aByteForEachPixelIsEnoughForAnEmptyFilm() throws IOException {
     FilmFile empty = FilmFixture.file(FilmFixture.FRAME, 3, (x, y) -> 0);
     write(empty);
-    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    String text = new String(FilmFixture.content(path), StandardCharsets.ISO_8859_1);
     assertThat(text.length() - text.indexOf("\n\n") - 2).isEqualTo(12 * 7);
     FilmFile read = FilmFile.read(path);
     assertThat(read.film().totalSamples()).isZero();
@@ -203,7 +187,7 @@ class FilmFileTest {
   void anyLengthIsReadAsItWasWritten() throws IOException {
     byte[] pixels = FilmFixture.pixels(film.film());
     FilmHeader header = film.header();
-    int base = content().length;
+    int base = FilmFixture.content(path).length;
     for (int buffers = 1; buffers <= 2; buffers++) {
       for (int length : lengthsAround(buffers << 16, base, pixels.length)) {
         Map<String, String> notes = new LinkedHashMap<>(header.notes());
@@ -235,16 +219,18 @@ class FilmFileTest {
 
   @Test
   void headersShorterThanSixteenMebibytesAreRead() throws IOException {
-    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    String text = new String(FilmFixture.content(path), StandardCharsets.ISO_8859_1);
     int header = text.indexOf("\n\n");
     int room = (1 << 24) - header - "\nnote x: ".length() - 2;
     String longest = text.substring(0, header) + "\nnote x: " + "y".repeat(room);
-    writeSealed(ascii(longest + text.substring(header)));
+    FilmFixture.writeSealed(path, ascii(longest + text.substring(header)));
     assertThat(FilmFile.read(path).header().notes().get("x")).hasSize(room);
-    assertRefusedFor(
-        "the header does not end in an empty line", ascii(longest + "y" + text.substring(header)));
+    FilmFixture.assertRefused(
+        path,
+        ascii(longest + "y" + text.substring(header)),
+        "the header does not end in an empty line");
     String endless = "LUMBRE-FILM 1\nnote x: " + "y".repeat(1 << 24);
-    assertRefusedFor("the header does not end in an empty line", ascii(endless));
+    FilmFixture.assertRefused(path, ascii(endless), "the header does not end in an empty line");
   }
 
   @Test
@@ -273,9 +259,10 @@ class FilmFileTest {
 
   @Test
   void theFirstRejectedSamplesMayBeUnknown() throws IOException {
-    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    String text = new String(FilmFixture.content(path), StandardCharsets.ISO_8859_1);
     assertThat(text).contains("first-rejected: ");
-    writeSealed(ascii(text.replaceFirst("first-rejected: [^\n]*", "first-rejected: ")));
+    FilmFixture.writeSealed(
+        path, ascii(text.replaceFirst("first-rejected: [^\n]*", "first-rejected: ")));
     RenderStatistics faults = FilmFile.read(path).header().faults();
     assertThat(faults.firstRejected()).isEmpty();
     assertThat(faults.rejected()).isEqualTo(film.header().faults().rejected());
@@ -283,7 +270,7 @@ class FilmFileTest {
 
   @Test
   void filmsOfAnyVersionAreKnownByTheirFirstBytes() throws IOException {
-    assertThat(FilmFile.startsIn(content())).isTrue();
+    assertThat(FilmFile.startsIn(FilmFixture.content(path))).isTrue();
     assertThat(FilmFile.startsIn(ascii("LUMBRE-FILM 99\n"))).isTrue();
     assertThat(FilmFile.startsIn(ascii("LUMBRE-FIL"))).isFalse();
     assertThat(FilmFile.startsIn(ascii("{\"camera\": {}}"))).isFalse();
@@ -292,9 +279,9 @@ class FilmFileTest {
 
   @Test
   void noRejectedSamplesMayBeStated() throws IOException {
-    String text = new String(content(), StandardCharsets.ISO_8859_1);
+    String text = new String(FilmFixture.content(path), StandardCharsets.ISO_8859_1);
     String none = withRejected(text, "0").replaceFirst("first-rejected: [^\n]*\n", "");
-    writeSealed(ascii(none));
+    FilmFixture.writeSealed(path, ascii(none));
     assertThat(FilmFile.read(path).header().faults().rejected()).isZero();
   }
 }

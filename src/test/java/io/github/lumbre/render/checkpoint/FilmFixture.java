@@ -1,5 +1,7 @@
 package io.github.lumbre.render.checkpoint;
 
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
 import io.github.lumbre.base.file.Disk;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderStatistics;
@@ -8,12 +10,17 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.zip.CRC32C;
 
 /**
  * Creates films with pseudorandom samples, which are a function of the pixel and the sample number.
@@ -72,7 +79,8 @@ public final class FilmFixture {
   /** Returns the encoded contents of all pixels, for comparison. */
   public static byte[] pixels(Film film) {
     int pixels = film.window().width() * film.window().height();
-    ByteBuffer bytes = ByteBuffer.allocate(pixels * Film.MAX_PIXEL_BYTES);
+    ByteBuffer bytes =
+        ByteBuffer.allocate(IntStream.range(0, pixels).map(film::encodedBytes).sum());
     for (int pixel = 0; pixel < pixels; pixel++) {
       film.encode(pixel, bytes);
     }
@@ -158,5 +166,32 @@ public final class FilmFixture {
       step();
       Disk.super.move(from, to);
     }
+  }
+
+  /** Returns a file's content before its checksum. */
+  static byte[] content(Path path) throws IOException {
+    byte[] whole = Files.readAllBytes(path);
+    return Arrays.copyOf(whole, whole.length - Integer.BYTES);
+  }
+
+  /** Writes a file with this content and the checksum of it. */
+  static void writeSealed(Path path, byte[] content) throws IOException {
+    CRC32C checksum = new CRC32C();
+    checksum.update(content);
+    ByteBuffer bytes = ByteBuffer.allocate(content.length + Integer.BYTES);
+    bytes.order(ByteOrder.LITTLE_ENDIAN).put(content).putInt((int) checksum.getValue());
+    Files.write(path, bytes.array());
+  }
+
+  /** Checks that a file with this content and the checksum of it is refused. */
+  static void assertRefused(Path path, byte[] content, String reason) throws IOException {
+    writeSealed(path, content);
+    assertThatThrownBy(() -> FilmFile.read(path))
+        .isInstanceOf(FilmFormatException.class)
+        .hasMessageContaining(reason);
+  }
+
+  static void assertRefused(Path path, String content, String reason) throws IOException {
+    assertRefused(path, content.getBytes(StandardCharsets.ISO_8859_1), reason);
   }
 }

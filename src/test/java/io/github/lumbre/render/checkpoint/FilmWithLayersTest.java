@@ -25,18 +25,14 @@ import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.scene.Setting;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
-import java.util.stream.IntStream;
-import java.util.zip.CRC32C;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -92,15 +88,6 @@ class FilmWithLayersTest {
     return path;
   }
 
-  private static byte[] pixels(Film film) {
-    int pixels = film.window().width() * film.window().height();
-    ByteBuffer out = ByteBuffer.allocate(IntStream.range(0, pixels).map(film::encodedBytes).sum());
-    for (int pixel = 0; pixel < pixels; pixel++) {
-      film.encode(pixel, out);
-    }
-    return Arrays.copyOf(out.array(), out.position());
-  }
-
   @Test
   void layersAreReadAsTheyWereWritten() throws IOException, InterruptedException {
     FilmFile film = film(ALL, FRAME, 0, 70);
@@ -111,7 +98,7 @@ class FilmWithLayersTest {
     assertThat(read.header()).isEqualTo(film.header());
     assertThat(read.header().layers().lightGroups()).containsExactly("sky");
     assertThat(read.header().layers().objects().get(3)).isEqualTo("ball\n3");
-    assertThat(pixels(read.film())).isEqualTo(pixels(film.film()));
+    assertThat(FilmFixture.pixels(read.film())).isEqualTo(FilmFixture.pixels(film.film()));
   }
 
   @Test
@@ -154,7 +141,7 @@ class FilmWithLayersTest {
             Map.of(),
             RenderStatistics.ZERO);
     Film read = FilmFile.read(written(file)).film();
-    assertThat(pixels(read)).isEqualTo(pixels(film));
+    assertThat(FilmFixture.pixels(read)).isEqualTo(FilmFixture.pixels(film));
     assertThat(read.primitives(1)).hasSize(primitives);
   }
 
@@ -180,7 +167,7 @@ class FilmWithLayersTest {
             new FilmMerge.Named("a", film(ALL, new Crop(0, 0, 4, 6), 0, 16)),
             new FilmMerge.Named("b", film(ALL, new Crop(4, 0, 5, 6), 0, 16)));
     FilmFile merged = FilmMerge.of(parts);
-    assertThat(pixels(merged.film())).isEqualTo(pixels(whole.film()));
+    assertThat(FilmFixture.pixels(merged.film())).isEqualTo(FilmFixture.pixels(whole.film()));
     assertThat(merged.header().layers()).isEqualTo(whole.header().layers());
     assertSameLayers(merged, whole);
     assertSameLayers(FilmFile.read(written(whole)), whole);
@@ -208,46 +195,27 @@ class FilmWithLayersTest {
         .hasMessage("layers: a has nothing, b has depth");
   }
 
-  private byte[] content(Path path) throws IOException {
-    byte[] whole = Files.readAllBytes(path);
-    return Arrays.copyOf(whole, whole.length - Integer.BYTES);
-  }
-
-  private void writeSealed(Path path, byte[] content) throws IOException {
-    CRC32C checksum = new CRC32C();
-    checksum.update(content);
-    ByteBuffer bytes = ByteBuffer.allocate(content.length + Integer.BYTES);
-    bytes.order(ByteOrder.LITTLE_ENDIAN).put(content).putInt((int) checksum.getValue());
-    Files.write(path, bytes.array());
-  }
-
   @Test
   void wrongHeadersAreRefusedForTheReason() throws IOException, InterruptedException {
     Path path = written(film(ALL, FRAME, 0, 2));
-    String text = new String(content(path), StandardCharsets.ISO_8859_1);
-    assertRefused(path, text.replace("layers: albedo", "layers: albino"), "did you mean albedo?");
-    assertRefused(path, text.replace("layers: albedo,", "layers: "), "pixel");
-    assertRefused(
+    String text = new String(FilmFixture.content(path), StandardCharsets.ISO_8859_1);
+    FilmFixture.assertRefused(
+        path, text.replace("layers: albedo", "layers: albino"), "did you mean albedo?");
+    FilmFixture.assertRefused(path, text.replace("layers: albedo,", "layers: "), "pixel");
+    FilmFixture.assertRefused(
         path,
         text.replaceFirst("\nmaterial: gray", ""),
         "materials: expected 200 names, found 199");
     String groups = "light-group: sky\n".repeat(257);
-    assertRefused(
+    FilmFixture.assertRefused(
         path, text.replace("light-group: sky\n", groups), "expected at most 256, found 257");
-  }
-
-  private void assertRefused(Path path, String content, String reason) throws IOException {
-    writeSealed(path, content.getBytes(StandardCharsets.ISO_8859_1));
-    assertThatThrownBy(() -> FilmFile.read(path))
-        .isInstanceOf(FilmFormatException.class)
-        .hasMessageContaining(reason);
   }
 
   /** Any change of any byte gives a film or a message, never another exception. */
   @Test
   void damagedContentIsRefusedOrRead() throws IOException, InterruptedException {
     Path path = written(film(ALL, FRAME, 0, 5));
-    byte[] content = content(path);
+    byte[] content = FilmFixture.content(path);
     Random random = new Random(3);
     int read = 0;
     for (int run = 0; run < 3000; run++) {
@@ -255,7 +223,7 @@ class FilmWithLayersTest {
       for (int i = 0; i <= random.nextInt(3); i++) {
         damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
       }
-      writeSealed(path, damaged);
+      FilmFixture.writeSealed(path, damaged);
       try {
         FilmFile.read(path);
         read++;

@@ -1,5 +1,6 @@
 package io.github.lumbre.math.sampling.internal;
 
+import static io.github.lumbre.testing.Draws.inSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -16,10 +17,6 @@ class Distribution2dTest {
   private static final double LAST = 1 - 0x1p-53;
 
   private final SplittableRandom random = new SplittableRandom(10);
-
-  private Point2 point() {
-    return new Point2(random.nextDouble(), random.nextDouble());
-  }
 
   private double[][] weights(int rows, int columns) {
     double[][] weights = new double[rows][columns];
@@ -43,7 +40,7 @@ class Distribution2dTest {
     double[] expected = new double[counts.length];
     double total = 0;
     for (int i = 0; i < n; i++) {
-      Point2 p = distribution.sample(point()).point();
+      Point2 p = distribution.sample(inSquare(random)).point();
       counts[(int) (p.y() * 2 * rows) * 2 * columns + (int) (p.x() * 2 * columns)]++;
     }
     for (int i = 0; i < counts.length; i++) {
@@ -60,7 +57,7 @@ class Distribution2dTest {
   void densityIsThatOfTheDrawnPointAndIntegratesToOne() {
     Distribution2d distribution = new Distribution2d(weights(49, 98));
     for (int i = 0; i < 100_000; i++) {
-      Distribution2d.Sample sample = distribution.sample(point());
+      Distribution2d.Sample sample = distribution.sample(inSquare(random));
       assertThat(distribution.pdf(sample.point())).isEqualTo(sample.pdf());
     }
     double integral = 0;
@@ -126,8 +123,8 @@ class Distribution2dTest {
   @Test
   void withoutAnyWeightTheDensityIsOne() {
     Distribution2d distribution = new Distribution2d(new double[5][4]);
-    assertThat(distribution.pdf(point())).isCloseTo(1, within(1e-15));
-    assertThat(distribution.sample(point()).pdf()).isCloseTo(1, within(1e-15));
+    assertThat(distribution.pdf(inSquare(random))).isCloseTo(1, within(1e-15));
+    assertThat(distribution.sample(inSquare(random)).pdf()).isCloseTo(1, within(1e-15));
   }
 
   @Test

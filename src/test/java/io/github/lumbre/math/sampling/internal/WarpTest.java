@@ -1,5 +1,6 @@
 package io.github.lumbre.math.sampling.internal;
 
+import static io.github.lumbre.testing.Draws.inSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -22,10 +23,6 @@ class WarpTest {
   private static final int SAMPLES = Effort.count(300_000, 3_000_000);
 
   private final SplittableRandom random = new SplittableRandom(Effort.seed(8));
-
-  private Point2 point() {
-    return new Point2(random.nextDouble(), random.nextDouble());
-  }
 
   /**
    * Returns the corners of the square, the midpoints of its sides, its center, and neighbors of
@@ -50,7 +47,7 @@ class WarpTest {
   void diskIsCoveredEvenly() {
     long[] cells = new long[256];
     for (int i = 0; i < SAMPLES; i++) {
-      Point2 p = Warp.concentricDisk(point());
+      Point2 p = Warp.concentricDisk(inSquare(random));
       // Rings of equal area, and sectors.
       double ring = p.x() * p.x() + p.y() * p.y();
       double sector = Math.atan2(p.y(), p.x()) / (2 * Math.PI) + .5;
@@ -67,7 +64,7 @@ class WarpTest {
     Moments side = new Moments();
     Moments height = new Moments();
     for (int i = 0; i < n; i++) {
-      Point2 p = Warp.concentricDisk(point());
+      Point2 p = Warp.concentricDisk(inSquare(random));
       square.add(p.x() * p.x() + p.y() * p.y());
       side.add(Math.abs(p.x()));
       height.add(Math.abs(p.y()));
@@ -97,7 +94,7 @@ class WarpTest {
   void diskMapIsContinuous() {
     double h = 1e-9;
     for (int i = 0; i < 10_000; i++) {
-      Point2 u = point();
+      Point2 u = inSquare(random);
       // Half of the points near a diagonal, where the formula changes.
       double x = i % 4 == 0 ? u.y() : i % 4 == 1 ? 1 - u.y() : u.x();
       Point2 p = Warp.concentricDisk(new Point2(x, u.y()));
@@ -127,7 +124,7 @@ class WarpTest {
     ChiSquare test =
         ChiSquare.ofDirections(
             SAMPLES,
-            () -> Optional.of(Warp.cosineHemisphere(point())),
+            () -> Optional.of(Warp.cosineHemisphere(inSquare(random))),
             w -> Warp.cosineHemispherePdf(w.z()),
             8);
     assertThat(test.passes()).isTrue();
@@ -138,7 +135,10 @@ class WarpTest {
   void sphereIsCoveredEvenly() {
     ChiSquare test =
         ChiSquare.ofDirections(
-            SAMPLES, () -> Optional.of(Warp.uniformSphere(point())), w -> Warp.INV_FOUR_PI, 1);
+            SAMPLES,
+            () -> Optional.of(Warp.uniformSphere(inSquare(random))),
+            w -> Warp.INV_FOUR_PI,
+            1);
     assertThat(test.passes()).isTrue();
   }
 
@@ -149,7 +149,7 @@ class WarpTest {
     ChiSquare test =
         ChiSquare.ofDirections(
             SAMPLES,
-            () -> Optional.of(Warp.uniformCone(point(), edge)),
+            () -> Optional.of(Warp.uniformCone(inSquare(random), edge)),
             w -> 1 - w.z() <= edge + EPS ? Warp.uniformConePdf(edge) : 0,
             1);
     assertThat(test.passes()).isTrue();
@@ -160,7 +160,7 @@ class WarpTest {
     double edge = 1e-12;
     long[] cells = new long[256];
     for (int i = 0; i < SAMPLES; i++) {
-      Vec3 w = Warp.uniformCone(point(), edge);
+      Vec3 w = Warp.uniformCone(inSquare(random), edge);
       // From the sine, because the cosine has lost precision: 1 - cos = sin²/(1 + cos).
       double ring = (w.x() * w.x() + w.y() * w.y()) / (1 + w.z()) / edge;
       assertThat(ring).isLessThanOrEqualTo(1 + 8 * EPS);
@@ -176,7 +176,7 @@ class WarpTest {
     ChiSquare test =
         ChiSquare.ofDirections(
             SAMPLES,
-            () -> Optional.of(Warp.uniformCone(point(), 2)),
+            () -> Optional.of(Warp.uniformCone(inSquare(random), 2)),
             w -> Warp.uniformConePdf(2),
             1);
     assertThat(test.passes()).isTrue();
@@ -186,7 +186,7 @@ class WarpTest {
   void triangleIsCoveredEvenly() {
     long[] cells = new long[256];
     for (int i = 0; i < SAMPLES; i++) {
-      Point2 b = Warp.uniformTriangle(point());
+      Point2 b = Warp.uniformTriangle(inSquare(random));
       // Strips of equal area parallel to one side, each divided evenly.
       double strip = (1 - b.x()) * (1 - b.x());
       double along = b.y() / (1 - b.x());
@@ -199,7 +199,7 @@ class WarpTest {
   @Test
   void mapsCanBeUndone() {
     for (int i = 0; i < Effort.count(20_000, 1_000_000); i++) {
-      Point2 u = point();
+      Point2 u = inSquare(random);
       assertSame(inverseDisk(Warp.concentricDisk(u)), u);
       Vec3 cosine = Warp.cosineHemisphere(u);
       assertSame(inverseDisk(new Point2(cosine.x(), cosine.y())), u);
