@@ -20,13 +20,12 @@ import io.github.lumbre.material.internal.NormalChannel;
 import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.InParallel;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.Texture;
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,7 +64,7 @@ class AnisotropicReflectionTest {
       Lobe found = new AnisotropicReflection(Rgb.gray(.3), 1, alpha, alpha, .6, .8, ThinFilm.NONE);
       for (int i = 0; i < 200; i++) {
         Vec3 wo = direction(random);
-        BsdfSample sample = isotropic.sample(wo, .5, BsdfLaws.point(random));
+        BsdfSample sample = isotropic.sample(wo, .5, Draws.inSquare(random));
         Vec3 wi = sample.isAbsorbed() ? direction(random) : sample.wi();
         double tolerance = 1e-9 / alpha;
         assertThat(relative(found.pdf(wo, wi), isotropic.pdf(wo, wi))).isLessThan(tolerance);
@@ -104,13 +103,9 @@ class AnisotropicReflectionTest {
                 .at(0, 0);
         for (int i = 0; i < 300; i++) {
           Vec3 a = direction(random);
-          BsdfSample sample = bsdf.sample(a, random.nextDouble(), BsdfLaws.point(random));
+          BsdfSample sample = bsdf.sample(a, random.nextDouble(), Draws.inSquare(random));
           Vec3 b = sample.isAbsorbed() ? direction(random) : sample.wi();
-          double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
-          double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
-          if (Math.max(there, back) > 1e-290) {
-            assertThat(relative(there, back)).isLessThanOrEqualTo(256 * EPS);
-          }
+          BsdfLaws.assertReciprocal(bsdf, a, b, 256 * EPS);
         }
       }
     }
@@ -178,7 +173,7 @@ class AnisotropicReflectionTest {
     int absorbed = 0;
     int samples = 40_000;
     for (int i = 0; i < samples; i++) {
-      absorbed += bsdf.sample(wo, .5, BsdfLaws.point(random)).isAbsorbed() ? 1 : 0;
+      absorbed += bsdf.sample(wo, .5, Draws.inSquare(random)).isAbsorbed() ? 1 : 0;
     }
     // Five standard deviations of the fraction, and the error of the quadrature.
     double fraction = 1 - (double) absorbed / samples;
@@ -198,16 +193,8 @@ class AnisotropicReflectionTest {
               .build()
               .at(0, 0);
       for (Vec3 wo : new Vec3[] {at(.9, 50), at(.4, 200)}) {
-        ChiSquare test =
-            ChiSquare.ofDirections(
-                Effort.count(500_000, 2_000_000),
-                () -> {
-                  BsdfSample s = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
-                  return s.pdf() > 0 ? Optional.of(s.wi()) : Optional.empty();
-                },
-                wi -> bsdf.pdf(wo, wi),
-                8);
-        assertThat(test.passes()).as("%s %s: %s", turn, wo, test).isTrue();
+        BsdfLaws.assertSamplesFollowPdf(
+            turn, bsdf, wo, Effort.count(500_000, 2_000_000), 8, random);
       }
     }
   }
@@ -242,7 +229,7 @@ class AnisotropicReflectionTest {
         for (int i = 0; i < 100; i++) {
           Vec3 wo = direction(random);
           double lobe = random.nextDouble();
-          Point2 u = BsdfLaws.point(random);
+          Point2 u = Draws.inSquare(random);
           BsdfSample sample = plain.sample(wo, lobe, u);
           assertThat(found.sample(wo, lobe, u).wi()).isEqualTo(sample.wi());
           assertThat(found.sample(wo, lobe, u).weight()).isEqualTo(sample.weight());

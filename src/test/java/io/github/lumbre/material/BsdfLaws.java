@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Draws;
+import java.util.Optional;
 import java.util.SplittableRandom;
 
 /** Checks of invariants of every BSDF without delta lobes, and helper functions for them. */
@@ -36,19 +39,39 @@ final class BsdfLaws {
     return new Vec3(sin * Math.cos(phi), sin * Math.sin(phi), z);
   }
 
-  static Point2 point(SplittableRandom random) {
-    return new Point2(random.nextDouble(), random.nextDouble());
-  }
-
   static double relative(double found, double expected) {
     return found == expected ? 0 : Math.abs(found / expected - 1);
+  }
+
+  /** Checks that light is scattered alike in both directions, but for values that underflow. */
+  static void assertReciprocal(Bsdf bsdf, Vec3 a, Vec3 b, double tolerance) {
+    double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
+    double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
+    if (Math.max(there, back) > 1e-290) {
+      assertThat(relative(there, back)).isLessThanOrEqualTo(tolerance);
+    }
+  }
+
+  /** Checks that sampled directions follow their density, by a chi-square test of cells. */
+  static void assertSamplesFollowPdf(
+      Object what, Bsdf bsdf, Vec3 wo, int samples, int cells, SplittableRandom random) {
+    ChiSquare test =
+        ChiSquare.ofDirections(
+            samples,
+            () -> {
+              BsdfSample sample = bsdf.sample(wo, random.nextDouble(), Draws.inSquare(random));
+              return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
+            },
+            wi -> bsdf.pdf(wo, wi),
+            cells);
+    assertThat(test.passes()).as("%s %s: %s", what, wo, test).isTrue();
   }
 
   /** Checks that sample, eval and pdf agree, to within a relative tolerance. */
   static void assertWeightIsEvalOverPdf(
       Bsdf bsdf, Vec3 wo, int samples, SplittableRandom random, double tolerance) {
     for (int i = 0; i < samples; i++) {
-      BsdfSample sample = bsdf.sample(wo, random.nextDouble(), point(random));
+      BsdfSample sample = bsdf.sample(wo, random.nextDouble(), Draws.inSquare(random));
       if (sample.pdf() == 0) {
         assertThat(sample.isAbsorbed()).isTrue();
         continue;

@@ -1,5 +1,6 @@
 package io.github.lumbre.material;
 
+import static io.github.lumbre.testing.Draws.direction;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -18,11 +19,6 @@ class DielectricTest {
   private static final Point2 U = new Point2(.5, .5);
 
   private final SplittableRandom random = new SplittableRandom(13);
-
-  private Vec3 direction() {
-    Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-    return v.normalized();
-  }
 
   private static Dielectric clear(double ior) {
     return new Dielectric(Rgb.WHITE, Rgb.WHITE, ior);
@@ -49,7 +45,7 @@ class DielectricTest {
     Rgb pass = new Rgb(.2, .4, .8);
     for (int i = 0; i < 10_000; i++) {
       Dielectric glass = new Dielectric(tint, pass, random.nextDouble(.4, 3));
-      Vec3 wo = direction();
+      Vec3 wo = direction(random);
       double share = glass.reflected(wo);
       double p = reflectionProbability(glass, wo);
       Rgb mean = Rgb.BLACK;
@@ -70,7 +66,7 @@ class DielectricTest {
   void untintedGlassKeepsAllLightInEverySample() {
     for (int i = 0; i < 100_000; i++) {
       BsdfSample sample =
-          clear(random.nextDouble(.3, 4)).sample(direction(), random.nextDouble(), U);
+          clear(random.nextDouble(.3, 4)).sample(direction(random), random.nextDouble(), U);
       assertThat(sample.weight().r()).isCloseTo(1, within(4 * EPS));
       assertThat(sample.isSpecular()).isTrue();
       assertThat(sample.wi().length()).isCloseTo(1, within(4 * EPS));
@@ -81,7 +77,7 @@ class DielectricTest {
   void sameMediumIsInvisible() {
     Dielectric air = new Dielectric(Rgb.WHITE, new Rgb(.3, .6, .9), 1);
     for (int i = 0; i < 1000; i++) {
-      Vec3 wo = i == 0 ? Vec3.X : direction();
+      Vec3 wo = i == 0 ? Vec3.X : direction(random);
       for (double u : new double[] {0, .5, LAST}) {
         BsdfSample sample = air.sample(wo, u, U);
         assertThat(sample.wi()).isEqualTo(wo.negated());
@@ -94,7 +90,7 @@ class DielectricTest {
   void almostTheSameMediumBarelyBends() {
     Dielectric glass = clear(1 + 1e-12);
     for (int i = 0; i < 10_000; i++) {
-      Vec3 wo = direction();
+      Vec3 wo = direction(random);
       if (Math.abs(wo.z()) > .1) {
         assertThat(glass.refract(wo).plus(wo).length()).isLessThan(1e-11);
         assertThat(glass.reflected(wo)).isBetween(1e-25, 1e-20);
@@ -106,7 +102,7 @@ class DielectricTest {
   void refractionFollowsSnellsLaw() {
     for (int i = 0; i < 10_000; i++) {
       double ior = random.nextDouble(1, 3);
-      Vec3 wo = direction();
+      Vec3 wo = direction(random);
       double eta = wo.z() > 0 ? ior : 1 / ior;
       Dielectric glass = clear(ior);
       if (glass.reflected(wo) < 1) {
@@ -121,7 +117,7 @@ class DielectricTest {
   @Test
   void slabChangesNoDirection() {
     for (int i = 0; i < 100_000; i++) {
-      Vec3 d = direction();
+      Vec3 d = direction(random);
       Vec3 wo = new Vec3(d.x(), d.y(), Math.abs(d.z()));
       Dielectric glass = clear(random.nextDouble(1.001, 3));
       Vec3 inside = glass.refract(wo);

@@ -13,11 +13,10 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.InParallel;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -55,7 +54,7 @@ class DispersiveGlassTest {
       double sin = Math.sqrt(1 - cos * cos);
       boolean[] isFound = new boolean[3];
       for (int i = 0; i < 300; i++) {
-        BsdfSample sample = bsdf.sample(new Vec3(sin, 0, cos), i / 300., BsdfLaws.point(random));
+        BsdfSample sample = bsdf.sample(new Vec3(sin, 0, cos), i / 300., Draws.inSquare(random));
         if (sample.wi().z() > 0) {
           continue;
         }
@@ -79,7 +78,7 @@ class DispersiveGlassTest {
         Vec3 wo = BsdfLaws.direction(cos);
         Rgb sum = Rgb.BLACK;
         for (int i = 0; i < numbers; i++) {
-          Rgb weight = bsdf.sample(wo, (i + .5) / numbers, BsdfLaws.point(random)).weight();
+          Rgb weight = bsdf.sample(wo, (i + .5) / numbers, Draws.inSquare(random)).weight();
           sum = sum.plus(weight.times(1. / numbers));
         }
         for (int color = 0; color < 3; color++) {
@@ -140,16 +139,8 @@ class DispersiveGlassTest {
           Bsdf bsdf = glass(.9, 8).build().at(0, 0).narrowed(carried);
           for (double cos : new double[] {.9, .5}) {
             Vec3 wo = BsdfLaws.direction(cos);
-            ChiSquare test =
-                ChiSquare.ofDirections(
-                    Effort.count(300_000, 2_000_000),
-                    () -> {
-                      BsdfSample s = bsdf.sample(wo, own.nextDouble(), BsdfLaws.point(own));
-                      return s.pdf() > 0 ? Optional.of(s.wi()) : Optional.empty();
-                    },
-                    wi -> bsdf.pdf(wo, wi),
-                    24);
-            assertThat(test.passes()).as("%s %s: %s", carried, wo, test).isTrue();
+            BsdfLaws.assertSamplesFollowPdf(
+                carried, bsdf, wo, Effort.count(300_000, 2_000_000), 24, own);
           }
         });
   }
@@ -165,7 +156,7 @@ class DispersiveGlassTest {
         for (double cos : new double[] {0, 1e-300, 1e-9, .5, 1}) {
           for (double lobe : new double[] {0, .5, BsdfLaws.LAST}) {
             BsdfSample sample =
-                smooth.sample(BsdfLaws.direction(-cos), lobe, BsdfLaws.point(random));
+                smooth.sample(BsdfLaws.direction(-cos), lobe, Draws.inSquare(random));
             assertThat(sample.weight().isFinite()).isTrue();
             assertThat(sample.wi().length()).isCloseTo(1, within(1e-12));
           }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.lumbre.material.internal.Microfacets;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
@@ -110,7 +111,7 @@ record FacetMap(MicrofacetDistribution kind, double alpha) {
     long[] counts = new long[absorbed + 1];
     double side = Math.signum(wo.z());
     for (int i = 0; i < samples; i++) {
-      BsdfSample sample = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
+      BsdfSample sample = bsdf.sample(wo, random.nextDouble(), Draws.inSquare(random));
       if (sample.pdf() == 0) {
         counts[absorbed]++;
         continue;

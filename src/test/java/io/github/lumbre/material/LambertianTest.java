@@ -1,5 +1,7 @@
 package io.github.lumbre.material;
 
+import static io.github.lumbre.testing.Draws.direction;
+import static io.github.lumbre.testing.Draws.inSquare;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -23,20 +25,11 @@ class LambertianTest {
   private final SplittableRandom random = new SplittableRandom(Effort.seed(14));
   private final Lambertian bsdf = new Lambertian(ALBEDO);
 
-  private Point2 point() {
-    return new Point2(random.nextDouble(), random.nextDouble());
-  }
-
-  private Vec3 direction() {
-    Vec3 v = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-    return v.normalized();
-  }
-
   @Test
   void everySampleWeighsTheAlbedo() {
     for (int i = 0; i < 100_000; i++) {
-      Vec3 wo = direction();
-      BsdfSample sample = bsdf.sample(wo, .5, point());
+      Vec3 wo = direction(random);
+      BsdfSample sample = bsdf.sample(wo, .5, inSquare(random));
       assertThat(sample.weight()).isEqualTo(ALBEDO);
       // The weight agrees with eval and pdf, and the density with pdf.
       Rgb value = bsdf.evaluate(wo, sample.wi()).f();
@@ -54,7 +47,7 @@ class LambertianTest {
       ChiSquare test =
           ChiSquare.ofDirections(
               Effort.count(200_000, 1_000_000),
-              () -> Optional.of(bsdf.sample(wo, .5, point()).wi()),
+              () -> Optional.of(bsdf.sample(wo, .5, inSquare(random)).wi()),
               wi -> bsdf.pdf(wo, wi),
               8);
       assertThat(test.passes()).isTrue();
@@ -64,8 +57,8 @@ class LambertianTest {
   @Test
   void scatteringIsReciprocal() {
     for (int i = 0; i < 100_000; i++) {
-      Vec3 a = direction();
-      Vec3 b = direction();
+      Vec3 a = direction(random);
+      Vec3 b = direction(random);
       double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
       double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
       assertThat(there).isCloseTo(back, within(4 * EPS));
@@ -92,7 +85,7 @@ class LambertianTest {
     assertThat(bsdf.pdf(new Vec3(.6, 0, -.8), Vec3.Z)).isZero();
     assertThat(bsdf.evaluate(Vec3.Z, Vec3.X).f().isBlack()).isTrue();
     assertThat(bsdf.evaluate(Vec3.X, Vec3.Z).f().isBlack()).isTrue();
-    assertThat(bsdf.sample(Vec3.X, .5, point()).isAbsorbed()).isTrue();
+    assertThat(bsdf.sample(Vec3.X, .5, inSquare(random)).isAbsorbed()).isTrue();
   }
 
   @Test

@@ -31,7 +31,7 @@ import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.InParallel;
 import io.github.lumbre.texture.TexturePoint;
@@ -39,7 +39,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -185,7 +184,7 @@ class MetallicRoughnessTest {
       Rgb sum = Rgb.BLACK;
       for (int i = 0; i < 20_000; i++) {
         Vec3 wo = direction(Math.sqrt((i + .5) / 20_000));
-        sum = sum.plus(metal.sample(wo, random.nextDouble(), BsdfLaws.point(random)).weight());
+        sum = sum.plus(metal.sample(wo, random.nextDouble(), Draws.inSquare(random)).weight());
       }
       assertThat(sum.b() / sum.r()).as("%s", roughness).isLessThan(last);
       last = sum.b() / sum.r();
@@ -241,7 +240,7 @@ class MetallicRoughnessTest {
       double index = look.isThin() ? 1 : 1.5;
       for (int i = 0; i < 200; i++) {
         Vec3 a = direction(random);
-        BsdfSample sample = bsdf.sample(a, random.nextDouble(), BsdfLaws.point(random));
+        BsdfSample sample = bsdf.sample(a, random.nextDouble(), Draws.inSquare(random));
         Vec3 b = i % 2 == 0 || sample.pdf() == 0 ? direction(random) : sample.wi();
         double indexA = a.z() > 0 ? 1 : index;
         double indexB = b.z() > 0 ? 1 : index;
@@ -297,10 +296,11 @@ class MetallicRoughnessTest {
             new Look(.3, .7, .6, 0, 1, true),
             new Look(0, .7, 1, 0, 1, false),
             new Look(.3, .8, .6, 0, 0, false));
+    int samples = Effort.count(100_000, 1_000_000);
     for (Look look : rough) {
       Bsdf bsdf = look.bsdf(COLOR);
       for (double cos : new double[] {.9, -.6}) {
-        assertSamplesFollowPdf(look + " " + cos, bsdf, direction(cos));
+        BsdfLaws.assertSamplesFollowPdf(look, bsdf, direction(cos), samples, 6, random);
       }
     }
     Bsdf coated =
@@ -309,20 +309,7 @@ class MetallicRoughnessTest {
             .set(CLEARCOAT_ROUGHNESS, ScalarChannel.of(.8))
             .build()
             .at(0, 0);
-    assertSamplesFollowPdf("coated", coated, direction(.7));
-  }
-
-  private void assertSamplesFollowPdf(String what, Bsdf bsdf, Vec3 wo) {
-    ChiSquare test =
-        ChiSquare.ofDirections(
-            Effort.count(100_000, 1_000_000),
-            () -> {
-              BsdfSample sample = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
-              return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
-            },
-            wi -> bsdf.pdf(wo, wi),
-            6);
-    assertThat(test.passes()).as("%s: %s", what, test).isTrue();
+    BsdfLaws.assertSamplesFollowPdf("coated", coated, direction(.7), samples, 6, random);
   }
 
   /** A delta lobe is drawn in proportion to its share, with the weight that remains. */

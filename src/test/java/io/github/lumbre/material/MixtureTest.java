@@ -11,8 +11,6 @@ import io.github.lumbre.material.internal.Fresnel;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.testing.ChiSquare;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -63,17 +61,7 @@ class MixtureTest {
       Mixture mixture = new Mixture(DIFFUSE, lobe);
       for (double cos : new double[] {.9, -.7}) {
         Vec3 wo = direction(cos);
-        ChiSquare test =
-            ChiSquare.ofDirections(
-                60_000,
-                () -> {
-                  BsdfSample sample =
-                      mixture.sample(wo, random.nextDouble(), BsdfLaws.point(random));
-                  return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
-                },
-                wi -> mixture.pdf(wo, wi),
-                6);
-        assertThat(test.passes()).as("%s %s", lobe, test).isTrue();
+        BsdfLaws.assertSamplesFollowPdf(lobe, mixture, wo, 60_000, 6, random);
       }
     }
   }

@@ -11,12 +11,10 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Fresnel;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.RoughDielectric;
-import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.Texture;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -144,17 +142,8 @@ class MultipleScatteringTest {
             CookTorrance.of(Rgb.gray(.5), Rgb.gray(.4), .5).withMultipleScattering())) {
       Bsdf bsdf = material.at(0, 0);
       for (double cosine : new double[] {.9, -.6}) {
-        ChiSquare test =
-            ChiSquare.ofDirections(
-                Effort.count(500_000, 2_000_000),
-                () -> {
-                  BsdfSample sample =
-                      bsdf.sample(direction(cosine), random.nextDouble(), BsdfLaws.point(random));
-                  return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
-                },
-                wi -> bsdf.pdf(direction(cosine), wi),
-                8);
-        assertThat(test.passes()).as("%s, cosine %s: %s", material, cosine, test).isTrue();
+        BsdfLaws.assertSamplesFollowPdf(
+            material, bsdf, direction(cosine), Effort.count(500_000, 2_000_000), 8, random);
       }
       BsdfLaws.assertWeightIsEvalOverPdf(bsdf, direction(.3), 100, random, 1e-12);
       BsdfLaws.assertExtremesAreHarmless(bsdf);

@@ -1,5 +1,6 @@
 package io.github.lumbre.material;
 
+import static io.github.lumbre.testing.Draws.inCube;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -87,13 +88,6 @@ class NormalMappedTest {
     }
   }
 
-  private Vec3 point(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
-  }
-
   private List<Transform> placements() {
     List<Transform> placements = new ArrayList<>(List.of(Transform.IDENTITY));
     for (int i = 0; i < 16; i++) {
@@ -103,8 +97,8 @@ class NormalMappedTest {
               random.nextDouble(.5, 2) * (i / 2 % 2 == 0 ? 1 : -1),
               random.nextDouble(.5, 2) * (i / 4 % 2 == 0 ? 1 : -1));
       placements.add(
-          Transform.translation(point(3))
-              .times(Transform.rotationDegrees(point(180)))
+          Transform.translation(inCube(random, 3))
+              .times(Transform.rotationDegrees(inCube(random, 180)))
               .times(Transform.scale(scale)));
     }
     return placements;
@@ -115,8 +109,8 @@ class NormalMappedTest {
       Scene scene = scene(shape.apply(placement));
       int found = 0;
       for (int i = 0; i < 60; i++) {
-        Vec3 eye = placement.point(point(1).normalized().times(4));
-        Vec3 target = placement.point(point(.4));
+        Vec3 eye = placement.point(inCube(random, 1).normalized().times(4));
+        Vec3 target = placement.point(inCube(random, .4));
         Optional<SurfaceHit> hit = hit(scene, eye, target.minus(eye));
         if (hit.isPresent()) {
           assertBumpsAreBumps(scene, hit.get());

@@ -13,6 +13,7 @@ import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -88,7 +89,7 @@ class RoughDielectricTest {
       RoughDielectric glass = glass(ior, alpha);
       for (int i = 0; i < 4000; i++) {
         Vec3 a = direction(random);
-        BsdfSample sample = glass.sample(a, random.nextDouble(), BsdfLaws.point(random));
+        BsdfSample sample = glass.sample(a, random.nextDouble(), Draws.inSquare(random));
         Vec3 b = i % 2 == 0 || sample.pdf() == 0 ? direction(random) : sample.wi();
         double indexA = a.z() > 0 ? 1 : ior;
         double indexB = b.z() > 0 ? 1 : ior;
@@ -163,7 +164,7 @@ class RoughDielectricTest {
     Vec3 wo = direction(.6);
     Vec3 straight = new Dielectric(Rgb.WHITE, Rgb.WHITE, 1.5).refract(wo);
     for (int i = 0; i < 1000; i++) {
-      Vec3 wi = glass.sample(wo, .999, BsdfLaws.point(random)).wi();
+      Vec3 wi = glass.sample(wo, .999, Draws.inSquare(random)).wi();
       // One facet in 10,000 is tilted by more than 100 times the roughness.
       assertThat(wi.minus(straight).length()).isLessThan(.1);
     }
@@ -175,7 +176,7 @@ class RoughDielectricTest {
     RoughDielectric glass = glass(1.5, CookTorrance.SMOOTH);
     Vec3 wo = direction(-.5);
     for (int i = 0; i < 1000; i++) {
-      assertThat(glass.sample(wo, BsdfLaws.LAST, BsdfLaws.point(random)).wi().z()).isNegative();
+      assertThat(glass.sample(wo, BsdfLaws.LAST, Draws.inSquare(random)).wi().z()).isNegative();
     }
     assertThat(albedo(glass, wo, false, 100)).isCloseTo(1, within(1e-3));
   }
@@ -185,7 +186,7 @@ class RoughDielectricTest {
     RoughDielectric glass = glass(1 + 1e-7, .3);
     Vec3 wo = direction(.8);
     for (int i = 0; i < 1000; i++) {
-      BsdfSample sample = glass.sample(wo, .5, BsdfLaws.point(random));
+      BsdfSample sample = glass.sample(wo, .5, Draws.inSquare(random));
       assertThat(sample.wi().plus(wo).length()).isLessThan(1e-5);
     }
     assertThat(BsdfLaws.sampledAlbedo(glass, wo, 1000)).isGreaterThan(.98);
@@ -206,7 +207,7 @@ class RoughDielectricTest {
     RoughDielectric passes = new RoughDielectric(Rgb.BLACK, Rgb.WHITE, 1.5, new Ggx(.3));
     RoughDielectric reflects = new RoughDielectric(Rgb.WHITE, Rgb.BLACK, 1.5, new Ggx(.3));
     for (int i = 0; i < 100; i++) {
-      Point2 u = BsdfLaws.point(random);
+      Point2 u = Draws.inSquare(random);
       assertThat(passes.sample(Vec3.Z, 0, u).wi().z()).isNegative();
       assertThat(reflects.sample(Vec3.Z, BsdfLaws.LAST, u).wi().z()).isPositive();
     }

@@ -14,6 +14,7 @@ import static io.github.lumbre.material.MaterialParameter.METALLIC;
 import static io.github.lumbre.material.MaterialParameter.ROUGHNESS;
 import static io.github.lumbre.material.MaterialParameter.SPECULAR;
 import static io.github.lumbre.material.MaterialParameter.TRANSMISSION;
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -22,13 +23,12 @@ import io.github.lumbre.material.internal.Dielectric;
 import io.github.lumbre.material.internal.ThinFilm;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.testing.ChiSquare;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.InParallel;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,12 +68,6 @@ class ThinFilmTest {
         .set(ROUGHNESS, roughness)
         .set(TRANSMISSION, 1)
         .set(ATTENUATION_DISTANCE, 1);
-  }
-
-  private static void assertNear(Rgb found, Rgb expected, double error) {
-    assertThat(found.r()).isCloseTo(expected.r(), within(error));
-    assertThat(found.g()).isCloseTo(expected.g(), within(error));
-    assertThat(found.b()).isCloseTo(expected.b(), within(error));
   }
 
   /**
@@ -236,7 +230,7 @@ class ThinFilmTest {
         int samples = 2000;
         for (int i = 0; i < samples; i++) {
           BsdfSample s =
-              bsdf.sample(BsdfLaws.direction(cosine), (i + .5) / samples, BsdfLaws.point(random));
+              bsdf.sample(BsdfLaws.direction(cosine), (i + .5) / samples, Draws.inSquare(random));
           sum = sum.plus(s.weight().times(1. / samples));
         }
         assertNear(sum, Rgb.WHITE, 4e-3);
@@ -264,16 +258,7 @@ class ThinFilmTest {
     Bsdf bsdf = film(2, 300).set(ROUGHNESS, .7).set(METALLIC, .4).build().at(0, 0);
     for (double cos : new double[] {.9, .4}) {
       Vec3 wo = BsdfLaws.direction(cos);
-      ChiSquare test =
-          ChiSquare.ofDirections(
-              Effort.count(200_000, 2_000_000),
-              () -> {
-                BsdfSample s = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
-                return s.pdf() > 0 ? Optional.of(s.wi()) : Optional.empty();
-              },
-              wi -> bsdf.pdf(wo, wi),
-              8);
-      assertThat(test.passes()).as("%s: %s", wo, test).isTrue();
+      BsdfLaws.assertSamplesFollowPdf("", bsdf, wo, Effort.count(200_000, 2_000_000), 8, random);
     }
   }
 

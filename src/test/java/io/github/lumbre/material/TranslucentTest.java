@@ -3,7 +3,6 @@ package io.github.lumbre.material;
 import static io.github.lumbre.material.BsdfLaws.COSINES;
 import static io.github.lumbre.material.BsdfLaws.EPS;
 import static io.github.lumbre.material.BsdfLaws.direction;
-import static io.github.lumbre.material.BsdfLaws.relative;
 import static io.github.lumbre.material.MaterialParameter.ANISOTROPY;
 import static io.github.lumbre.material.MaterialParameter.BASE_COLOR;
 import static io.github.lumbre.material.MaterialParameter.CLEARCOAT;
@@ -21,11 +20,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.testing.ChiSquare;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.InParallel;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -156,11 +153,7 @@ class TranslucentTest {
         for (int i = 0; i < 100; i++) {
           Vec3 a = direction(random);
           Vec3 b = direction(random);
-          double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
-          double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
-          if (Math.max(there, back) > 1e-290) {
-            assertThat(relative(there, back)).isLessThanOrEqualTo(256 * EPS);
-          }
+          BsdfLaws.assertReciprocal(bsdf, a, b, 256 * EPS);
         }
       }
     }
@@ -173,9 +166,7 @@ class TranslucentTest {
     for (int i = 0; i < 300; i++) {
       Vec3 a = direction(random);
       Vec3 b = direction(random);
-      double there = bsdf.evaluate(a, b).f().g() / Math.abs(b.z());
-      double back = bsdf.evaluate(b, a).f().g() / Math.abs(a.z());
-      assertThat(relative(there, back)).isLessThanOrEqualTo(256 * EPS);
+      BsdfLaws.assertReciprocal(bsdf, a, b, 256 * EPS);
     }
   }
 
@@ -213,16 +204,7 @@ class TranslucentTest {
       Bsdf bsdf = bsdf(builder);
       for (double cosine : new double[] {.9, -.6}) {
         Vec3 wo = direction(cosine);
-        ChiSquare test =
-            ChiSquare.ofDirections(
-                Effort.count(100_000, 1_000_000),
-                () -> {
-                  BsdfSample sample = bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random));
-                  return sample.pdf() > 0 ? Optional.of(sample.wi()) : Optional.empty();
-                },
-                wi -> bsdf.pdf(wo, wi),
-                6);
-        assertThat(test.passes()).as("%s", test).isTrue();
+        BsdfLaws.assertSamplesFollowPdf("", bsdf, wo, Effort.count(100_000, 1_000_000), 6, random);
       }
     }
   }

@@ -7,6 +7,7 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.internal.Ggx;
 import io.github.lumbre.material.internal.RoughDielectric;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.testing.Draws;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Figures;
 import io.github.lumbre.testing.Moments;
@@ -54,7 +55,7 @@ class WhiteFurnaceTest {
     Moments moments =
         Statistics.moments(
             SAMPLES,
-            () -> bsdf.sample(wo, random.nextDouble(), BsdfLaws.point(random)).weight().max());
+            () -> bsdf.sample(wo, random.nextDouble(), Draws.inSquare(random)).weight().max());
     double log = Math.log(2 / Statistics.ALPHA);
     double chance =
         Math.sqrt(2 * log * moments.variance() / SAMPLES)
