@@ -2,6 +2,7 @@ package io.github.lumbre;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,7 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -29,9 +29,7 @@ class DocumentationTest {
       pages.add(Path.of(name));
     }
     for (Path folder : List.of(DOCS, Path.of("renders"), Path.of("src"))) {
-      try (Stream<Path> files = Files.walk(folder)) {
-        files.filter(file -> file.toString().endsWith(".md")).forEach(pages::add);
-      }
+      pages.addAll(Folders.below(folder, ".md"));
     }
     return pages;
   }
@@ -80,12 +78,10 @@ class DocumentationTest {
     List<Path> found = new ArrayList<>();
     int sources = 0;
     for (String folder : List.of("src", "junit/src", "spark/src")) {
-      try (Stream<Path> files = Files.walk(Path.of(folder))) {
-        for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
-          sources++;
-          if (detached.matcher(Files.readString(file)).find()) {
-            found.add(file);
-          }
+      for (Path file : Folders.below(Path.of(folder), ".java")) {
+        sources++;
+        if (detached.matcher(Files.readString(file)).find()) {
+          found.add(file);
         }
       }
     }
@@ -96,16 +92,12 @@ class DocumentationTest {
   @Test
   void indexListsEveryPage() throws IOException {
     String index = Files.readString(DOCS.resolve("README.md"));
-    try (Stream<Path> files = Files.list(DOCS)) {
-      assertThat(files.map(file -> file.getFileName().toString()))
-          .filteredOn(name -> name.endsWith(".md") && !name.equals("README.md"))
-          .allSatisfy(name -> assertThat(index).contains("(" + name + ")"));
-    }
+    assertThat(Folders.names(DOCS))
+        .filteredOn(name -> name.endsWith(".md") && !name.equals("README.md"))
+        .allSatisfy(name -> assertThat(index).contains("(" + name + ")"));
     String measurements = Files.readString(DOCS.resolve("measurements/README.md"));
-    try (Stream<Path> files = Files.list(DOCS.resolve("measurements"))) {
-      assertThat(files.map(file -> file.getFileName().toString()))
-          .filteredOn(name -> name.endsWith(".md") && !name.equals("README.md"))
-          .allSatisfy(name -> assertThat(measurements).contains("(" + name + ")"));
-    }
+    assertThat(Folders.names(DOCS.resolve("measurements")))
+        .filteredOn(name -> name.endsWith(".md") && !name.equals("README.md"))
+        .allSatisfy(name -> assertThat(measurements).contains("(" + name + ")"));
   }
 }

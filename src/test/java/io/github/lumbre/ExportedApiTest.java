@@ -12,6 +12,7 @@ import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreePath;
 import com.sun.source.util.TreePathScanner;
 import com.sun.source.util.Trees;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Executable;
@@ -92,9 +93,7 @@ class ExportedApiTest {
   private static List<Path> exportedSources() throws IOException {
     List<Path> sources = new ArrayList<>();
     for (Path folder : exportedFolders()) {
-      try (Stream<Path> files = Files.list(folder)) {
-        files.filter(file -> file.toString().endsWith(".java")).sorted().forEach(sources::add);
-      }
+      sources.addAll(Folders.files(folder, ".java"));
     }
     return sources;
   }

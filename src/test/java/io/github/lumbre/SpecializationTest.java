@@ -1,5 +1,6 @@
 package io.github.lumbre;
 
+import static io.github.lumbre.testing.Folders.scenes;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.render.PictureRenderer;
@@ -9,23 +10,13 @@ import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** Renders with and without specializations are bit-identical. */
 class SpecializationTest {
-  private static List<Path> scenes() throws IOException {
-    try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-      return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
-    }
-  }
-
   private static RenderSettings tiny(RenderSettings settings) {
     return settings.toBuilder().size(24, 16).samples(2).build();
   }

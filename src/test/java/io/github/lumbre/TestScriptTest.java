@@ -2,6 +2,7 @@ package io.github.lumbre;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -139,10 +140,10 @@ class TestScriptTest {
     Result result = run(Map.of(), "quick");
     String list = "src/test/slow-tests.txt";
     assertThat(result.ran()).containsExactly("mvnw -B test -Dsurefire.excludesFile=" + list);
-    List<String> classes;
-    try (Stream<Path> files = Files.walk(Path.of("src/test/java"))) {
-      classes = files.map(file -> "**/" + file.getFileName()).toList();
-    }
+    List<String> classes =
+        Folders.below(Path.of("src/test/java"), ".java").stream()
+            .map(file -> "**/" + file.getFileName())
+            .toList();
     assertThat(Files.readAllLines(Path.of(list)))
         .filteredOn(line -> line.endsWith(".java"))
         .hasSizeGreaterThan(50)

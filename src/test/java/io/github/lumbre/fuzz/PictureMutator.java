@@ -3,11 +3,11 @@ package io.github.lumbre.fuzz;
 import io.github.lumbre.image.format.dds.DdsFixture;
 import io.github.lumbre.image.format.imageio.LegacyFixture;
 import io.github.lumbre.image.format.jpeg.ProgressiveJpeg;
+import io.github.lumbre.image.format.png.PngFixture;
 import io.github.lumbre.image.format.tga.TgaFixture;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -17,9 +17,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import java.util.zip.DataFormatException;
-import java.util.zip.DeflaterOutputStream;
 import java.util.zip.Inflater;
-import javax.imageio.ImageIO;
 
 /** Changes PNG files chunk by chunk, with valid checksums, and other files byte by byte. */
 final class PictureMutator {
@@ -86,13 +84,7 @@ final class PictureMutator {
       for (int i = 0; i < 12; i++) {
         image.setRGB(i % 4, i / 4, 0xff000000 | i * 1234567);
       }
-      ByteArrayOutputStream out = new ByteArrayOutputStream();
-      try {
-        ImageIO.write(image, format, out);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      files.add(out.toByteArray());
+      files.add(Pictures.file(image, format));
     }
     return files;
   }
@@ -192,7 +184,7 @@ final class PictureMutator {
         byte[] pixels = inflated(chunks.get(i).data);
         byte[] changed =
             random.nextBoolean() || pixels.length == 0 ? cut(pixels) : changedBytes(pixels);
-        chunks.set(i, new Chunk("IDAT", deflated(changed)));
+        chunks.set(i, new Chunk("IDAT", PngFixture.deflated(changed)));
       }
     }
   }
@@ -208,16 +200,6 @@ final class PictureMutator {
     } finally {
       inflater.end();
     }
-  }
-
-  private static byte[] deflated(byte[] data) {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try (DeflaterOutputStream deflater = new DeflaterOutputStream(out)) {
-      deflater.write(data);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return out.toByteArray();
   }
 
   private static byte[] file(byte[] sound, List<Chunk> chunks) {

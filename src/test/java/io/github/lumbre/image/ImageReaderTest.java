@@ -1,5 +1,6 @@
 package io.github.lumbre.image;
 
+import static io.github.lumbre.testing.Pictures.assertSame;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,6 +12,7 @@ import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.format.png.PngFixture;
 import io.github.lumbre.image.internal.EncodedFormat;
 import io.github.lumbre.image.internal.PictureLimits;
+import io.github.lumbre.testing.Pictures;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.BufferedImage;
@@ -22,7 +24,6 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.SplittableRandom;
 import java.util.function.IntBinaryOperator;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -134,18 +135,6 @@ class ImageReaderTest {
     }
   }
 
-  private static void assertSame(Pixels actual, Pixels expected) {
-    assertThat(actual.width()).isEqualTo(expected.width());
-    assertThat(actual.height()).isEqualTo(expected.height());
-    for (int y = 0; y < expected.height(); y++) {
-      for (int x = 0; x < expected.width(); x++) {
-        for (int c = 0; c < 3; c++) {
-          assertThat(actual.raw(x, y, c)).isEqualTo(expected.raw(x, y, c));
-        }
-      }
-    }
-  }
-
   @ParameterizedTest
   @CsvSource({"1, 1", "65500, 1", "1, 65500"})
   void extremeSizesAreRead(int width, int height) throws IOException {
@@ -161,9 +150,7 @@ class ImageReaderTest {
         picture.setRGB(x, y, x < 20 ? 0xc06020 : 0x2060c0);
       }
     }
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    assertThat(ImageIO.write(picture, "jpeg", out)).isTrue();
-    return out.toByteArray();
+    return Pictures.file(picture, "jpeg");
   }
 
   @Test
@@ -185,9 +172,7 @@ class ImageReaderTest {
     int[] hundred = new int[256];
     Arrays.fill(hundred, 100);
     picture.getRaster().setPixels(0, 0, 16, 16, hundred);
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    ImageIO.write(picture, "jpeg", out);
-    Pixels pixels = ImageReader.decode(out.toByteArray());
+    Pixels pixels = ImageReader.decode(Pictures.file(picture, "jpeg"));
     for (int c = 0; c < 3; c++) {
       assertThat(pixels.raw(7, 9, c)).isCloseTo(100, within(1));
     }
@@ -327,14 +312,9 @@ class ImageReaderTest {
 
   @Test
   void jpegDataThatStopEarlyAreMalformedDespiteAnEndMarker() throws IOException {
-    BufferedImage picture = new BufferedImage(100, 100, BufferedImage.TYPE_INT_RGB);
-    SplittableRandom random = new SplittableRandom(3);
-    for (int i = 0; i < 10_000; i++) {
-      picture.setRGB(i % 100, i / 100, random.nextInt());
-    }
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    ImageIO.write(picture, "jpeg", out);
-    byte[] half = Arrays.copyOf(out.toByteArray(), out.size() / 2);
+    int[] noise = new SplittableRandom(3).ints(10_000).toArray();
+    byte[] file = Pictures.file(Pictures.of(100, 100, noise), "jpeg");
+    byte[] half = Arrays.copyOf(file, file.length / 2);
     half[half.length - 2] = (byte) 0xff;
     half[half.length - 1] = (byte) 0xd9;
     assertMalformed(half, "JPEG is damaged: ");

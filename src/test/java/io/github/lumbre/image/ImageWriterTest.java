@@ -7,6 +7,7 @@ import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.internal.ImageFixture;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;
+import io.github.lumbre.testing.Folders;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -17,7 +18,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -49,9 +49,7 @@ class ImageWriterTest {
     assertThatThrownBy(() -> ImageWriter.write(Image.black(1, 1), file, null))
         .isInstanceOf(NullPointerException.class);
     assertThat(file).hasContent("old");
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files).containsExactly(file);
-    }
+    assertThat(Folders.files(directory)).containsExactly(file);
   }
 
   @Test

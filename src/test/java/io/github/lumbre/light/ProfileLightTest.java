@@ -1,5 +1,6 @@
 package io.github.lumbre.light;
 
+import static io.github.lumbre.model.format.ies.IesSamples.direction;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -28,13 +29,6 @@ class ProfileLightTest {
     PointLight source =
         new PointLight(toWorld.point(Vec3.ZERO), new Rgb(2, 1, .5), Falloff.INVERSE_SQUARE);
     return profile.light(source, toWorld);
-  }
-
-  private static Vec3 direction(double polar, double azimuth) {
-    double p = Math.toRadians(polar);
-    double a = Math.toRadians(azimuth);
-    double sine = StrictMath.sin(p);
-    return new Vec3(sine * StrictMath.cos(a), sine * StrictMath.sin(a), StrictMath.cos(p));
   }
 
   /** Returns the irradiance at distance 2 from a light's position. */

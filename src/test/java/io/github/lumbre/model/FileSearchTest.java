@@ -8,13 +8,11 @@ import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.format.gltf.GltfFile;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.Model;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
+import io.github.lumbre.testing.Pictures;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,15 +24,12 @@ class FileSearchTest {
   private static final String QUAD = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n";
 
   @TempDir private Path directory;
+  private final byte[] picture = Pictures.png(1, 1, 0);
   private Path folder;
-  private byte[] picture;
 
   @BeforeEach
   void makeFolder() throws IOException {
     folder = Files.createDirectories(directory.resolve("model"));
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", bytes);
-    picture = bytes.toByteArray();
   }
 
   private void put(String name) throws IOException {

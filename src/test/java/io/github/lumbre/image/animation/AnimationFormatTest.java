@@ -6,13 +6,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -78,8 +78,6 @@ class AnimationFormatTest {
     assertThatThrownBy(() -> write(format, frames("25"))).isInstanceOf(InterruptedException.class);
     assertThat(Thread.currentThread().isInterrupted()).isFalse();
     assertThat(target).hasBinaryContent(before);
-    try (Stream<Path> files = Files.list(folder)) {
-      assertThat(files).containsExactlyInAnyOrder(target, folder.resolve("frames"));
-    }
+    assertThat(Folders.files(folder)).containsExactlyInAnyOrder(target, folder.resolve("frames"));
   }
 }

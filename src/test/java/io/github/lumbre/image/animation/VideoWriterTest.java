@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.lumbre.base.file.ExternalProgram;
 import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.image.Pixels;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -87,9 +88,9 @@ class VideoWriterTest {
 
   /** Nothing is left behind but these files. */
   private void assertOnly(Path... targets) throws IOException {
-    try (Stream<Path> files = Files.list(folder)) {
-      assertThat(files.filter(Files::isRegularFile)).containsExactlyInAnyOrder(targets);
-    }
+    assertThat(Folders.files(folder))
+        .filteredOn(Files::isRegularFile)
+        .containsExactlyInAnyOrder(targets);
   }
 
   /** A program, or somebody else, may have left a link at a name that can be guessed. */
@@ -119,7 +120,9 @@ class VideoWriterTest {
 
   @ParameterizedTest
   @CsvSource({
-    "a.mp4, libx264, 16384", "a.mp4, mpeg4, 8190", "a.webm, libvpx-vp9, 16384",
+    "a.mp4, libx264, 16384",
+    "a.mp4, mpeg4, 8190",
+    "a.webm, libvpx-vp9, 16384",
     "a.webm, libvpx, 16382"
   })
   void tooLargeFramesAreRefusedBeforehand(Path name, String encoder, int most) throws Exception {

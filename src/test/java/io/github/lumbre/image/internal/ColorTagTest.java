@@ -3,9 +3,9 @@ package io.github.lumbre.image.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.ImageReader;
+import io.github.lumbre.testing.Pictures;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
-import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -14,7 +14,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
 /** Tests the detection of color spaces other than sRGB in picture files. */
@@ -22,9 +21,7 @@ class ColorTagTest {
   private static final int AFTER_HEADER = 33;
 
   private static byte[] picture(String format) throws IOException {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), format, out);
-    return out.toByteArray();
+    return Pictures.file(Pictures.of(2, 2, 0), format);
   }
 
   private static byte[] inserted(byte[] file, int at, byte[] piece) {

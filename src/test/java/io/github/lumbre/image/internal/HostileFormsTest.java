@@ -7,10 +7,8 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.format.exr.ExrBuilder;
 import io.github.lumbre.testing.FileMutator;
 import io.github.lumbre.testing.Mutants;
+import io.github.lumbre.testing.SampleFiles;
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
@@ -56,11 +54,7 @@ class HostileFormsTest {
   }
 
   private static byte[] resource(String name) {
-    try (InputStream in = ExrBuilder.class.getResourceAsStream(name)) {
-      return in.readAllBytes();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return SampleFiles.bytes(ExrBuilder.class, name);
   }
 
   private static byte[] radiance(int width, int... data) {

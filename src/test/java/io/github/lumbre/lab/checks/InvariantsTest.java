@@ -4,15 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Folders;
 import io.github.lumbre.testing.InParallel;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** The checks of {@code lumbre selftest} pass on this machine. */
@@ -39,13 +38,11 @@ class InvariantsTest {
     Path classes = Path.of(Bsdf.class.getProtectionDomain().getCodeSource().getLocation().toURI());
     Path materials = classes.resolve("io/github/lumbre/material");
     Set<String> expected = new TreeSet<>();
-    try (Stream<Path> files = Files.walk(materials)) {
-      for (Path file : files.filter(path -> path.toString().endsWith(".class")).toList()) {
-        String name = classes.relativize(file).toString().replace(".class", "");
-        Class<?> type = Class.forName(name.replaceAll("[/\\\\]", "."));
-        if (Bsdf.class.isAssignableFrom(type) && !Modifier.isAbstract(type.getModifiers())) {
-          expected.add(type.getSimpleName());
-        }
+    for (Path file : Folders.below(materials, ".class")) {
+      String name = classes.relativize(file).toString().replace(".class", "");
+      Class<?> type = Class.forName(name.replaceAll("[/\\\\]", "."));
+      if (Bsdf.class.isAssignableFrom(type) && !Modifier.isAbstract(type.getModifiers())) {
+        expected.add(type.getSimpleName());
       }
     }
     expected.removeAll(Set.of("Absorber", "Faded", "Tilted"));

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.internal;
 
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -118,19 +119,13 @@ class MaterialParameterTest {
 
   private static void assertValue(Channel found, Rgb expected) {
     if (found instanceof ColorChannel color) {
-      assertNear(color.at(HIT), expected);
+      assertNear(color.at(HIT), expected, 1e-7);
     } else if (found instanceof ScalarChannel number) {
       assertThat(number.at(HIT)).isCloseTo(expected.r(), within(1e-9));
     } else {
       NormalMap map = ((NormalChannel) found).map();
       assertThat(map.normal(.5, .5)).isEqualTo(normals(expected.r()).map().normal(.5, .5));
     }
-  }
-
-  private static void assertNear(Rgb found, Rgb expected) {
-    assertThat(found.r()).isCloseTo(expected.r(), within(1e-7));
-    assertThat(found.g()).isCloseTo(expected.g(), within(1e-7));
-    assertThat(found.b()).isCloseTo(expected.b(), within(1e-7));
   }
 
   /** Returns a material of metal, plastic and rough glass, with all layers. */

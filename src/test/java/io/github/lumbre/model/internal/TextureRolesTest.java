@@ -13,15 +13,14 @@ import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.Sky;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -162,9 +161,7 @@ class TextureRolesTest {
     for (int i = 0; i < 64; i++) {
       image.setRGB(i % 8, i / 8, random.nextInt() | 0x80 | (random.nextInt(4) + 1) << 30);
     }
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    ImageIO.write(image, "png", bytes);
-    return bytes.toByteArray();
+    return Pictures.file(image, "png");
   }
 
   private static double[] picture(Role role, String info, double[] factor, Mesh mesh)

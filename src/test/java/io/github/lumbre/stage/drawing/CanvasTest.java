@@ -18,7 +18,7 @@ class CanvasTest {
   /** Bound of the error of the samples of a pixel for a half-plane. */
   private static final double SAMPLING = .05;
 
-  private static Image white(int width, int height) {
+  static Image white(int width, int height) {
     float[] rgb = new float[3 * width * height];
     Arrays.fill(rgb, 1);
     return new Image(width, height, rgb, new float[0]);

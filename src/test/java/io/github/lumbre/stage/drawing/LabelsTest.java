@@ -1,5 +1,6 @@
 package io.github.lumbre.stage.drawing;
 
+import static io.github.lumbre.stage.drawing.CanvasTest.white;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -91,12 +92,6 @@ class LabelsTest {
       }
     }
     return new PartMap(names, width, parts);
-  }
-
-  private static Image white(int width, int height) {
-    float[] rgb = new float[3 * width * height];
-    Arrays.fill(rgb, 1);
-    return new Image(width, height, rgb, new float[0]);
   }
 
   private static Image drawn(Labels labels, int width, int height) {

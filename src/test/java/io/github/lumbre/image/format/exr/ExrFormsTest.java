@@ -1,8 +1,8 @@
 package io.github.lumbre.image.format.exr;
 
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageFormatException;
@@ -10,8 +10,8 @@ import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.LinearReader;
+import io.github.lumbre.testing.SampleFiles;
 import java.io.IOException;
-import java.io.InputStream;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -124,25 +124,19 @@ class ExrFormsTest {
     return LinearReader.decode(file.chromaticities(xy).file()).pixel(2, 1);
   }
 
-  private static void assertNear(Rgb found, double r, double g, double b) {
-    assertThat(found.r()).isCloseTo(r, within(1e-3));
-    assertThat(found.g()).isCloseTo(g, within(1e-3));
-    assertThat(found.b()).isCloseTo(b, within(1e-3));
-  }
-
   /** The matrices are those of ITU-R BT.2087, SMPTE EG 432-1 and ACES (S-2014-004). */
   @Test
   void colorsOfOtherPrimariesAreConverted() throws ImageFormatException {
     double[] bt2020 = {.708, .292, .17, .797, .131, .046, .3127, .329};
-    assertNear(converted(.5, .1, .1, bt2020), .7643, .0502, .0928);
-    assertNear(converted(0, 1, 0, bt2020), -.5876, 1.1329, -.1006);
+    assertNear(converted(.5, .1, .1, bt2020), new Rgb(.7643, .0502, .0928), 1e-3);
+    assertNear(converted(0, 1, 0, bt2020), new Rgb(-.5876, 1.1329, -.1006), 1e-3);
     double[] displayP3 = {.68, .32, .265, .69, .15, .06, .3127, .329};
-    assertNear(converted(1, 0, 0, displayP3), 1.2249, -.0420, -.0196);
+    assertNear(converted(1, 0, 0, displayP3), new Rgb(1.2249, -.0420, -.0196), 1e-3);
     double[] acesCg = {.713, .293, .165, .83, .128, .044, .32168, .33767};
-    assertNear(converted(1, 0, 0, acesCg), 1.7051, -.1303, -.0240);
+    assertNear(converted(1, 0, 0, acesCg), new Rgb(1.7051, -.1303, -.0240), 1e-3);
     double[] aces = {.7347, .2653, 0, 1, .0001, -.077, .32168, .33767};
-    assertNear(converted(1, 1, 1, aces), 1, 1, 1);
-    assertNear(converted(1, 0, 0, aces), 2.5216, -.2765, -.0154);
+    assertNear(converted(1, 1, 1, aces), new Rgb(1, 1, 1), 1e-3);
+    assertNear(converted(1, 0, 0, aces), new Rgb(2.5216, -.2765, -.0154), 1e-3);
   }
 
   /** Named layers need not be colors of light. */
@@ -217,16 +211,10 @@ class ExrFormsTest {
     assertRefused(deep, "expected version 2, found deep pixels; save the picture flattened");
   }
 
-  private static byte[] resource(String name) throws IOException {
-    try (InputStream in = ExrFormsTest.class.getResourceAsStream(name)) {
-      return in.readAllBytes();
-    }
-  }
-
   /** The file was written by OpenEXR from these formulas. */
   @Test
   void pizWithFewValuesIsRead() throws IOException {
-    Image image = LinearReader.decode(resource("piz.exr"));
+    Image image = LinearReader.decode(SampleFiles.bytes(ExrFormsTest.class, "piz.exr"));
     assertThat(image.width()).isEqualTo(37);
     assertThat(image.height()).isEqualTo(45);
     for (int y = 0; y < 45; y++) {
@@ -242,7 +230,7 @@ class ExrFormsTest {
   /** The file has halves of all patterns from 1 to 16896: too many for the 14-bit wavelet. */
   @Test
   void pizWithManyValuesIsRead() throws IOException {
-    Image image = LinearReader.decode(resource("piz-values.exr"));
+    Image image = LinearReader.decode(SampleFiles.bytes(ExrFormsTest.class, "piz-values.exr"));
     assertThat(image.rgb()).hasSize(3 * 512 * 33);
     for (int i = 0; i < 512 * 33; i++) {
       assertThat(image.rgb()[3 * i]).isEqualTo(ExrChannel.ofHalf((short) (i + 1)));
@@ -252,7 +240,7 @@ class ExrFormsTest {
   @Test
   void everyTruncationIsRefused() throws IOException {
     byte[][] files = {
-      resource("piz.exr"),
+      SampleFiles.bytes(ExrFormsTest.class, "piz.exr"),
       new ExrBuilder(9, 5, 1).rgb("", ExrFormsTest::value).file(),
       new ExrBuilder(9, 5, 3).rgb("", ExrFormsTest::value).tiles(4, 4, 1).file(),
       new ExrBuilder(9, 5, 3)

@@ -9,8 +9,8 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
 import io.github.lumbre.image.internal.LinearReader;
+import io.github.lumbre.testing.SampleFiles;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.security.MessageDigest;
@@ -31,10 +31,8 @@ class ExrLossyTest {
   /** The bytes of the numbers at the start of a DWA block. */
   private static final int DWA_HEADER = 11 * Long.BYTES;
 
-  private static byte[] resource(String name) throws IOException {
-    try (InputStream in = ExrLossyTest.class.getResourceAsStream(name + ".exr")) {
-      return in.readAllBytes();
-    }
+  private static byte[] resource(String name) {
+    return SampleFiles.bytes(ExrLossyTest.class, name + ".exr");
   }
 
   private static void update(MessageDigest digest, float[] values) {

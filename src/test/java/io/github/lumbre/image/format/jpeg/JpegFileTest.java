@@ -1,5 +1,6 @@
 package io.github.lumbre.image.format.jpeg;
 
+import static io.github.lumbre.testing.Pictures.assertSame;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -212,16 +213,6 @@ class JpegFileTest {
     for (int length = 0; length < data.length; length++) {
       byte[] cut = Arrays.copyOf(data, length);
       assertThatThrownBy(() -> ImageReader.decode(cut)).isInstanceOf(ImageFormatException.class);
-    }
-  }
-
-  private static void assertSame(Pixels found, Pixels expected) {
-    for (int y = 0; y < expected.height(); y++) {
-      for (int x = 0; x < expected.width(); x++) {
-        for (int c = 0; c < 3; c++) {
-          assertThat(found.raw(x, y, c)).isEqualTo(expected.raw(x, y, c));
-        }
-      }
     }
   }
 

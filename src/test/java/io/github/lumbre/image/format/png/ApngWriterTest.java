@@ -1,5 +1,6 @@
 package io.github.lumbre.image.format.png;
 
+import static io.github.lumbre.testing.Pictures.assertSame;
 import static io.github.lumbre.testing.Refusals.assertCancelled;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -88,18 +89,6 @@ class ApngWriterTest {
       decoded.add(ImageReader.decode(picture.end()));
     }
     return decoded;
-  }
-
-  private static void assertSame(Pixels actual, Pixels expected) {
-    assertThat(actual).hasToString(expected.toString());
-    for (int y = 0; y < expected.height(); y++) {
-      for (int x = 0; x < expected.width(); x++) {
-        assertThat(actual.alpha(x, y)).isEqualTo(expected.alpha(x, y));
-        for (int channel = 0; channel < 3; channel++) {
-          assertThat(actual.raw(x, y, channel)).isEqualTo(expected.raw(x, y, channel));
-        }
-      }
-    }
   }
 
   private static Pixels random(int width, int height, int channels, int bits, int seed) {

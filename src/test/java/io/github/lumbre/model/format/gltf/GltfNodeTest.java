@@ -1,5 +1,6 @@
 package io.github.lumbre.model.format.gltf;
 
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -30,10 +31,6 @@ class GltfNodeTest {
     file.add("nodes", json);
   }
 
-  private static void assertClose(Vec3 found, Vec3 expected) {
-    assertThat(found.minus(expected).length()).isLessThan(1e-12);
-  }
-
   @Test
   void nodesScaleThenRotateThenTranslate() throws ModelFormatException, IOException {
     file.triangle("");
@@ -41,8 +38,8 @@ class GltfNodeTest {
         "{'mesh': 0, 'translation': [1, 2, 3], 'rotation': [0, 0, %s, %s], 'scale': [2, 3, 4]}"
             .formatted(HALF, HALF));
     ModelPart part = file.read().parts().get(0);
-    assertClose(part.toWorld().point(Vec3.ZERO), new Vec3(1, 2, 3));
-    assertClose(part.toWorld().point(new Vec3(1, 1, 1)), new Vec3(1 - 3, 2 + 2, 3 + 4));
+    assertNear(part.toWorld().point(Vec3.ZERO), new Vec3(1, 2, 3), 1e-12);
+    assertNear(part.toWorld().point(new Vec3(1, 1, 1)), new Vec3(1 - 3, 2 + 2, 3 + 4), 1e-12);
     assertThat(part.location()).isEqualTo("nodes[0].mesh.primitives[0]");
   }
 
@@ -89,7 +86,7 @@ class GltfNodeTest {
     assertThat(part.toWorld().vector(Vec3.X)).isEqualTo(new Vec3(1, 2, 3));
     assertThat(part.toWorld().vector(Vec3.Y)).isEqualTo(new Vec3(0, 5, 6));
     assertThat(part.toWorld().vector(Vec3.Z)).isEqualTo(new Vec3(0, 0, 9));
-    assertClose(part.toWorld().inversePoint(new Vec3(10, 16, 18)), Vec3.Y);
+    assertNear(part.toWorld().inversePoint(new Vec3(10, 16, 18)), Vec3.Y, 1e-12);
   }
 
   @Test
@@ -131,7 +128,7 @@ class GltfNodeTest {
   void rotationsAreNormalized() throws ModelFormatException, IOException {
     file.triangle("");
     node("{'mesh': 0, 'rotation': [0, 0, 3, 3]}");
-    assertClose(file.read().parts().get(0).toWorld().vector(Vec3.X), Vec3.Y);
+    assertNear(file.read().parts().get(0).toWorld().vector(Vec3.X), Vec3.Y, 1e-12);
   }
 
   @Test
@@ -316,8 +313,16 @@ class GltfNodeTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "1, 1, 0", "1, 0, 1", "0, 1, 1", "0, 0, 0", "-1, 1, 1", "1, -1, 1", "1, 1, -1",
-        "-2, -2, -2", "2, 3, 4", "1e-200, 1e-200, 1e-200"
+        "1, 1, 0",
+        "1, 0, 1",
+        "0, 1, 1",
+        "0, 0, 0",
+        "-1, 1, 1",
+        "1, -1, 1",
+        "1, 1, -1",
+        "-2, -2, -2",
+        "2, 3, 4",
+        "1e-200, 1e-200, 1e-200"
       })
   void camerasAndLightsIgnoreTheirScales(String scale) throws ModelFormatException, IOException {
     file.set("extensions", "{'KHR_lights_punctual': {'lights': [{'type': 'spot', 'spot': {}}]}}");
@@ -327,11 +332,11 @@ class GltfNodeTest {
     node("{'camera': 0, 'translation': [1, 2, 3], " + turned + "}");
     Model model = file.read();
     Transform light = model.lights().get(0).toWorld();
-    assertClose(light.vector(Vec3.Z).normalized(), Vec3.X);
+    assertNear(light.vector(Vec3.Z).normalized(), Vec3.X, 1e-12);
     Transform camera = model.cameras().get(0).toWorld();
-    assertClose(camera.vector(Vec3.Y), Vec3.Z);
-    assertClose(camera.vector(Vec3.Z), Vec3.X);
-    assertClose(camera.point(Vec3.ZERO), new Vec3(1, 2, 3));
+    assertNear(camera.vector(Vec3.Y), Vec3.Z, 1e-12);
+    assertNear(camera.vector(Vec3.Z), Vec3.X, 1e-12);
+    assertNear(camera.point(Vec3.ZERO), new Vec3(1, 2, 3), 1e-12);
     assertThat(model.cameras().get(0).aspect().getAsDouble()).isCloseTo(1.5, within(1e-12));
     assertThat(model.warnings()).isEmpty();
   }
@@ -353,8 +358,8 @@ class GltfNodeTest {
     node("{'camera': 0, 'translation': [0, 0, 5]}");
     node("{'camera': 0, 'translation': [0, 0, 5], 'scale': [1, 1, -1]}");
     for (ModelCamera camera : file.read().cameras()) {
-      assertClose(camera.toWorld().point(Vec3.ZERO), new Vec3(x, y, z));
-      assertClose(camera.toWorld().vector(Vec3.Z).times(backwards), Vec3.Z);
+      assertNear(camera.toWorld().point(Vec3.ZERO), new Vec3(x, y, z), 1e-12);
+      assertNear(camera.toWorld().vector(Vec3.Z).times(backwards), Vec3.Z, 1e-12);
       assertThat(camera.toWorld().vector(Vec3.Y).length()).isCloseTo(1, within(1e-12));
     }
   }
@@ -374,10 +379,10 @@ class GltfNodeTest {
     file.add("cameras", "{'type': 'orthographic', 'orthographic': {'xmag': 3, 'ymag': 2}}");
     node("{'camera': 0, 'matrix': [" + matrix + "]}");
     Transform toWorld = file.read().cameras().get(0).toWorld();
-    assertClose(toWorld.vector(Vec3.X), Vec3.Y);
-    assertClose(toWorld.vector(Vec3.Y), Vec3.Z);
-    assertClose(toWorld.vector(Vec3.Z), Vec3.X);
-    assertClose(toWorld.point(Vec3.ZERO), new Vec3(7, 0, 0));
+    assertNear(toWorld.vector(Vec3.X), Vec3.Y, 1e-12);
+    assertNear(toWorld.vector(Vec3.Y), Vec3.Z, 1e-12);
+    assertNear(toWorld.vector(Vec3.Z), Vec3.X, 1e-12);
+    assertNear(toWorld.point(Vec3.ZERO), new Vec3(7, 0, 0), 1e-12);
   }
 
   @Test
@@ -387,7 +392,7 @@ class GltfNodeTest {
     ModelPart part = file.read().parts().get(0);
     assertThat(part.toWorld().isMirroring()).isTrue();
     assertThat(part.geometry().indices()).containsExactly(0, 1, 2);
-    assertClose(part.toWorld().normal(Vec3.Z), Vec3.Z);
+    assertNear(part.toWorld().normal(Vec3.Z), Vec3.Z, 1e-12);
   }
 
   @Test

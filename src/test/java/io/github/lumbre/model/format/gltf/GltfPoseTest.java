@@ -1,5 +1,6 @@
 package io.github.lumbre.model.format.gltf;
 
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -49,10 +50,6 @@ class GltfPoseTest {
     return file.read(at("0", seconds)).parts().get(0).toWorld().vector(Vec3.X);
   }
 
-  private static void assertClose(Vec3 found, Vec3 expected) {
-    assertThat(found.minus(expected).length()).as("%s", found).isLessThan(1e-6);
-  }
-
   private void addNode() {
     file.triangle("");
     file.add("nodes", "{'mesh': 0, 'translation': [9, 9, 9], 'scale': [2, 2, 2]}");
@@ -98,9 +95,9 @@ class GltfPoseTest {
     int input = file.floats("SCALAR", 0, 3);
     int output = file.floats("VEC4", 0, 0, 0, 1, 0, 0, sign * HALF, sign * HALF);
     animate("", "rotation", "LINEAR", input, output);
-    assertClose(xAxis(1), new Vec3(Math.sqrt(3), 1, 0));
-    assertClose(xAxis(2), new Vec3(1, Math.sqrt(3), 0));
-    assertClose(xAxis(3), new Vec3(0, 2, 0));
+    assertNear(xAxis(1), new Vec3(Math.sqrt(3), 1, 0), 1e-6);
+    assertNear(xAxis(2), new Vec3(1, Math.sqrt(3), 0), 1e-6);
+    assertNear(xAxis(3), new Vec3(0, 2, 0), 1e-6);
   }
 
   @Test
@@ -108,7 +105,7 @@ class GltfPoseTest {
     addNode();
     int input = file.floats("SCALAR", 0, 1);
     animate("", "rotation", "LINEAR", input, file.floats("VEC4", 0, 0, 1, 0, 0, 0, 1, 0));
-    assertClose(xAxis(.25), new Vec3(-2, 0, 0));
+    assertNear(xAxis(.25), new Vec3(-2, 0, 0), 1e-6);
   }
 
   @Test
@@ -118,7 +115,7 @@ class GltfPoseTest {
     int output =
         file.floats("VEC4", 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0);
     animate("", "rotation", "CUBICSPLINE", input, output);
-    assertClose(xAxis(.5), new Vec3(0, 2, 0));
+    assertNear(xAxis(.5), new Vec3(0, 2, 0), 1e-6);
   }
 
   @Test
@@ -127,7 +124,7 @@ class GltfPoseTest {
     int input = file.floats("SCALAR", 0);
     int output = file.shorts(5122, "VEC4", ", 'normalized': true", 0, 0, 32767, 0);
     animate("", "rotation", "STEP", input, output);
-    assertClose(xAxis(0), new Vec3(-2, 0, 0));
+    assertNear(xAxis(0), new Vec3(-2, 0, 0), 1e-6);
   }
 
   @Test

@@ -1,5 +1,6 @@
 package io.github.lumbre.model.format.ies;
 
+import static io.github.lumbre.model.format.ies.IesSamples.direction;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
@@ -43,13 +44,6 @@ class IesReaderTest {
   }
 
   /** Returns the direction of two angles in degrees. */
-  private static Vec3 direction(double polar, double azimuth) {
-    double p = Math.toRadians(polar);
-    double a = Math.toRadians(azimuth);
-    double sine = StrictMath.sin(p);
-    return new Vec3(sine * StrictMath.cos(a), sine * StrictMath.sin(a), StrictMath.cos(p));
-  }
-
   @Test
   void factorsAndTableAreRead() {
     LightProfile lamp = read(IesSamples.FULL);

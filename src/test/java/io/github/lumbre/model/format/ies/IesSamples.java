@@ -1,5 +1,6 @@
 package io.github.lumbre.model.format.ies;
 
+import io.github.lumbre.math.Vec3;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
@@ -68,5 +69,13 @@ public final class IesSamples {
       text.append('\n');
     }
     return text.toString();
+  }
+
+  /** Returns a direction by its angles in degrees. */
+  public static Vec3 direction(double polar, double azimuth) {
+    double p = Math.toRadians(polar);
+    double a = Math.toRadians(azimuth);
+    double sine = StrictMath.sin(p);
+    return new Vec3(sine * StrictMath.cos(a), sine * StrictMath.sin(a), StrictMath.cos(p));
   }
 }

@@ -32,14 +32,10 @@ import io.github.lumbre.model.internal.ModelTexture;
 import io.github.lumbre.model.internal.ModelTexture.Wrap;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.UvTransform;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
+import io.github.lumbre.testing.Pictures;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -367,27 +363,21 @@ class ObjModelReaderTest {
     assertThat(read("Kd .5;map_Kd a.png").input(BASE_COLOR).factor()).isEqualTo(Rgb.gray(.5));
   }
 
-  private static byte[] png(int rgb) {
-    BufferedImage image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
-    image.setRGB(0, 0, rgb);
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try {
-      ImageIO.write(image, "png", out);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return out.toByteArray();
-  }
-
   @Test
   void coloredBumpMapsAreNormalMaps() throws ModelFormatException {
-    ModelFixture colored = material("map_Bump -bm .5 n.png").with("n.png", png(0x8080ff));
+    ModelFixture colored =
+        material("map_Bump -bm .5 n.png").with("n.png", Pictures.png(2, 2, 0x8080ff));
     assertThat(colored.part().material().normalMap().orElseThrow().number()).isEqualTo(.5);
-    Model gray = material("bump n.png").with("n.png", png(0x808080)).read();
+    Model gray = material("bump n.png").with("n.png", Pictures.png(2, 2, 0x808080)).read();
     assertThat(gray.parts().get(0).material().normalMap()).isEmpty();
     assertThat(gray.warnings())
         .containsExactly("a.mtl line 2: ignored a height map: only normal maps are supported");
-    assertThat(material("norm n.png").with("n.png", png(0x808080)).part().material().normalMap())
+    assertThat(
+            material("norm n.png")
+                .with("n.png", Pictures.png(2, 2, 0x808080))
+                .part()
+                .material()
+                .normalMap())
         .isPresent();
   }
 

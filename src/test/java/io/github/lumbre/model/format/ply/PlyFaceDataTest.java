@@ -9,13 +9,12 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelFixture;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelPart;
-import java.awt.image.BufferedImage;
+import io.github.lumbre.testing.Pictures;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
 /** Textures of PLY files, and texture coordinates and colors of their faces. */
@@ -32,9 +31,8 @@ class PlyFaceDataTest {
   }
 
   private static ModelFixture pictured(ModelFixture file) throws Exception {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", bytes);
-    return file.with("a b.png", bytes.toByteArray()).with("c.png", bytes.toByteArray());
+    byte[] png = Pictures.png(1, 1, 0);
+    return file.with("a b.png", png).with("c.png", png);
   }
 
   private static String picture(ModelPart part) {
