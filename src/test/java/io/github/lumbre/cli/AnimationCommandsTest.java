@@ -6,12 +6,12 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.PictureTexts;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -35,13 +35,7 @@ class AnimationCommandsTest extends CommandFixture {
   }
 
   private List<String> files(String start) throws IOException {
-    try (Stream<Path> files = Files.list(directory)) {
-      return files
-          .map(file -> file.getFileName().toString())
-          .filter(name -> name.startsWith(start))
-          .sorted()
-          .toList();
-    }
+    return Folders.names(directory).stream().filter(name -> name.startsWith(start)).toList();
   }
 
   /** The animation lasts 1 s: the frame at its end is the first one of the next loop. */

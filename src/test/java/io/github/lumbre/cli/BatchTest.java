@@ -6,6 +6,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.scene.Scene;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -14,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -62,8 +62,7 @@ class BatchTest {
 
   @Test
   void picturesHaveTheBitsOfSingleRendersAndTheNamesOfTheirScenes() {
-    Outcome batch = run("render T/sample.glb T/tiny.json -o T/a/b --format pfm" + SMALL);
-    assertThat(batch.exitCode()).as(batch.err()).isZero();
+    Outcome batch = run("render T/sample.glb T/tiny.json -o T/a/b --format pfm" + SMALL).done();
     for (String scene : List.of("sample.glb", "tiny.json")) {
       String name = scene.replaceFirst("[.].*", ".pfm");
       assertThat(run("render T/" + scene + " -o T/" + name + SMALL).exitCode()).isZero();
@@ -77,8 +76,7 @@ class BatchTest {
   @Test
   void progressOfSeveralScenesIsJsonThatNamesThem() {
     Outcome batch =
-        run("render T/sample.glb T/tiny.json -o T/out --quiet --progress json" + SMALL);
-    assertThat(batch.exitCode()).as(batch.err()).isZero();
+        run("render T/sample.glb T/tiny.json -o T/out --quiet --progress json" + SMALL).done();
     List<JsonObject> lines =
         batch.err().lines().map(line -> JsonParser.parseString(line).getAsJsonObject()).toList();
     assertThat(lines.stream().map(line -> line.get("scene").getAsString()).distinct())
@@ -109,9 +107,8 @@ class BatchTest {
     assertThat(lines.get(4))
         .startsWith("1 of 4 pictures written, 3 failed: T/broken.glb, T/no.json, T/b.gif; ");
     assertThat(lines).hasSize(5);
-    try (Stream<Path> files = Files.list(directory.resolve("out"))) {
-      assertThat(files).containsExactly(directory.resolve("out/tiny.png"));
-    }
+    assertThat(Folders.files(directory.resolve("out")))
+        .containsExactly(directory.resolve("out/tiny.png"));
   }
 
   @Test
@@ -172,8 +169,7 @@ class BatchTest {
     String away = TinyScene.with(camera, "\"localPosition\": {\"x\": 0, \"y\": 1, \"z\": 40}");
     Files.writeString(
         directory.resolve("away.json"), away.replaceAll("(?m)^.*\"(Plane|Cube)\".*\n", ""));
-    Outcome batch = run("render T/tiny.json T/away.json -o T/out -s 2 --stats");
-    assertThat(batch.exitCode()).as(batch.err()).isZero();
+    Outcome batch = run("render T/tiny.json T/away.json -o T/out -s 2 --stats").done();
     assertThat(batch.err())
         .contains("hint: T/away.json: nothing is in view", "T/away.json: samples   ")
         .contains("T/tiny.json: samples   ");

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
@@ -22,15 +21,10 @@ class BudgetTest extends CommandFixture {
     return withScene(TinyScene.JSON, "render T/tiny.json -o T/" + picture, flags);
   }
 
-  private static JsonObject json(Outcome outcome) {
-    return JsonParser.parseString(outcome.out()).getAsJsonObject();
-  }
-
   @Test
   void anErrorEndsARenderThatHasTheBitsOfItsSamples() throws IOException {
-    Outcome outcome = render("error.pfm", "--target-error", "5%", "--json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    JsonObject summary = json(outcome);
+    Outcome outcome = render("error.pfm", "--target-error", "5%", "--json").done();
+    JsonObject summary = outcome.json();
     assertThat(summary.get("ended_by").getAsString()).isEqualTo("error");
     assertThat(summary.get("target_reached").getAsBoolean()).isTrue();
     JsonObject noise = summary.getAsJsonObject("noise");
@@ -56,9 +50,8 @@ class BudgetTest extends CommandFixture {
 
   @Test
   void aTimeEndsARenderThatIsComplete() throws IOException {
-    Outcome outcome = render("time.exr", "--time", "1s", "--json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    JsonObject summary = json(outcome);
+    Outcome outcome = render("time.exr", "--time", "1s", "--json").done();
+    JsonObject summary = outcome.json();
     assertThat(summary.get("complete").getAsBoolean()).isTrue();
     assertThat(summary.get("ended_by").getAsString()).isEqualTo("time");
     assertThat(summary.get("seconds").getAsDouble()).isBetween(.3, 20.0);
@@ -71,9 +64,8 @@ class BudgetTest extends CommandFixture {
 
   @Test
   void adaptiveRendersTellTheSamplesOfTheirPixels() {
-    Outcome outcome = render("a.exr", "-s", "128", "--adaptive", "--json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    JsonObject summary = json(outcome);
+    Outcome outcome = render("a.exr", "-s", "128", "--adaptive", "--json").done();
+    JsonObject summary = outcome.json();
     assertThat(summary.get("adaptive").getAsBoolean()).isTrue();
     JsonObject samples = summary.getAsJsonObject("pixel_samples");
     assertThat(samples.get("min").getAsInt()).isLessThan(128);
@@ -83,19 +75,17 @@ class BudgetTest extends CommandFixture {
     assertThat(summary.get("samples").getAsDouble()).isEqualTo(mean * 16 * 12);
     assertThat(outcome.err()).containsPattern("\\d+ to \\d+ \\(median \\d+, mean \\S+\\) samples");
 
-    Outcome target = render("b.exr", "--target-error", "5%", "--adaptive", "--json");
-    assertThat(target.exitCode()).as(target.err()).isZero();
-    assertThat(json(target).getAsJsonObject("noise").get("at_most").getAsDouble())
+    Outcome target = render("b.exr", "--target-error", "5%", "--adaptive", "--json").done();
+    assertThat(target.json().getAsJsonObject("noise").get("at_most").getAsDouble())
         .isLessThanOrEqualTo(.05);
   }
 
   @Test
   void clampedLightIsTold() {
     Outcome plain = render("plain.pfm", "-s", "64", "--json");
-    assertThat(json(plain).has("light_clamped")).isFalse();
-    Outcome outcome = render("clamped.pfm", "-s", "64", "--clamp", "0.3", "--json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    JsonObject clamped = json(outcome).getAsJsonObject("light_clamped");
+    assertThat(plain.json().has("light_clamped")).isFalse();
+    Outcome outcome = render("clamped.pfm", "-s", "64", "--clamp", "0.3", "--json").done();
+    JsonObject clamped = outcome.json().getAsJsonObject("light_clamped");
     double share = clamped.get("share").getAsDouble();
     assertThat(share).isBetween(.01, .99);
     assertThat(outcome.err()).contains("energy lost to clamping: ", " samples above 0.3");
@@ -121,9 +111,9 @@ class BudgetTest extends CommandFixture {
 
   @Test
   void lightBeyondTheDepthIsToldOfLongRenders() {
-    assertThat(json(render("a.png", "-s", "64", "--json")).has("light_beyond_depth")).isFalse();
+    assertThat(render("a.png", "-s", "64", "--json").json().has("light_beyond_depth")).isFalse();
     Outcome outcome = render("a.png", "-s", "11000", "--depth", "1", "--json");
-    JsonObject cut = json(outcome).getAsJsonObject("light_beyond_depth");
+    JsonObject cut = outcome.json().getAsJsonObject("light_beyond_depth");
     assertThat(cut.get("share").getAsDouble()).isBetween(0.0, 1.0);
     assertThat(outcome.err()).contains("energy lost to the path length limit: ");
   }
@@ -136,16 +126,15 @@ class BudgetTest extends CommandFixture {
 
   @Test
   void aQualityIsAnErrorAndADepth() throws IOException {
-    Outcome outcome = render("draft.pfm", "--quality", "draft", "--json", "--bucket", "64");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    JsonObject summary = json(outcome);
+    Outcome outcome = render("draft.pfm", "--quality", "draft", "--json", "--bucket", "64").done();
+    JsonObject summary = outcome.json();
     assertThat(summary.get("target_error").getAsDouble()).isEqualTo(.2);
     String samples = summary.getAsJsonObject("pixel_samples").get("max").getAsString();
     assertThat(render("same.pfm", "-s", samples, "--depth", "3").exitCode()).isZero();
     assertThat(directory.resolve("draft.pfm"))
         .hasSameBinaryContentAs(directory.resolve("same.pfm"));
     Outcome finer = render("a.png", "--quality", "draft", "--target-error", "5%", "--json");
-    assertThat(json(finer).get("target_error").getAsDouble()).isEqualTo(.05);
+    assertThat(finer.json().get("target_error").getAsDouble()).isEqualTo(.05);
   }
 
   @Test
@@ -177,7 +166,7 @@ class BudgetTest extends CommandFixture {
             "frames of fewer than 64 pixels have no noise bound; the render ends after 4096 samples"
                 + " per pixel",
             "is not reached: no bound: too few pixels");
-    JsonObject summary = json(outcome);
+    JsonObject summary = outcome.json();
     assertThat(summary.get("complete").getAsBoolean()).isTrue();
     assertThat(summary.get("ended_by").getAsString()).isEqualTo("samples");
     assertThat(summary.getAsJsonObject("pixel_samples").get("mean").getAsDouble())
@@ -190,8 +179,7 @@ class BudgetTest extends CommandFixture {
     Outcome samples = render("a.png", "--size", "4x4", "--target-error", "5%", "-s", "5000");
     assertThat(samples.exitCode()).isEqualTo(ExitCodes.TARGET);
     assertThat(samples.err()).contains("--samples or --time ends the render", "5000 samples per");
-    Outcome large = render("a.png", "--size", "8x8", "--target-error", "20%");
-    assertThat(large.exitCode()).isZero();
+    Outcome large = render("a.png", "--size", "8x8", "--target-error", "20%").done();
     assertThat(large.err()).doesNotContain("has no bound");
   }
 
@@ -202,22 +190,21 @@ class BudgetTest extends CommandFixture {
     render("a.pfm", "--size", "4x4", "-s", "100", "--checkpoint", film);
     Outcome resumed = Outcome.of("resume", film, "--target-error", "5%", "--json");
     assertThat(resumed.exitCode()).as(resumed.err()).isEqualTo(ExitCodes.TARGET);
-    assertThat(json(resumed).getAsJsonObject("pixel_samples").get("max").getAsInt())
+    assertThat(resumed.json().getAsJsonObject("pixel_samples").get("max").getAsInt())
         .isEqualTo(4096);
     Outcome again = Outcome.of("resume", film, "--target-error", "5%", "--json");
     assertThat(again.exitCode()).as(again.err()).isEqualTo(ExitCodes.TARGET);
-    assertThat(json(again).getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(4096);
+    assertThat(again.json().getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(4096);
   }
 
   /** The time limit of 1 ms ends before the first sample, but the first pass is still completed. */
   @Test
   void everyPixelHasASampleHoweverShortTheTime() {
-    Outcome outcome = render("a.png", "--size", "300x200", "--time", "0.001s", "--json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    JsonObject samples = json(outcome).getAsJsonObject("pixel_samples");
+    Outcome outcome = render("a.png", "--size", "300x200", "--time", "0.001s", "--json").done();
+    JsonObject samples = outcome.json().getAsJsonObject("pixel_samples");
     assertThat(samples.get("min").getAsInt()).isEqualTo(1);
     assertThat(samples.get("max").getAsInt()).isEqualTo(1);
-    assertThat(json(outcome).get("ended_by").getAsString()).isEqualTo("time");
+    assertThat(outcome.json().get("ended_by").getAsString()).isEqualTo("time");
     assertThat(outcome.err())
         .contains("--time was too short: only the first pass of 1 sample per pixel was rendered");
   }
@@ -231,27 +218,26 @@ class BudgetTest extends CommandFixture {
     assertThat(render("a.png", "--adaptive", "-s", "32", "--quiet").err()).isEmpty();
     Outcome more = render("a.png", "--adaptive", "-s", "33", "--json");
     assertThat(more.err()).doesNotContain("no effect");
-    assertThat(json(more).getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(64);
+    assertThat(more.json().getAsJsonObject("pixel_samples").get("max").getAsInt()).isEqualTo(64);
   }
 
   /** With 64x64 pixels, 4 samples are enough to check an error of 20 %. */
   @Test
   void coarseErrorsEndBefore32Samples() {
-    Outcome outcome = render("a.pfm", "--size", "64x64", "--target-error", "20%", "--json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    assertThat(json(outcome).getAsJsonObject("noise").get("at_most").getAsDouble())
+    Outcome outcome = render("a.pfm", "--size", "64x64", "--target-error", "20%", "--json").done();
+    assertThat(outcome.json().getAsJsonObject("noise").get("at_most").getAsDouble())
         .isLessThanOrEqualTo(.2);
-    int samples = json(outcome).getAsJsonObject("pixel_samples").get("max").getAsInt();
+    int samples = outcome.json().getAsJsonObject("pixel_samples").get("max").getAsInt();
     assertThat(samples).isIn(4, 8, 16);
 
     String film = directory.resolve("a.film").toString();
     render("b.pfm", "--size", "64x64", "-s", "2", "--checkpoint", film);
     Outcome resumed = Outcome.of("resume", film, "--target-error", "20%", "--json");
-    assertThat(json(resumed).getAsJsonObject("pixel_samples").get("max").getAsInt())
+    assertThat(resumed.json().getAsJsonObject("pixel_samples").get("max").getAsInt())
         .isEqualTo(samples);
     assertThat(directory.resolve("b.pfm")).hasSameBinaryContentAs(directory.resolve("a.pfm"));
     Outcome again = Outcome.of("resume", film, "--target-error", "20%", "--json");
-    assertThat(json(again).getAsJsonObject("pixel_samples").get("max").getAsInt())
+    assertThat(again.json().getAsJsonObject("pixel_samples").get("max").getAsInt())
         .isEqualTo(samples);
   }
 

@@ -94,8 +94,7 @@ class CasesTest {
       command.addAll(List.of("--sky", "white"));
     }
     command.addAll(List.of("-o", picture.toString(), "--overwrite"));
-    Outcome outcome = Outcome.of(command.toArray(String[]::new));
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = Outcome.of(command.toArray(String[]::new)).done();
     return new Shown(outcome, image(LayeredImage.read(picture)));
   }
 

@@ -3,12 +3,18 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.internal.PictureTexts;
+import io.github.lumbre.render.checkpoint.CheckpointFile;
+import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmHeader;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,17 +36,9 @@ abstract class CommandFixture {
 
   /** Runs a command that succeeds. */
   final Outcome runs(String line) {
-    return assertDone(run(line), line);
-  }
-
-  private static Outcome assertDone(Outcome outcome, String line) {
+    Outcome outcome = run(line);
     assertThat(outcome.exitCode()).as(line + ": " + outcome.err()).isZero();
     return outcome;
-  }
-
-  /** Checks that a command succeeded. */
-  static Outcome assertDone(Outcome outcome) {
-    return assertDone(outcome, "");
   }
 
   /** Runs a command that succeeds, and returns its messages, without the name of the folder. */
@@ -66,13 +64,24 @@ abstract class CommandFixture {
 
   /** Returns the colors of a picture's pixels, with alpha. */
   final int[] pixels(String name) {
-    BufferedImage image = picture(name);
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    return Pictures.pixels(picture(name));
   }
 
   /** Returns the metadata of a picture. */
   final Map<String, String> texts(String name) throws IOException {
     return PictureTexts.read(directory.resolve(name));
+  }
+
+  /** Changes what a film says of its scene and settings. */
+  final void changeIdentity(String name, Consumer<Map<String, String>> change) throws IOException {
+    FilmFile film = FilmFile.read(directory.resolve(name));
+    FilmHeader header = film.header();
+    Map<String, String> identity = new LinkedHashMap<>(header.identity());
+    change.accept(identity);
+    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve(name))) {
+      file.save(
+          FilmFile.of(identity, film.film(), header.layers(), header.notes(), header.faults()));
+    }
   }
 
   final void assertSame(String one, String other) {

@@ -3,15 +3,14 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.LinearReader;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -27,7 +26,7 @@ class DenoiseCommandTest extends CommandFixture {
   }
 
   private static Outcome run(String... line) {
-    return assertDone(Outcome.of(line));
+    return Outcome.of(line).done();
   }
 
   @Test
@@ -42,9 +41,7 @@ class DenoiseCommandTest extends CommandFixture {
       assertThat(light("no." + ending)).isEqualTo(light(plain));
       assertThat(light("x." + ending)).isNotEqualTo(light(plain));
     }
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files).as("no file beside a picture").hasSize(13);
-    }
+    assertThat(Folders.files(directory)).as("no file beside a picture").hasSize(13);
   }
 
   private float[] light(String name) throws IOException {
@@ -54,8 +51,7 @@ class DenoiseCommandTest extends CommandFixture {
   @Test
   void theNoiseBeforeAndTheErrorAfterAreTold() {
     String said =
-        "denoised: estimated noise before [0-9.]+ %, estimated error left"
-            + " [0-9.]+ %\n";
+        "denoised: estimated noise before [0-9.]+ %, estimated error left" + " [0-9.]+ %\n";
     Outcome render =
         run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise", "--size", "32x32");
     assertThat(render.err()).containsPattern("noise about [0-9.]+ %").containsPattern(said);
@@ -82,7 +78,7 @@ class DenoiseCommandTest extends CommandFixture {
   void theJsonSummaryHasBothErrors() {
     Outcome outcome =
         run("render", scene, "-s", "8", "-o", path("x.png"), "--denoise", "--json", "--quiet");
-    JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject summary = outcome.json();
     JsonObject denoised = summary.getAsJsonObject("denoised");
     assertThat(denoised.get("denoiser").getAsString()).matches("builtin [0-9a-f]{8}");
     assertThat(denoised.get("relative_rmse_after").getAsDouble())

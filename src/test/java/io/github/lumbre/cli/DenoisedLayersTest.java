@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 /** Layers of denoised pictures, and pictures whose layers are other than a denoiser's own. */
 class DenoisedLayersTest extends CommandFixture {
   private static Outcome run(String... line) {
-    return assertDone(Outcome.of(line));
+    return Outcome.of(line).done();
   }
 
   private float[] light(String name) throws IOException {

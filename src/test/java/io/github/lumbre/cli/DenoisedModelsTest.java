@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.LinearReader;
 import java.io.IOException;
@@ -191,9 +190,8 @@ class DenoisedModelsTest extends CommandFixture {
   @Test
   void targetErrorsAreThoseOfTheNoisyPicture() {
     String model = "render T/sample.glb --size 24x18 --target-error 5% --json -o T/";
-    JsonObject clean = JsonParser.parseString(run(model + "a.png").out()).getAsJsonObject();
-    JsonObject noisy =
-        JsonParser.parseString(run(model + "b.png --no-denoise").out()).getAsJsonObject();
+    JsonObject clean = run(model + "a.png").json();
+    JsonObject noisy = run(model + "b.png --no-denoise").json();
     for (String key : new String[] {"pixel_samples", "noise", "target_reached", "ended_by"}) {
       assertThat(clean.get(key)).as(key).isNotNull().isEqualTo(noisy.get(key));
     }

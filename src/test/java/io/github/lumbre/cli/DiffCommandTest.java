@@ -4,7 +4,6 @@ import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.model.format.threemf.ThreeMfSample;
@@ -91,8 +90,7 @@ class DiffCommandTest extends CommandFixture {
   @Test
   void warningsOfTheModelsArePrinted() throws IOException {
     write("lines.obj", PLATE + "l 1 2\n");
-    Outcome outcome = run("diff T/lines.obj T/plate.obj");
-    assertThat(outcome.exitCode()).isZero();
+    Outcome outcome = run("diff T/lines.obj T/plate.obj").done();
     assertThat(outcome.err()).contains("warning: ", "lines.obj: ").hasLineCount(1);
   }
 
@@ -104,7 +102,7 @@ class DiffCommandTest extends CommandFixture {
   @Test
   void jsonHasTheNumbers() {
     Outcome outcome = run("diff T/old.obj T/moved.obj --json --tolerance 1e-5");
-    JsonObject json = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject json = outcome.json();
     assertThat(json.get("format").getAsString()).isEqualTo("lumbre-diff-1");
     assertThat(json.get("same").getAsInt()).isEqualTo(1);
     assertThat(outcome.out()).contains("\"tolerance\": 0.00001,", "\"distance\": 0.001,");
@@ -213,8 +211,7 @@ class DiffCommandTest extends CommandFixture {
     assertThat(run("diff T/odd.obj T/odd.obj").out()).contains(": 1 the same");
     Outcome outcome = run("diff T/odd.obj T/odd2.obj --json");
     assertThat(outcome.err()).isEmpty();
-    assertThat(JsonParser.parseString(outcome.out()).getAsJsonObject().get("changes").toString())
-        .contains("added");
+    assertThat(outcome.json().get("changes").toString()).contains("added");
   }
 
   /** Variants that are not shown may differ, so that nothing is called the same. */
@@ -222,8 +219,7 @@ class DiffCommandTest extends CommandFixture {
   void whatIsNotComparedIsSaidInsteadOfTheSame() throws IOException {
     ModelSample.write(directory);
     String files = "T/sample.glb T/sample.glb";
-    Outcome outcome = run("diff " + files + " -o T/page.html --view front --size 64x48");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = run("diff " + files + " -o T/page.html --view front --size 64x48").done();
     String line = "materials of variants that are not shown";
     assertThat(outcome.out())
         .contains(": 1 without a change found\n", "\nnot compared: " + line + "\n")

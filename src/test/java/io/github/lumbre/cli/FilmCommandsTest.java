@@ -3,7 +3,6 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.LayeredImage;
@@ -18,7 +17,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -31,29 +29,29 @@ class FilmCommandsTest extends CommandFixture {
   }
 
   private void assertSamePicture(String name) throws IOException {
-    assertDone(render("whole.pfm", "-s", "20"));
+    render("whole.pfm", "-s", "20").done();
     assertThat(bytes(name)).isEqualTo(bytes("whole.pfm"));
   }
 
   @Test
   void resumedRenderHasTheBitsOfOneThatWasNotStopped() throws IOException {
-    assertDone(render("a.pfm", "-s", "7", "--threads", "1", "--checkpoint", path("a.film")));
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "13", "--threads", "3", "--bucket", "5"));
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "20"));
+    render("a.pfm", "-s", "7", "--threads", "1", "--checkpoint", path("a.film")).done();
+    Outcome.of("resume", path("a.film"), "-s", "13", "--threads", "3", "--bucket", "5").done();
+    Outcome.of("resume", path("a.film"), "-s", "20").done();
     assertSamePicture("a.pfm");
   }
 
   @Test
   void splitPathsAreGoneOnWith() throws IOException {
     String[] split = {"-s", "20", "--split", "3"};
-    assertDone(render("whole.pfm", split));
-    assertDone(render("a.pfm", "-s", "9", "--split", "3", "--checkpoint", path("a.film")));
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "20"));
+    render("whole.pfm", split).done();
+    render("a.pfm", "-s", "9", "--split", "3", "--checkpoint", path("a.film")).done();
+    Outcome.of("resume", path("a.film"), "-s", "20").done();
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
-    assertDone(render("b.pfm", "-s", "20"));
+    render("b.pfm", "-s", "20").done();
     assertThat(bytes("a.pfm")).isNotEqualTo(bytes("b.pfm"));
     // Samples of split paths differ from those of paths that are not split.
-    assertDone(render("c.pfm", "--samples-from", "20", "--checkpoint", path("c.film")));
+    render("c.pfm", "--samples-from", "20", "--checkpoint", path("c.film")).done();
     Outcome.of("merge", path("a.film"), path("c.film"), "-o", path("d.film"))
         .assertFailed(ExitCodes.SCENE, "split: ", "has 3", "has 1");
     render("e.pfm", "--split", "2", "--mode", "ray")
@@ -68,22 +66,22 @@ class FilmCommandsTest extends CommandFixture {
         .isEqualTo(ExitCodes.TARGET);
     // It still has all requested samples.
     assertThat(Outcome.of("resume", path("a.film")).exitCode()).isEqualTo(ExitCodes.TARGET);
-    assertDone(Outcome.of("resume", path("a.film"), "--target-error", "1%", "--time", "1h"));
-    assertDone(render("whole.pfm", "--target-error", "1%"));
+    Outcome.of("resume", path("a.film"), "--target-error", "1%", "--time", "1h").done();
+    render("whole.pfm", "--target-error", "1%").done();
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
     // Now it has reached the target error.
-    assertDone(Outcome.of("resume", path("a.film")));
+    Outcome.of("resume", path("a.film")).done();
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
   }
 
   @Test
   void resumedRenderNeedsAnEnd() throws IOException {
-    assertDone(render("a.pfm", "--time", "1s", "--checkpoint", path("a.film")));
+    render("a.pfm", "--time", "1s", "--checkpoint", path("a.film")).done();
     byte[] film = bytes("a.film");
     Outcome.of("resume", path("a.film"))
         .assertFailed(ExitCodes.USAGE, "expected --samples, --time or --target-error");
     assertThat(bytes("a.film")).isEqualTo(film);
-    assertDone(Outcome.of("resume", path("a.film"), "--time", "1s"));
+    Outcome.of("resume", path("a.film"), "--time", "1s").done();
     assertThat(bytes("a.film")).isNotEqualTo(film);
     Outcome.of("resume", path("a.film"), "--confidence", "2%")
         .assertFailed(ExitCodes.USAGE, "--confidence");
@@ -91,10 +89,10 @@ class FilmCommandsTest extends CommandFixture {
 
   @Test
   void resumedRenderTellsProgressAndSummaryToPrograms() {
-    assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));
+    render("a.pfm", "-s", "3", "--checkpoint", path("a.film")).done();
     Outcome outcome =
         Outcome.of("resume", path("a.film"), "-s", "7", "--json", "--progress", "json", "--quiet");
-    JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject summary = outcome.json();
     assertThat(summary.get("command").getAsString()).isEqualTo("resume");
     assertThat(summary.get("film").getAsString()).isEqualTo(path("a.film"));
     assertThat(summary.get("scene").getAsString()).endsWith("tiny.json");
@@ -102,13 +100,12 @@ class FilmCommandsTest extends CommandFixture {
     assertThat(summary.get("exit_code").getAsInt()).isZero();
     outcome.err().lines().forEach(line -> assertThat(line).startsWith("{\"done\":"));
     Outcome failed = Outcome.of("resume", path("a.film"), "-s", "1", "--json");
-    assertThat(JsonParser.parseString(failed.out()).getAsJsonObject().get("exit_code").getAsInt())
-        .isEqualTo(ExitCodes.USAGE);
+    assertThat(failed.json().get("exit_code").getAsInt()).isEqualTo(ExitCodes.USAGE);
   }
 
   @Test
   void samplesThatWereRejectedBeforeAreToldAfterwards() throws IOException {
-    assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));
+    render("a.pfm", "-s", "3", "--checkpoint", path("a.film")).done();
     RenderStatistics faults =
         RenderStatistics.ofFaults(
             2, List.of(new RejectedSample(3, 1, 0), new RejectedSample(2, 5, 1)), 4);
@@ -119,7 +116,7 @@ class FilmCommandsTest extends CommandFixture {
           FilmFile.of(header.identity(), film.film(), header.layers(), header.notes(), faults));
     }
     Outcome outcome = Outcome.of("resume", path("a.film"), "-s", "5", "--json");
-    JsonObject summary = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject summary = outcome.json();
     assertThat(summary.get("rejected").getAsInt()).isEqualTo(2);
     assertThat(summary.get("first_rejected").toString()).isEqualTo("[[3,1,0],[2,5,1]]");
     assertThat(summary.get("saturated").getAsInt()).isEqualTo(4);
@@ -131,40 +128,18 @@ class FilmCommandsTest extends CommandFixture {
   /** The film has no revision, like films of older versions. */
   @Test
   void filmsOfOtherVersionsAreDevelopedButNotGoneOnWith() throws IOException {
-    assertDone(render("a.pfm", "-s", "3", "--checkpoint", path("a.film")));
-    FilmFile film = FilmFile.read(directory.resolve("a.film"));
-    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
-    identity.remove(FilmHeader.REVISION);
-    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      file.save(
-          FilmFile.of(
-              identity,
-              film.film(),
-              film.header().layers(),
-              film.header().notes(),
-              film.header().faults()));
-    }
+    render("a.pfm", "-s", "3", "--checkpoint", path("a.film")).done();
+    changeIdentity("a.film", identity -> identity.remove(FilmHeader.REVISION));
     Outcome.of("resume", path("a.film"))
         .assertFailed(ExitCodes.SCENE, "revision: ", "a.film has nothing", "tiny.json has ");
-    assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));
+    Outcome.of("develop", path("a.film"), "-o", path("b.pfm")).done();
     assertThat(bytes("b.pfm")).isEqualTo(bytes("a.pfm"));
   }
 
   @Test
   void filmsOfImpossibleSplitsAreNotGoneOnWith() throws IOException {
-    assertDone(render("a.pfm", "-s", "3", "--split", "2", "--checkpoint", path("a.film")));
-    FilmFile film = FilmFile.read(directory.resolve("a.film"));
-    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
-    identity.put(Setting.SPLIT.name(), "0");
-    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      file.save(
-          FilmFile.of(
-              identity,
-              film.film(),
-              film.header().layers(),
-              film.header().notes(),
-              film.header().faults()));
-    }
+    render("a.pfm", "-s", "3", "--split", "2", "--checkpoint", path("a.film")).done();
+    changeIdentity("a.film", identity -> identity.put(Setting.SPLIT.name(), "0"));
     Outcome.of("resume", path("a.film"))
         .assertFailed(ExitCodes.SCENE, "split in its header: expected 1 to 256, found 0");
   }
@@ -189,8 +164,7 @@ class FilmCommandsTest extends CommandFixture {
 
   private void filmsAreOnlyDeveloped(Map<String, String> changed, String... said)
       throws IOException {
-    assertDone(
-        render(
+    render(
             "a.pfm",
             "-s",
             "3",
@@ -199,25 +173,15 @@ class FilmCommandsTest extends CommandFixture {
             "--layers",
             "denoise",
             "--checkpoint",
-            path("a.film")));
-    FilmFile film = FilmFile.read(directory.resolve("a.film"));
-    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
-    identity.putAll(changed);
-    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      file.save(
-          FilmFile.of(
-              identity,
-              film.film(),
-              film.header().layers(),
-              film.header().notes(),
-              film.header().faults()));
-    }
+            path("a.film"))
+        .done();
+    changeIdentity("a.film", identity -> identity.putAll(changed));
     Outcome.of("resume", path("a.film")).assertFailed(ExitCodes.SCENE, said);
     Outcome.of("merge", path("a.film"), path("a.film"), "-o", path("b.film"))
         .assertFailed(ExitCodes.SCENE, said);
-    assertDone(Outcome.of("layers", path("a.film")));
-    assertDone(Outcome.of("denoise", path("a.film"), "-o", path("c.png")));
-    assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));
+    Outcome.of("layers", path("a.film")).done();
+    Outcome.of("denoise", path("a.film"), "-o", path("c.png")).done();
+    Outcome.of("develop", path("a.film"), "-o", path("b.pfm")).done();
     assertThat(bytes("b.pfm")).isEqualTo(bytes("a.pfm"));
   }
 
@@ -229,18 +193,16 @@ class FilmCommandsTest extends CommandFixture {
         .contains(
             "stopped early",
             "a.film: holds the samples so far; continue with: lumbre resume " + path("a.film"));
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "20000", "--timeout", "0.3s"));
-    assertDone(Outcome.of("resume", path("a.film")));
-    assertDone(render("whole.pfm", "-s", "20000"));
+    Outcome.of("resume", path("a.film"), "-s", "20000", "--timeout", "0.3s").done();
+    Outcome.of("resume", path("a.film")).done();
+    render("whole.pfm", "-s", "20000").done();
     assertThat(bytes("a.pfm")).isEqualTo(bytes("whole.pfm"));
   }
 
   @Test
   void filmsOfRangesAndCropsAreJoinedToTheBitsOfOne() throws IOException {
-    assertDone(
-        render("a.png", "--samples-to", "12", "--crop", "0,0,9,12", "--checkpoint", path("a")));
-    assertDone(
-        render(
+    render("a.png", "--samples-to", "12", "--crop", "0,0,9,12", "--checkpoint", path("a")).done();
+    render(
             "b.png",
             "--samples-from",
             "12",
@@ -249,18 +211,19 @@ class FilmCommandsTest extends CommandFixture {
             "--crop",
             "0,0,9,12",
             "--checkpoint",
-            path("b")));
-    assertDone(render("c.png", "-s", "5", "--crop", "9,0,7,12", "--checkpoint", path("c")));
-    assertDone(Outcome.of("merge", path("b"), path("c"), "-o", path("bc")));
-    assertDone(Outcome.of("resume", path("c"), "-s", "20"));
+            path("b"))
+        .done();
+    render("c.png", "-s", "5", "--crop", "9,0,7,12", "--checkpoint", path("c")).done();
+    Outcome.of("merge", path("b"), path("c"), "-o", path("bc")).done();
+    Outcome.of("resume", path("c"), "-s", "20").done();
     Outcome.of("merge", path("a"), path("bc"), path("c"), "-o", path("no"))
         .assertFailed(ExitCodes.SCENE, "samples in common: ");
-    assertDone(Outcome.of("merge", path("b"), path("a"), path("c"), "-o", path("all.pfm")));
-    assertDone(Outcome.of("merge", path("c"), path("a"), path("b"), "-o", path("all")));
+    Outcome.of("merge", path("b"), path("a"), path("c"), "-o", path("all.pfm")).done();
+    Outcome.of("merge", path("c"), path("a"), path("b"), "-o", path("all")).done();
     assertSamePicture("all.pfm");
-    assertDone(Outcome.of("develop", path("all"), "-o", path("developed.pfm")));
+    Outcome.of("develop", path("all"), "-o", path("developed.pfm")).done();
     assertSamePicture("developed.pfm");
-    assertDone(Outcome.of("resume", path("all"), "-o", path("resumed.pfm")));
+    Outcome.of("resume", path("all"), "-o", path("resumed.pfm")).done();
     assertSamePicture("resumed.pfm");
   }
 
@@ -281,22 +244,21 @@ class FilmCommandsTest extends CommandFixture {
             directory.resolve("balls.json"),
             TinyScene.with("{\"id\": 2, \"type\"", balls + "{\"id\": 2, \"type\""));
     String[] all = {"render", scene.toString(), "--layers", "all", "-o"};
-    assertDone(Outcome.of(with(all, path("whole.exr"), "-s", "12")));
+    Outcome.of(with(all, path("whole.exr"), "-s", "12")).done();
     for (int i = 0; i < 3; i++) {
       String film = path("part-" + i);
       String share = i + "/3";
-      assertDone(
-          Outcome.of(with(all, path("p.exr"), "-s", "12", "--share", share, "--checkpoint", film)));
+      Outcome.of(with(all, path("p.exr"), "-s", "12", "--share", share, "--checkpoint", film))
+          .done();
     }
     String[] parts = {path("part-2"), path("part-0"), path("part-1")};
-    assertDone(Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.exr")));
+    Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.exr")).done();
     assertSameLayers("merged.exr");
-    assertDone(Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.film")));
-    assertDone(Outcome.of("develop", path("merged.film"), "-o", path("developed.exr")));
+    Outcome.of("merge", parts[0], parts[1], parts[2], "-o", path("merged.film")).done();
+    Outcome.of("develop", path("merged.film"), "-o", path("developed.exr")).done();
     assertSameLayers("developed.exr");
-    assertDone(
-        Outcome.of(with(all, path("resumed.exr"), "--checkpoint", path("a.film"), "-s", "5")));
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "12"));
+    Outcome.of(with(all, path("resumed.exr"), "--checkpoint", path("a.film"), "-s", "5")).done();
+    Outcome.of("resume", path("a.film"), "-s", "12").done();
     assertSameLayers("resumed.exr");
   }
 
@@ -318,13 +280,13 @@ class FilmCommandsTest extends CommandFixture {
 
   @Test
   void sharesOfAJobArrayMergeToThePicture() throws IOException {
-    assertDone(render("whole.pfm", "-s", "7"));
+    render("whole.pfm", "-s", "7").done();
     for (int i = 0; i < 3; i++) {
       String film = path("part-" + i);
-      assertDone(render("p.png", "-s", "7", "--share", i + "/3", "--checkpoint", film));
+      render("p.png", "-s", "7", "--share", i + "/3", "--checkpoint", film).done();
     }
-    assertDone(
-        Outcome.of("merge", path("part-2"), path("part-0"), path("part-1"), "-o", path("all.pfm")));
+    Outcome.of("merge", path("part-2"), path("part-0"), path("part-1"), "-o", path("all.pfm"))
+        .done();
     assertThat(bytes("all.pfm")).isEqualTo(bytes("whole.pfm"));
     render("p.png", "-s", "7", "--share", "0/8", "--checkpoint", path("x"))
         .assertFailed(ExitCodes.USAGE, "--share: expected at least one sample for each share");
@@ -338,14 +300,14 @@ class FilmCommandsTest extends CommandFixture {
 
   @Test
   void filmsWithGapsAreDevelopedButNotGoneOnWith() {
-    assertDone(render("a.png", "-s", "2", "--checkpoint", path("a")));
-    assertDone(render("b.png", "--samples-from", "3", "-s", "2", "--checkpoint", path("b")));
+    render("a.png", "-s", "2", "--checkpoint", path("a")).done();
+    render("b.png", "--samples-from", "3", "-s", "2", "--checkpoint", path("b")).done();
     for (Outcome outcome :
         List.of(
             Outcome.of("merge", path("a"), path("b"), "-o", path("ab")),
             Outcome.of("merge", path("a"), path("b"), "-o", path("merged.png")),
             Outcome.of("develop", path("ab"), "-o", path("ab.png")))) {
-      assertDone(outcome);
+      outcome.done();
       assertThat(outcome.err())
           .contains(": 16x12 pixels, 4 samples per pixel\n")
           .contains(
@@ -357,7 +319,7 @@ class FilmCommandsTest extends CommandFixture {
             Outcome.of("merge", path("a"), path("b"), "-o", path("quiet"), "--quiet"),
             Outcome.of("merge", path("a"), path("b"), "-o", path("q.png"), "--quiet", "--denoise"),
             Outcome.of("develop", path("ab"), "-o", path("q.pfm"), "--quiet"))) {
-      assertDone(outcome);
+      outcome.done();
       assertThat(outcome.out()).isEmpty();
       assertThat(outcome.err())
           .doesNotContain("pixels,", "denoised")
@@ -370,7 +332,7 @@ class FilmCommandsTest extends CommandFixture {
   void mergedFilmsReplaceOnlyFilmsWhoseSamplesTheyHave() throws IOException {
     for (int i = 0; i < 3; i++) {
       String share = i + "/3";
-      assertDone(render("p.png", "-s", "6", "--share", share, "--checkpoint", path("p" + i)));
+      render("p.png", "-s", "6", "--share", share, "--checkpoint", path("p" + i)).done();
     }
     byte[] last = bytes("p2");
     Outcome.of("merge", path("p0"), path("p1"), "-o", path("p2"))
@@ -378,45 +340,45 @@ class FilmCommandsTest extends CommandFixture {
             ExitCodes.OUTPUT, "p2: has samples 4 to 5 of ", "which the merged films lack");
     assertThat(bytes("p2")).isEqualTo(last);
     assertThat(directory.resolve("p2.bak")).doesNotExist();
-    assertDone(Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")));
-    assertDone(Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")));
+    Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")).done();
+    Outcome.of("merge", path("p0"), path("p1"), "-o", path("all")).done();
     Outcome complete = Outcome.of("merge", path("p0"), path("p1"), path("p2"), "-o", path("all"));
-    assertDone(complete);
+    complete.done();
     assertThat(complete.err()).contains("all: 16x12 pixels, 6 samples per pixel, noise about");
     Outcome.of("merge", path("p0"), path("p1"), "-o", path("all"))
         .assertFailed(ExitCodes.OUTPUT, "all: has samples 0 to 5 of ");
-    assertDone(render("o.png", "--seed", "5", "--checkpoint", path("other")));
+    render("o.png", "--seed", "5", "--checkpoint", path("other")).done();
     Outcome.of("merge", path("p0"), "-o", path("other"))
         .assertFailed(ExitCodes.OUTPUT, "is a checkpoint file of another picture", "--overwrite");
-    assertDone(Outcome.of("merge", path("p0"), "-o", path("other"), "--overwrite"));
+    Outcome.of("merge", path("p0"), "-o", path("other"), "--overwrite").done();
   }
 
   @Test
   void mergedFilmHasNoPictureOfItsOwn() throws IOException {
-    assertDone(render("a.png", "-s", "2", "--checkpoint", path("a")));
+    render("a.png", "-s", "2", "--checkpoint", path("a")).done();
     byte[] picture = bytes("a.png");
-    assertDone(Outcome.of("merge", path("a"), "-o", path("b")));
+    Outcome.of("merge", path("a"), "-o", path("b")).done();
     Outcome.of("resume", path("b"), "-s", "3")
         .assertFailed(ExitCodes.USAGE, "b: has no picture yet, because it was merged", "-o");
-    assertDone(Outcome.of("resume", path("b"), "-s", "3", "-o", path("b.png")));
-    assertDone(Outcome.of("resume", path("b"), "-s", "4"));
+    Outcome.of("resume", path("b"), "-s", "3", "-o", path("b.png")).done();
+    Outcome.of("resume", path("b"), "-s", "4").done();
     assertThat(bytes("a.png")).isEqualTo(picture);
     assertThat(bytes("b.png")).isNotEqualTo(picture);
   }
 
   @Test
   void developedPictureHasTheExposureThatIsAskedFor() throws IOException {
-    assertDone(render("a.png", "--exposure", "1", "--checkpoint", path("a.film")));
-    assertDone(render("b.png", "--exposure", "-2"));
-    assertDone(Outcome.of("develop", path("a.film"), "-o", path("same.png")));
-    assertDone(Outcome.of("develop", path("a.film"), "-o", path("dark.png"), "--exposure", "-2"));
+    render("a.png", "--exposure", "1", "--checkpoint", path("a.film")).done();
+    render("b.png", "--exposure", "-2").done();
+    Outcome.of("develop", path("a.film"), "-o", path("same.png")).done();
+    Outcome.of("develop", path("a.film"), "-o", path("dark.png"), "--exposure", "-2").done();
     assertThat(pixels("same.png")).isEqualTo(pixels("a.png"));
     assertThat(pixels("dark.png")).isEqualTo(pixels("b.png")).isNotEqualTo(pixels("a.png"));
   }
 
   @Test
   void changedScenesAreRefused() throws IOException {
-    assertDone(render("a.pfm", "--checkpoint", path("a.film")));
+    render("a.pfm", "--checkpoint", path("a.film")).done();
     byte[] film = bytes("a.film");
     TinyScene.write(directory, TinyScene.with("0.8", "0.7"));
     Outcome.of("resume", path("a.film"), "-s", "9")
@@ -428,9 +390,9 @@ class FilmCommandsTest extends CommandFixture {
 
   @Test
   void differentSettingsAreNotJoined() {
-    assertDone(render("a.png", "--checkpoint", path("a")));
-    assertDone(render("b.png", "--seed", "4", "--samples-from", "2", "--checkpoint", path("b")));
-    assertDone(render("c.png", "--size", "8x8", "--samples-from", "2", "--checkpoint", path("c")));
+    render("a.png", "--checkpoint", path("a")).done();
+    render("b.png", "--seed", "4", "--samples-from", "2", "--checkpoint", path("b")).done();
+    render("c.png", "--size", "8x8", "--samples-from", "2", "--checkpoint", path("c")).done();
     Outcome.of("merge", path("a"), path("b"), "-o", path("no"))
         .assertFailed(ExitCodes.SCENE, "seed: ", " has 0", " has 4");
     Outcome.of("merge", path("a"), path("c"), "-o", path("no"))
@@ -440,7 +402,7 @@ class FilmCommandsTest extends CommandFixture {
 
   @Test
   void filmsAreNeverStartedOver() throws IOException {
-    assertDone(render("a.pfm", "--checkpoint", path("a.film")));
+    render("a.pfm", "--checkpoint", path("a.film")).done();
     byte[] film = bytes("a.film");
     render("a.pfm", "--checkpoint", path("a.film"))
         .assertFailed(ExitCodes.OUTPUT, "a.film: already exists", "lumbre resume");
@@ -451,13 +413,13 @@ class FilmCommandsTest extends CommandFixture {
 
   @Test
   void damagedFilmFallsBackAndIsSetAside() throws IOException {
-    assertDone(render("a.pfm", "-s", "4", "--checkpoint", path("a.film")));
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "8"));
+    render("a.pfm", "-s", "4", "--checkpoint", path("a.film")).done();
+    Outcome.of("resume", path("a.film"), "-s", "8").done();
     byte[] damaged = bytes("a.film");
     damaged[damaged.length - 9] ^= 4;
     Files.write(directory.resolve("a.film"), damaged);
     Outcome outcome = Outcome.of("resume", path("a.film"), "-s", "20");
-    assertDone(outcome);
+    outcome.done();
     assertThat(outcome.err()).contains("a.film: is damaged", "using ", "a.film.bak instead");
     assertThat(bytes("a.film.damaged")).isEqualTo(damaged);
     assertSamePicture("a.pfm");

@@ -3,17 +3,13 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.render.checkpoint.FilmFile;
 import io.github.lumbre.render.checkpoint.FilmHeader;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** Tests that pictures of {@code --guide} have one guide, however they are rendered. */
@@ -33,61 +29,57 @@ class GuideFilmTest extends CommandFixture {
   void thePictureDoesNotDependOnHowItIsRendered() throws IOException {
     String kernel = Kernel.vectorObstacle().isEmpty() ? "vector" : "auto";
     Outcome whole = render("whole.pfm", ON, "-s", "6", "--kernel", kernel, "--json");
-    assertDone(whole);
-    JsonObject guiding =
-        JsonParser.parseString(whole.out()).getAsJsonObject().getAsJsonObject("guiding");
+    whole.done();
+    JsonObject guiding = whole.json().getAsJsonObject("guiding");
     assertThat(guiding.get("outcome").getAsString()).isEqualTo("guided");
-    assertDone(render("off.pfm", new String[0], "-s", "6"));
+    render("off.pfm", new String[0], "-s", "6").done();
     assertThat(bytes("off.pfm")).isNotEqualTo(bytes("whole.pfm"));
-    assertDone(render("scalar.pfm", ON, "-s", "6", "--kernel", "scalar"));
+    render("scalar.pfm", ON, "-s", "6", "--kernel", "scalar").done();
     assertThat(bytes("scalar.pfm")).isEqualTo(bytes("whole.pfm"));
 
-    assertDone(render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")));
+    render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")).done();
     assertThat(FilmFile.read(directory.resolve("a.film")).header().identity())
         .containsEntry("guide", "on")
         .containsEntry(FilmHeader.GUIDE_HASH, guiding.get("hash").getAsString());
-    assertDone(Outcome.of("resume", path("a.film"), "-s", "4", "--threads", "3", "--bucket", "5"));
+    Outcome.of("resume", path("a.film"), "-s", "4", "--threads", "3", "--bucket", "5").done();
     String[] rest = {"-s", "2", "--samples-from", "4", "--checkpoint", path("b.film")};
-    assertDone(render("b.pfm", ON, rest));
-    assertDone(Outcome.of("merge", path("a.film"), path("b.film"), "-o", path("c.film")));
-    assertDone(Outcome.of("develop", path("c.film"), "-o", path("c.pfm")));
+    render("b.pfm", ON, rest).done();
+    Outcome.of("merge", path("a.film"), path("b.film"), "-o", path("c.film")).done();
+    Outcome.of("develop", path("c.film"), "-o", path("c.pfm")).done();
     assertThat(bytes("c.pfm")).isEqualTo(bytes("whole.pfm"));
   }
 
   @Test
   void filmsOfAnotherSettingAreNotMerged() {
-    assertDone(render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")));
+    render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")).done();
     String[] rest = {"-s", "2", "--samples-from", "2", "--checkpoint", path("b.film")};
-    assertDone(render("b.pfm", new String[0], rest));
+    render("b.pfm", new String[0], rest).done();
     Outcome.of("merge", path("a.film"), path("b.film"), "-o", path("c.film"))
         .assertFailed(ExitCodes.SCENE, "guide: ", "has on", "has off");
   }
 
   @Test
   void aFilmIsNotResumedWithAnotherGuide() throws IOException {
-    assertDone(render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")));
+    render("a.pfm", ON, "-s", "2", "--checkpoint", path("a.film")).done();
     setIdentity(FilmHeader.GUIDE_HASH, "00000000");
     Outcome.of("resume", path("a.film"), "-s", "4")
         .assertFailed(ExitCodes.SCENE, "guide-hash: the film has 00000000", "start a new one");
     setIdentity(FilmHeader.GUIDE_HASH, "");
     Outcome.of("resume", path("a.film"), "-s", "4")
         .assertFailed(ExitCodes.SCENE, "guide-hash: the film has nothing");
-    assertDone(Outcome.of("develop", path("a.film"), "-o", path("b.pfm")));
+    Outcome.of("develop", path("a.film"), "-o", path("b.pfm")).done();
     assertThat(bytes("b.pfm")).isEqualTo(bytes("a.pfm"));
   }
 
   /** Sets an entry of a film's identity, or removes it. */
   private void setIdentity(String name, String value) throws IOException {
-    FilmFile film = FilmFile.read(directory.resolve("a.film"));
-    Map<String, String> identity = new LinkedHashMap<>(film.header().identity());
-    identity.remove(name);
-    if (!value.isEmpty()) {
-      identity.put(name, value);
-    }
-    try (CheckpointFile file = CheckpointFile.reserve(directory.resolve("a.film"))) {
-      FilmHeader header = film.header();
-      file.save(
-          FilmFile.of(identity, film.film(), header.layers(), header.notes(), header.faults()));
-    }
+    changeIdentity(
+        "a.film",
+        identity -> {
+          identity.remove(name);
+          if (!value.isEmpty()) {
+            identity.put(name, value);
+          }
+        });
   }
 }

@@ -6,6 +6,7 @@ import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,17 +54,14 @@ class KillIT {
   /** A failed test must not leave an endless render running. */
   @AfterEach
   void endAll() throws InterruptedException {
-    for (Process process : started) {
-      process.destroyForcibly().waitFor();
-    }
+    Program.endAll(started);
   }
 
   private void run(String... args) throws IOException, InterruptedException {
     Process process = start(args);
     // Completing many killed renders may take some time.
     process.waitFor(MAX_RENDER_MINUTES, TimeUnit.MINUTES);
-    Outcome outcome = Program.await(directory, process);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = Program.await(directory, process).done();
   }
 
   private Process startRender() throws IOException {
@@ -155,16 +153,14 @@ class KillIT {
       Thread.sleep(1);
     }
     long start = System.nanoTime();
-    send(signal, process);
+    Program.send(signal, process);
     Outcome outcome = Program.await(directory, process);
     long millis = (System.nanoTime() - start) / 1_000_000;
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(exitCode);
     assertThat(outcome.err()).contains("a.pfm: stopped early");
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files.map(file -> file.getFileName().toString()))
-          .containsExactlyInAnyOrder(
-              "a.film", "a.film.bak", "a.pfm", "err.txt", "out.txt", "tiny.json");
-    }
+    assertThat(Folders.names(directory))
+        .containsExactlyInAnyOrder(
+            "a.film", "a.film.bak", "a.pfm", "err.txt", "out.txt", "tiny.json");
     // The film has all samples of the picture.
     run("develop", "a.film", "-o", "developed.pfm");
     assertThat(Files.readAllBytes(directory.resolve("developed.pfm")))
@@ -209,12 +205,6 @@ class KillIT {
         .hasSameBinaryContentAs(directory.resolve("whole.pfm"));
   }
 
-  private static void send(String signal, Process process)
-      throws IOException, InterruptedException {
-    List<String> kill = new ArrayList<>(List.of("kill", "-" + signal, "" + process.pid()));
-    assertThat(new ProcessBuilder(kill).start().waitFor()).isZero();
-  }
-
   /** A deleted directory has the same effect as a full disk. */
   @Test
   void filmThatCannotBeWrittenIsKeptElsewhere() throws IOException, InterruptedException {
@@ -240,7 +230,7 @@ class KillIT {
     }
     Files.move(lost, directory.resolve("gone"));
     Thread.sleep(500);
-    send("TERM", process);
+    Program.send("TERM", process);
     Outcome outcome = Program.await(directory, process);
     assertThat(outcome.err())
         .contains("lost/a.film: cannot be written", "lost/a.pfm: cannot be written")

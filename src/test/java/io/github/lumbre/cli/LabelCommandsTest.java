@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.render.PictureRenderer;
@@ -69,7 +68,7 @@ class LabelCommandsTest extends CommandFixture {
   @Test
   void boxIsWhereTheMatrixOfTheJsonHasIt() throws IOException {
     String line = "views T/a.obj --up z --size 320x240 --labels box --json -o T/v" + WHITE;
-    JsonObject json = JsonParser.parseString(runs(line).out()).getAsJsonObject();
+    JsonObject json = runs(line).json();
     JsonArray low = json.getAsJsonArray("bounds").get(0).getAsJsonArray();
     JsonArray high = json.getAsJsonArray("bounds").get(1).getAsJsonArray();
     for (JsonElement view : json.getAsJsonArray("views")) {

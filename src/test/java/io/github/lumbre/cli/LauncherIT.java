@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.lang.module.ModuleFinder;
 import java.nio.file.Files;
@@ -126,8 +127,7 @@ class LauncherIT {
       processes.add(start("at once " + i, home.resolve("lumbre"), Map.of()));
     }
     for (int i = 0; i < 4; i++) {
-      Outcome outcome = Program.await(directory.resolve("at once " + i), processes.get(i));
-      assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+      Outcome outcome = Program.await(directory.resolve("at once " + i), processes.get(i)).done();
       assertThat(outcome.out()).startsWith("Lumbre ");
     }
     assertThat(builds()).isEqualTo(1);
@@ -343,9 +343,7 @@ class LauncherIT {
     assertThat(launch().out()).startsWith("Lumbre ");
     assertThat(archive()).isEmptyFile();
     assertThat(launch().err()).isEmpty();
-    try (Stream<Path> files = Files.list(home.resolve("target"))) {
-      assertThat(files.map(file -> file.getFileName().toString()))
-          .containsExactlyInAnyOrder("lumbre-all.jar", archive().getFileName().toString());
-    }
+    assertThat(Folders.names(home.resolve("target")))
+        .containsExactlyInAnyOrder("lumbre-all.jar", archive().getFileName().toString());
   }
 }

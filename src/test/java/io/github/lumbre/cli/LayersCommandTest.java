@@ -4,13 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.testing.Folders;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
@@ -44,8 +43,7 @@ class LayersCommandTest extends CommandFixture {
 
   @Test
   void layersAreListedWithTheirRanges() {
-    Outcome outcome = layers(picture);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = layers(picture).done();
     assertThat(outcome.out().lines().map(line -> line.split(" +")[0]))
         .contains("(picture)", "albedo", "depth", "normal", "CryptoObject:", "CryptoMaterial:");
     assertThat(outcome.out())
@@ -55,9 +53,8 @@ class LayersCommandTest extends CommandFixture {
 
   @Test
   void picturesAndFilmsHaveTheSameLayers() {
-    JsonObject ofPicture =
-        JsonParser.parseString(layers(picture, "--json").out()).getAsJsonObject();
-    JsonObject ofFilm = JsonParser.parseString(layers(film, "--json").out()).getAsJsonObject();
+    JsonObject ofPicture = layers(picture, "--json").json();
+    JsonObject ofFilm = layers(film, "--json").json();
     assertThat(ofFilm.get("mattes")).isEqualTo(ofPicture.get("mattes"));
     assertThat(ofFilm.get("layers").getAsJsonArray())
         .hasSameSizeAs(ofPicture.get("layers").getAsJsonArray());
@@ -68,13 +65,8 @@ class LayersCommandTest extends CommandFixture {
   @Test
   void masksAndRangesBecomePngInsideTheFolder() throws IOException {
     Path folder = directory.resolve("png");
-    Outcome outcome = layers(picture, "--png", folder.toString());
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    List<String> names;
-    try (Stream<Path> files = Files.list(folder)) {
-      names = files.map(file -> file.getFileName().toString()).sorted().toList();
-    }
-    assertThat(names)
+    Outcome outcome = layers(picture, "--png", folder.toString()).done();
+    assertThat(Folders.names(folder))
         .contains("picture.png", "albedo.png", "normal.png", "depth.png", "object-.._ball.png");
     assertThat(directory.resolve("ball.png")).doesNotExist();
     BufferedImage depth = ImageIO.read(folder.resolve("depth.png").toFile());
@@ -82,10 +74,7 @@ class LayersCommandTest extends CommandFixture {
     assertThat(depth.getWidth()).isEqualTo(16);
     BufferedImage ball = ImageIO.read(folder.resolve("object-.._ball.png").toFile());
     JsonObject shares =
-        JsonParser.parseString(layers(picture, "--json").out())
-            .getAsJsonObject()
-            .getAsJsonObject("mattes")
-            .getAsJsonObject("CryptoObject");
+        layers(picture, "--json").json().getAsJsonObject("mattes").getAsJsonObject("CryptoObject");
     double sum = 0;
     for (int i = 0; i < 16 * 12; i++) {
       sum += ball.getRaster().getSample(i % 16, i / 16, 0) / 255.0;
@@ -99,8 +88,7 @@ class LayersCommandTest extends CommandFixture {
   @Test
   void onlyTheWantedLayerIsWritten() {
     Path folder = directory.resolve("one");
-    Outcome outcome = layers(film, "--layer", "depth", "--png", folder.toString());
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = layers(film, "--layer", "depth", "--png", folder.toString()).done();
     assertThat(folder.toFile().list()).containsExactly("depth.png");
     assertThat(outcome.out().strip()).isEqualTo(folder.resolve("depth.png").toString());
   }
@@ -143,9 +131,9 @@ class LayersCommandTest extends CommandFixture {
   @Test
   void layersAreCompared() {
     Outcome same =
-        Outcome.of("compare", picture.toString(), film.toString(), "--layer", "normal", "--json");
-    assertThat(same.exitCode()).as(same.err()).isZero();
-    double rmse = JsonParser.parseString(same.out()).getAsJsonObject().get("rmse").getAsDouble();
+        Outcome.of("compare", picture.toString(), film.toString(), "--layer", "normal", "--json")
+            .done();
+    double rmse = same.json().get("rmse").getAsDouble();
     // The picture stores normals as half floats.
     assertThat(rmse).isLessThan(1e-3);
     Outcome.of("compare", picture.toString(), film.toString(), "--layer", "norma")

@@ -4,13 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.cli.output.ExitCodes;
-import java.awt.image.BufferedImage;
+import io.github.lumbre.testing.Pictures;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -33,10 +32,7 @@ class LocaleIT {
     String scene =
         TinyScene.withAsset(texture).replace("\"Diffuse\",", "\"Diffuse\", \"colorTextureId\": 9,");
     Files.writeString(directory.resolve("plain.json"), scene);
-    ImageIO.write(
-        new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
-        "png",
-        directory.resolve("plain.png").toFile());
+    Files.write(directory.resolve("plain.png"), Pictures.png(2, 2, 0));
     assertThat(sh("cp plain.json bär.json && mv plain.png mär.png").exitCode()).isZero();
   }
 
@@ -60,14 +56,13 @@ class LocaleIT {
     assumeTrue(
         sh("LC_ALL=C.UTF-8 locale charmap").out().equals("UTF-8\n"), "there is no C.UTF-8 here");
     Outcome outcome =
-        sh(
-            without(locale)
+        sh(without(locale)
                 + "export JAVA_HOME='"
                 + System.getProperty("java.home")
                 + "'\n'"
                 + Path.of("lumbre").toAbsolutePath()
-                + "' render bär.json -o blüte.png && test -s blüte.png");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+                + "' render bär.json -o blüte.png && test -s blüte.png")
+            .done();
     assertThat(outcome.err()).startsWith("blüte.png: 16x12 pixels");
   }
 
@@ -88,8 +83,7 @@ class LocaleIT {
   @Test
   void namesOfAsciiNeedNoLocale() throws IOException, InterruptedException {
     Files.writeString(directory.resolve("tiny.json"), TinyScene.JSON);
-    Outcome outcome = sh(without("export LC_ALL=C") + jar() + " render tiny.json");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = sh(without("export LC_ALL=C") + jar() + " render tiny.json").done();
   }
 
   @Test
@@ -97,8 +91,7 @@ class LocaleIT {
     ModelSample.write(directory);
     String render = " render sample.glb --turntable 1 -o a.png --size 8x6 -s 1";
     String persian = jar().replace(" -jar ", " -Duser.language=fa -jar ");
-    Outcome outcome = sh(without("export LC_ALL=C.UTF-8") + persian + render);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = sh(without("export LC_ALL=C.UTF-8") + persian + render).done();
     assertThat(directory.resolve("a-000.png")).exists();
   }
 }

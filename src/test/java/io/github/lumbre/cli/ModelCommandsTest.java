@@ -30,19 +30,14 @@ class ModelCommandsTest extends CommandFixture {
   @Test
   void viewsAreThoseOfRender() throws IOException {
     String flags = " --ground --sky white --background #8080ff --size 24x18 -s 2";
-    Outcome outcome = run("views T/sample.glb -o T/views/new" + flags);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = run("views T/sample.glb -o T/views/new" + flags).done();
     assertThat(outcome.err())
         .matches(
             ".*/views/new: 7 views and a contact sheet, views.png; 24x18 pixels, 2 samples per"
                 + " pixel, denoised, [0-9.]+ s\n");
     for (String view : View.standard().keySet()) {
       runs("render T/sample.glb -o T/one.png --quiet --view " + view + flags);
-      BufferedImage all = picture("views/new/" + view + ".png");
-      BufferedImage one = picture("one.png");
-      assertThat(all.getRGB(0, 0, 24, 18, null, 0, 24))
-          .as(view)
-          .isEqualTo(one.getRGB(0, 0, 24, 18, null, 0, 24));
+      assertThat(pixels("views/new/" + view + ".png")).as(view).isEqualTo(pixels("one.png"));
     }
     BufferedImage sheet = picture("views/new/views.png");
     assertThat(sheet.getWidth()).isEqualTo(4 * 24 + 3);
@@ -261,8 +256,7 @@ class ModelCommandsTest extends CommandFixture {
   @Test
   void framesShareTheTimeOfTheCommand() {
     Outcome outcome =
-        run("render T/sample.glb --turntable 4 --size 24x18 --time 4s --json -o T/a.pfm");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+        run("render T/sample.glb --turntable 4 --size 24x18 --time 4s --json -o T/a.pfm").done();
     double[] seconds =
         outcome
             .out()
@@ -300,8 +294,8 @@ class ModelCommandsTest extends CommandFixture {
 
   @Test
   void theMemoryOfATurntableIsEstimatedOnce() {
-    Outcome outcome = run("render T/sample.glb --turntable 3 --dry-run --json -o T/a.pfm" + SMALL);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome =
+        run("render T/sample.glb --turntable 3 --dry-run --json -o T/a.pfm" + SMALL).done();
     assertThat(outcome.out().lines()).hasSize(1);
     assertThat(directory.resolve("a-000.pfm")).doesNotExist();
   }

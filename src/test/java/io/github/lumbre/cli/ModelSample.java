@@ -1,14 +1,12 @@
 package io.github.lumbre.cli;
 
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
+import io.github.lumbre.testing.Pictures;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 
 /** Writes a small .glb: a textured tetrahedron with cameras, an animation and a variant. */
 public final class ModelSample {
@@ -63,14 +61,8 @@ public final class ModelSample {
   }
 
   private static Path write(Path folder, String json) throws IOException {
-    BufferedImage paint = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
-    paint.setRGB(0, 0, 0xc0a080);
-    paint.setRGB(1, 0, 0x80c0a0);
-    paint.setRGB(0, 1, 0xa080c0);
-    paint.setRGB(1, 1, 0xc0c0c0);
-    ByteArrayOutputStream png = new ByteArrayOutputStream();
-    ImageIO.write(paint, "png", png);
-    Files.write(folder.resolve("paint.png"), png.toByteArray());
+    byte[] paint = Pictures.png(2, 2, 0xc0a080, 0x80c0a0, 0xa080c0, 0xc0c0c0);
+    Files.write(folder.resolve("paint.png"), paint);
     return Files.write(folder.resolve("sample.glb"), glb(json));
   }
 

@@ -2,6 +2,8 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -35,6 +37,17 @@ public record Outcome(int exitCode, String out, String err) {
     return Stream.of(line.split(" "))
         .map(word -> word.matches("T(/.*)?") ? folder + word.substring(1) : word)
         .toArray(String[]::new);
+  }
+
+  /** Checks that the run succeeded. */
+  public Outcome done() {
+    assertThat(exitCode).as(err).isZero();
+    return this;
+  }
+
+  /** Returns the object that is the whole standard output. */
+  public JsonObject json() {
+    return JsonParser.parseString(out).getAsJsonObject();
   }
 
   /** Checks that the run failed with this code and a single line that contains these texts. */

@@ -53,9 +53,7 @@ class PartCommandsTest extends CommandFixture {
     assertThat(left.getRGB(23, 9)).isEqualTo(background);
     Files.writeString(directory.resolve("alone.obj"), MODEL.substring(0, MODEL.indexOf("o right")));
     runs("render T/alone.obj -o T/alone.png --background #ffffff" + SMALL);
-    BufferedImage alone = ImageIO.read(directory.resolve("alone.png").toFile());
-    assertThat(left.getRGB(0, 0, 24, 18, null, 0, 24))
-        .isEqualTo(alone.getRGB(0, 0, 24, 18, null, 0, 24));
+    assertThat(pixels("left.png")).isEqualTo(pixels("alone.png"));
   }
 
   @Test

@@ -266,7 +266,7 @@ class PartNumbersTest extends CommandFixture {
   void listsOfManyPartsAreShort() throws IOException {
     Files.write(directory.resolve("a.stl"), PartSelectionTest.tetrahedra(100_000));
     Outcome outcome = run("check T/a.stl --json");
-    JsonObject all = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject all = outcome.json();
     assertThat(all.get("part_count").getAsInt()).isEqualTo(10_000);
     assertThat(objects(all, "parts")).hasSize(1_000);
     assertThat(outcome.out()).hasSizeLessThan(150_000);

@@ -44,8 +44,7 @@ class PerfCommandTest {
 
   @Test
   void everyNumberOfThreadsHasItsRowOfTheSamePicture() {
-    Outcome outcome = bench("--threads", "1,3,1", "-s", "2", "--repeat", "2");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = bench("--threads", "1,3,1", "-s", "2", "--repeat", "2").done();
     assertThat(outcome.err()).isEmpty();
     assertThat(rows(outcome)).hasSize(2);
     assertThat(rows(outcome).get(0)).startsWith("| tiny | 16x12 | 2 | 1 | ");
@@ -145,17 +144,15 @@ class PerfCommandTest {
   @Test
   void pairsTellWhatAShortcutSaves() {
     Outcome outcome =
-        bench(
-            "--paired", "--without", "ONE_EMITTER", "--repeat", "12", "-s", "1", "--threads", "1");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+        bench("--paired", "--without", "ONE_EMITTER", "--repeat", "12", "-s", "1", "--threads", "1")
+            .done();
     assertThat(rows(outcome)).hasSize(1);
     assertThat(rows(outcome).get(0)).startsWith("| tiny | 16x12 | 1 | ").endsWith("| same |");
   }
 
   @Test
   void pairsTellWhatAdaptiveSamplingBrings() {
-    Outcome outcome = bench("--paired", "--adaptive", "-s", "128");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = bench("--paired", "--adaptive", "-s", "128").done();
     assertThat(rows(outcome).get(0)).contains("| 16x12 | 128 | ").endsWith("| different |");
     bench("--paired", "--adaptive", "--json", "a.json")
         .assertFailed(ExitCodes.USAGE, "--paired: cannot be combined with --json");
@@ -167,8 +164,7 @@ class PerfCommandTest {
 
   @Test
   void pairsTellWhatSplitPathsBring() {
-    Outcome outcome = bench("--paired", "--split", "3", "-s", "2");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = bench("--paired", "--split", "3", "-s", "2").done();
     assertThat(outcome.out()).contains("Paths split into 3.");
     assertThat(rows(outcome).get(0)).contains("| 16x12 | 2 | ").endsWith("| different |");
     bench("--split", "0").assertFailed(ExitCodes.USAGE, "--split: expected 1 to 256, found 0");

@@ -23,8 +23,7 @@ class PixelCommandTest extends CommandFixture {
 
   @Test
   void pathIsToldVertexByVertexWithItsPlacesInTheFile() {
-    Outcome outcome = pixel(TinyScene.JSON, "8,6", "--sample", "1");
-    assertThat(outcome.exitCode()).isZero();
+    Outcome outcome = pixel(TinyScene.JSON, "8,6", "--sample", "1").done();
     assertThat(outcome.err()).isEmpty();
     assertThat(outcome.out().lines())
         .contains("pixel 8,6, sample 1, seed 0", "vertex 0", "vertex 1")
@@ -35,8 +34,7 @@ class PixelCommandTest extends CommandFixture {
 
   @Test
   void pixelAsAWholeHasMeanVarianceAndBrightestSamples() {
-    Outcome outcome = pixel(TinyScene.JSON, "8,6", "-s", "20");
-    assertThat(outcome.exitCode()).isZero();
+    Outcome outcome = pixel(TinyScene.JSON, "8,6", "-s", "20").done();
     assertThat(outcome.out().lines())
         .contains(
             "pixel 8,6, 20 samples, seed 0",
@@ -138,7 +136,7 @@ class PixelCommandTest extends CommandFixture {
 
   private static JsonObject json(Outcome outcome) {
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    return JsonParser.parseString(outcome.out()).getAsJsonObject();
+    return outcome.json();
   }
 
   /** The warning of a render suggests a command, which reports the same sample. */
@@ -147,14 +145,13 @@ class PixelCommandTest extends CommandFixture {
     Path scene = TinyScene.write(directory, TinyScene.blinding());
     Path picture = directory.resolve("tiny.png");
     Outcome render =
-        Outcome.of("render", "" + scene, "-o", "" + picture, "--quiet", "--seed", "3", "-s", "4");
-    assertThat(render.exitCode()).isZero();
+        Outcome.of("render", "" + scene, "-o", "" + picture, "--quiet", "--seed", "3", "-s", "4")
+            .done();
     List<String> warnings =
         render.err().lines().filter(line -> line.contains("lumbre pixel ")).toList();
     assertThat(warnings).isNotEmpty();
     String command = warnings.get(0).replaceFirst(".*lumbre ", "");
-    Outcome replay = Outcome.of(command.split(" "));
-    assertThat(replay.exitCode()).isZero();
+    Outcome replay = Outcome.of(command.split(" ")).done();
     assertThat(replay.out())
         .contains("Infinity", "rejected     negative, NaN or infinite", "film         (0, 0, 0)");
     Outcome strict = Outcome.of((command + " --strict").split(" "));

@@ -1,5 +1,7 @@
 package io.github.lumbre.cli;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -100,5 +102,17 @@ final class Program {
   static Outcome run(Path directory, List<String> command)
       throws IOException, InterruptedException {
     return await(directory, start(directory, command));
+  }
+
+  /** Sends a signal to a process. */
+  static void send(String signal, Process process) throws IOException, InterruptedException {
+    List<String> kill = List.of("kill", "-" + signal, "" + process.pid());
+    assertThat(new ProcessBuilder(kill).start().waitFor()).isZero();
+  }
+
+  static void endAll(List<Process> started) throws InterruptedException {
+    for (Process process : started) {
+      process.destroyForcibly().waitFor();
+    }
   }
 }

@@ -3,12 +3,12 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -47,9 +47,6 @@ class ReadingTimeoutTest {
         ExitCodes.LIMIT, "--timeout", "before anything was rendered; no picture is written");
     assertThat(seconds).isLessThan(MOST_SECONDS);
     assertThat(Thread.currentThread().isInterrupted()).isFalse();
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files.map(file -> file.getFileName().toString()))
-          .containsExactlyInAnyOrder("large.obj", "tiny.json");
-    }
+    assertThat(Folders.names(directory)).containsExactlyInAnyOrder("large.obj", "tiny.json");
   }
 }

@@ -5,8 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.geometry.Kernel;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
+import io.github.lumbre.testing.Pictures;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -53,8 +52,7 @@ class RunnableJarIT {
   @Test
   void measuringFindsTheJarOfTheLabBesideTheProgram() throws IOException, InterruptedException {
     TinyScene.write(directory, TinyScene.JSON);
-    Outcome outcome = lumbre("perf", "tiny.json", "--samples", "1", "--repeat", "1");
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+    Outcome outcome = lumbre("perf", "tiny.json", "--samples", "1", "--repeat", "1").done();
     assertThat(outcome.out()).contains("| tiny |");
   }
 
@@ -105,8 +103,7 @@ class RunnableJarIT {
     for (int i = 0; i < pictures.length; i++) {
       String kernel = i == 0 ? "vector" : "scalar";
       String[] render = {"render", "tiny.json", "--kernel", kernel, "-o", kernel + ".pfm"};
-      Outcome outcome = lumbre(render);
-      assertThat(outcome.exitCode()).isZero();
+      Outcome outcome = lumbre(render).done();
       assertThat(outcome.err()).startsWith(kernel + ".pfm: 16x12 pixels").hasLineCount(1);
       pictures[i] = Files.readAllBytes(directory.resolve(kernel + ".pfm"));
     }
@@ -197,9 +194,7 @@ class RunnableJarIT {
 
   /** Returns a PNG of one pixel whose header states another size, with a valid checksum. */
   private static byte[] pngOfSize(int side) throws IOException {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", out);
-    ByteBuffer png = ByteBuffer.wrap(out.toByteArray());
+    ByteBuffer png = ByteBuffer.wrap(Pictures.png(1, 1, 0));
     png.putInt(16, side).putInt(20, side);
     CRC32 crc = new CRC32();
     crc.update(png.array(), 12, 17);
@@ -233,8 +228,7 @@ class RunnableJarIT {
   void samplesThatAreNoNumbersFailUnderStrictnessOnly() throws IOException, InterruptedException {
     TinyScene.write(directory, TinyScene.blinding());
     String[] render = {"render", "tiny.json", "-o", "tiny.pfm", "--json", "--seed", "3", "-s", "4"};
-    Outcome lax = lumbre(render);
-    assertThat(lax.exitCode()).isZero();
+    Outcome lax = lumbre(render).done();
     byte[] picture = Files.readAllBytes(directory.resolve("tiny.pfm"));
     Files.delete(directory.resolve("tiny.pfm"));
     List<String> strictly = new ArrayList<>(List.of(render));
@@ -300,8 +294,7 @@ class RunnableJarIT {
   @Test
   void nothingIsDrawnIntoAPipe() throws IOException, InterruptedException {
     TinyScene.write(directory, TinyScene.JSON);
-    Outcome outcome = lumbre("render", "tiny.json", "--size", "200x200", "-s", "20");
-    assertThat(outcome.exitCode()).isZero();
+    Outcome outcome = lumbre("render", "tiny.json", "--size", "200x200", "-s", "20").done();
     assertThat(outcome.err()).startsWith("tiny.png: ").hasLineCount(1).doesNotContain("\r");
   }
 }

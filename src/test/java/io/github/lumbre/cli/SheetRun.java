@@ -8,6 +8,7 @@ import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.thumbnail.Thumbnails;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -19,7 +20,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -78,8 +78,7 @@ final class SheetRun implements AutoCloseable {
     Map<String, byte[]> outputs = new LinkedHashMap<>();
     printed()
         .forEach(
-            (name, text) ->
-                outputs.put(name, steady.text(text).getBytes(StandardCharsets.UTF_8)));
+            (name, text) -> outputs.put(name, steady.text(text).getBytes(StandardCharsets.UTF_8)));
     files()
         .forEach(
             (name, bytes) -> {
@@ -102,11 +101,9 @@ final class SheetRun implements AutoCloseable {
 
   private Map<String, byte[]> files() throws IOException {
     Map<String, byte[]> files = new TreeMap<>();
-    try (Stream<Path> all = Files.walk(folder)) {
-      for (Path file : all.filter(Files::isRegularFile).toList()) {
-        String name = folder.relativize(file).toString().replace('\\', '/');
-        files.put(name, Files.readAllBytes(file));
-      }
+    for (Path file : Folders.below(folder, "")) {
+      String name = folder.relativize(file).toString().replace('\\', '/');
+      files.put(name, Files.readAllBytes(file));
     }
     return files;
   }

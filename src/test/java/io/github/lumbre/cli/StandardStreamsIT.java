@@ -6,13 +6,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.lab.perf.RasterHash;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -124,9 +124,9 @@ class StandardStreamsIT {
     Outcome outcome = shell("LUMBRE render tiny.json -o - --fallback-dir other > /dev/full");
     assertThat(outcome.err()).contains("standard output cannot be written: ", "saved as other/");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.OUTPUT);
-    try (Stream<Path> files = Files.list(directory.resolve("other"))) {
-      assertThat(files.toList()).hasSize(1).allMatch(file -> file.toFile().length() > 0);
-    }
+    assertThat(Folders.files(directory.resolve("other")))
+        .hasSize(1)
+        .allMatch(file -> file.toFile().length() > 0);
   }
 
   @Test
@@ -170,9 +170,7 @@ class StandardStreamsIT {
                 + " --checkpoint a.film --fallback-dir other 2> /dev/null");
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.OUTPUT);
     assertThat(directory.resolve("other")).isEmptyDirectory();
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files.map(file -> "" + file.getFileName()))
-          .containsExactlyInAnyOrder("tiny.json", "other", "out.txt", "err.txt");
-    }
+    assertThat(Folders.names(directory))
+        .containsExactlyInAnyOrder("tiny.json", "other", "out.txt", "err.txt");
   }
 }

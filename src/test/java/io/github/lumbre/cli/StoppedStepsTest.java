@@ -3,11 +3,11 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Folders;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -67,9 +67,7 @@ class StoppedStepsTest extends CommandFixture {
 
   @AfterEach
   void endAll() throws InterruptedException {
-    for (Process process : started) {
-      process.destroyForcibly().waitFor();
-    }
+    Program.endAll(started);
   }
 
   /**
@@ -112,11 +110,6 @@ class StoppedStepsTest extends CommandFixture {
         .collect(Collectors.joining(File.pathSeparator));
   }
 
-  private void signal(String name, Process process) throws IOException, InterruptedException {
-    List<String> kill = List.of("kill", "-" + name, "" + process.pid());
-    assertThat(new ProcessBuilder(kill).start().waitFor()).isZero();
-  }
-
   /** Starts a command, and stops it while the denoiser runs. */
   private Outcome stopped(String name, String line) throws IOException, InterruptedException {
     Process process = start(line);
@@ -124,20 +117,19 @@ class StoppedStepsTest extends CommandFixture {
       assertThat(process.isAlive()).isTrue();
       Thread.sleep(5);
     }
-    signal(name, process);
+    Program.send(name, process);
     return Program.await(directory, process);
   }
 
   @Test
   void aPictureThatIsNotDenoisedIsPartial() throws Exception {
     sleep(1, "60");
-    Outcome outcome =
-        stopped("TERM", "render T/sample.glb --labels axes --json -o T/a.png" + SLOW);
+    Outcome outcome = stopped("TERM", "render T/sample.glb --labels axes --json -o T/a.png" + SLOW);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
     String lack = "2 of 2 samples per pixel, not denoised, without lines and labels";
     assertThat(texts("a.png")).containsEntry("Partial", lack);
     assertThat(outcome.err()).contains("a.png: partial picture of 24x18 pixels, " + lack);
-    JsonObject json = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject json = outcome.json();
     assertThat(json.get("complete").getAsBoolean()).isFalse();
     assertThat(json.get("exit_code").getAsInt()).isEqualTo(ExitCodes.TERMINATED);
     assertThat(json.get("stopped_by").getAsString()).isEqualTo("signal");
@@ -197,19 +189,19 @@ class StoppedStepsTest extends CommandFixture {
     Files.delete(directory.resolve("bin/wait"));
     outcome = run(line + "a.apng --continue" + SLOW);
     assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    assertThat(directory.resolve("a.apng"))
-        .hasSameBinaryContentAs(directory.resolve("whole.apng"));
+    assertThat(directory.resolve("a.apng")).hasSameBinaryContentAs(directory.resolve("whole.apng"));
     assertThat(directory.resolve("a.apng.frames")).doesNotExist();
   }
 
   @Test
   void stoppedViewsAreNotWritten() throws Exception {
     sleep(5, "60");
-    Outcome outcome = stopped("TERM", "views T/sample.glb --json -o T/views --oidn T/bin --size 24x18");
+    Outcome outcome =
+        stopped("TERM", "views T/sample.glb --json -o T/views --oidn T/bin --size 24x18");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
     assertThat(directory.resolve("views").toFile().list()).containsExactly("front.png");
     assertThat(texts("views/front.png")).doesNotContainKey("Partial");
-    JsonObject json = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject json = outcome.json();
     assertThat(json.get("exit_code").getAsInt()).isEqualTo(ExitCodes.TERMINATED);
   }
 
@@ -246,7 +238,7 @@ class StoppedStepsTest extends CommandFixture {
       assertThat(process.isAlive()).isTrue();
       Thread.sleep(5);
     }
-    signal("TERM", process);
+    Program.send("TERM", process);
     Outcome outcome = Program.await(directory, process);
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
     assertThat(directory.resolve("b.png")).doesNotExist();
@@ -273,11 +265,10 @@ class StoppedStepsTest extends CommandFixture {
       Process process = start(stopped);
       process.waitFor(millis * (300 + random.nextInt(700)) / 1000, TimeUnit.MILLISECONDS);
       if (process.isAlive()) {
-        signal(List.of("TERM", "INT", "HUP").get(random.nextInt(3)), process);
+        Program.send(List.of("TERM", "INT", "HUP").get(random.nextInt(3)), process);
       }
       process.waitFor();
-      Outcome outcome = run(stopped + " --continue");
-      assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+      Outcome outcome = run(stopped + " --continue").done();
       assertThat(contents("stopped" + i)).isEqualTo(contents("whole" + i % lines.size()));
     }
   }
@@ -285,10 +276,8 @@ class StoppedStepsTest extends CommandFixture {
   /** Returns the pixels of all pictures of a folder by their names. */
   private Map<String, String> contents(String folder) throws IOException {
     Map<String, String> all = new TreeMap<>();
-    try (Stream<Path> files = Files.list(directory.resolve(folder))) {
-      for (Path file : files.toList()) {
-        all.put("" + file.getFileName(), content(file));
-      }
+    for (Path file : Folders.files(directory.resolve(folder))) {
+      all.put("" + file.getFileName(), content(file));
     }
     return all;
   }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,7 +16,6 @@ import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -78,10 +78,7 @@ class TerminalIT {
   }
 
   private void assertNothingLeftBehind() throws IOException {
-    try (Stream<Path> files = Files.list(directory)) {
-      assertThat(files.map(file -> file.getFileName().toString()))
-          .noneMatch(name -> name.startsWith("."));
-    }
+    assertThat(Folders.names(directory)).noneMatch(name -> name.startsWith("."));
   }
 
   private void signal(String name) throws IOException, InterruptedException {
@@ -97,10 +94,7 @@ class TerminalIT {
       long start = System.nanoTime();
       assertThat(terminal.exitCode()).isEqualTo(ExitCodes.TARGET);
       double seconds = (System.nanoTime() - start) * 1e-9;
-      List<String> bars =
-          terminal.bars(0).stream()
-              .filter(bar -> !bar.contains(" ... "))
-              .toList();
+      List<String> bars = terminal.bars(0).stream().filter(bar -> !bar.contains(" ... ")).toList();
       assertThat(bars.size()).as(terminal.printed()).isGreaterThan((int) seconds);
       assertThat(bars).allMatch(bar -> BAR.matcher(bar).matches());
       assertThat(bars).anyMatch(bar -> bar.contains("noise"));

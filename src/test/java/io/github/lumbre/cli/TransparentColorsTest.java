@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -73,14 +74,9 @@ class TransparentColorsTest extends CommandFixture {
     BufferedImage in = ImageIO.read(new ByteArrayInputStream(png));
     BufferedImage rgba =
         new BufferedImage(in.getWidth(), in.getHeight(), BufferedImage.TYPE_INT_ARGB);
-    for (int y = 0; y < in.getHeight(); y++) {
-      for (int x = 0; x < in.getWidth(); x++) {
-        rgba.setRGB(x, y, in.getRGB(x, y));
-      }
-    }
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    ImageIO.write(rgba, "png", out);
-    return out.toByteArray();
+    int width = in.getWidth();
+    rgba.setRGB(0, 0, width, in.getHeight(), Pictures.pixels(in), 0, width);
+    return Pictures.file(rgba, "png");
   }
 
   private int[] objPixels(byte[] picture) throws IOException {

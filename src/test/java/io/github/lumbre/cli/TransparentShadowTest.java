@@ -70,8 +70,7 @@ class TransparentShadowTest {
   private double flip(String flags) throws IOException {
     String render = "render T/box.off -o T/a.png --size 64x48 --bits 16 --overwrite";
     Outcome outcome =
-        Outcome.in(folder, render + " --ground --background transparent" + flags);
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
+        Outcome.in(folder, render + " --ground --background transparent" + flags).done();
     Raster picture = ImageIO.read(folder.resolve("a.png").toFile()).getRaster();
     boolean[] isShadow = new boolean[expected.length];
     for (int i = 0; i < expected.length; i++) {
@@ -83,9 +82,7 @@ class TransparentShadowTest {
     }
     double[] tiles =
         Flip.tiles(
-            overWhite(alpha(folder.resolve("a.png")), isShadow),
-            overWhite(expected, isShadow),
-            1);
+            overWhite(alpha(folder.resolve("a.png")), isShadow), overWhite(expected, isShadow), 1);
     double sum = 0;
     int count = 0;
     for (int i = 0; i < tiles.length; i++) {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonObject;
 import io.github.lumbre.cli.ModelSample;
 import io.github.lumbre.testing.Effort;
-import java.awt.image.BufferedImage;
+import io.github.lumbre.testing.Pictures;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -20,7 +20,6 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -52,12 +51,9 @@ class HostileCallsTest {
   }
 
   static void write(Path file, int rgb) throws IOException {
-    BufferedImage image = new BufferedImage(24, 16, BufferedImage.TYPE_INT_RGB);
-    for (int i = 0; i < 24 * 16; i++) {
-      image.setRGB(i % 24, i / 24, rgb);
-    }
     String name = file.getFileName().toString();
-    ImageIO.write(image, name.substring(name.indexOf('.') + 1), file.toFile());
+    Files.write(
+        file, Pictures.file(Pictures.of(24, 16, rgb), name.substring(name.indexOf('.') + 1)));
   }
 
   /** Formats whose readers are seldom used are as closed to clients as to uploads. */

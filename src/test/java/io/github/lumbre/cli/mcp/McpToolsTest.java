@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.mcp;
 
+import static io.github.lumbre.testing.Pictures.pixels;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonArray;
@@ -7,7 +8,6 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import io.github.lumbre.cli.ModelSample;
 import io.github.lumbre.cli.Outcome;
-import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -43,10 +43,6 @@ class McpToolsTest {
     client.close();
   }
 
-  private static int[] pixels(BufferedImage image) {
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
-  }
-
   private static int[] picture(JsonObject result) throws IOException {
     JsonObject content = result.getAsJsonArray("content").get(0).getAsJsonObject();
     byte[] png = Base64.getDecoder().decode(content.get("data").getAsString());
@@ -55,9 +51,8 @@ class McpToolsTest {
 
   /** Returns the pixels of a picture that a command line writes; T is the folder of the model. */
   private int[] commanded(String line, String name) throws IOException {
-    Outcome outcome = Outcome.of(line.replace("T", temporary.toString()).split(" "));
-    assertThat(outcome.exitCode()).as(outcome.err()).isZero();
-    return pixels(ImageIO.read(temporary.resolve(name).toFile()));
+    Outcome outcome = Outcome.of(line.replace("T", temporary.toString()).split(" ")).done();
+    return pixels(temporary.resolve(name));
   }
 
   @ParameterizedTest

@@ -35,7 +35,7 @@ class JsonSummaryTest {
 
   private static JsonObject object(Outcome outcome) {
     assertThat(outcome.out().lines()).hasSize(1);
-    JsonObject object = JsonParser.parseString(outcome.out()).getAsJsonObject();
+    JsonObject object = outcome.json();
     assertThat(object.get("format").getAsString()).isEqualTo(JsonSummary.FORMAT);
     assertThat(object.get("exit_code").getAsInt()).isEqualTo(outcome.exitCode());
     return object;

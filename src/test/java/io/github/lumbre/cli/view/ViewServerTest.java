@@ -32,7 +32,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import java.awt.image.BufferedImage;
+import io.github.lumbre.testing.Pictures;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -263,12 +263,7 @@ class ViewServerTest {
     Path expected = directory.resolve("expected.png");
     ImageWriter.write(
         image, expected, new ImageWriter.Options(Exposure.NONE, ToneCurve.ACES, 8, Map.of()));
-    assertThat(pixels(png)).isEqualTo(pixels(expected));
-  }
-
-  private static int[] pixels(Path png) throws IOException {
-    BufferedImage image = ImageIO.read(png.toFile());
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    assertThat(Pictures.pixels(png)).isEqualTo(Pictures.pixels(expected));
   }
 
   @Test
@@ -484,8 +479,7 @@ class ViewServerTest {
   }
 
   private static int[] pixels(byte[] png) throws IOException {
-    BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
-    return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    return Pictures.pixels(ImageIO.read(new ByteArrayInputStream(png)));
   }
 
   @Test
@@ -665,14 +659,13 @@ class ViewServerTest {
   void pictureIsShownAndSavedBeforeItsBackground() throws Exception {
     Image image = new Image(2, 1, new float[] {0, 0, 0, .2f, .2f, .2f}, new float[] {0, 1});
     Rgb coral = new Rgb(1, Srgb.fromByte(127), Srgb.fromByte(80));
-    View.Picture picture =
-        new View.Picture(image, List.of(), Map.of(), false, Optional.of(coral));
+    View.Picture picture = new View.Picture(image, List.of(), Map.of(), false, Optional.of(coral));
     View.Options options = new View.Options(scene, 0, Optional.empty(), "");
     view = View.of(picture, Exposure.of(1), Exposure.AUTO, ToneCurve.AGX, options);
     view.open(ViewLimits.NONE);
     assertThat(state(0).getAsJsonArray("background").get(1).getAsDouble()).isEqualTo(coral.g());
     Path png = Files.write(directory.resolve("saved.png"), get("save?format=png&tone=aces").body());
-    assertThat(pixels(png)[0]).isEqualTo(0xffff7f50);
+    assertThat(Pictures.pixels(png)[0]).isEqualTo(0xffff7f50);
     assertThat(picture.asLight().image().pixel(0, 0).r()).isEqualTo(1);
   }
 
