@@ -15,8 +15,8 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.format.obj.ObjReader;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
@@ -28,7 +28,6 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
-import javax.imageio.ImageIO;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -96,11 +95,10 @@ class InterruptedReadingTest {
 
   @Test
   void decodingPicturesEnds() throws IOException {
-    BufferedImage image = new BufferedImage(64, 64, BufferedImage.TYPE_INT_RGB);
+    BufferedImage image = Pictures.of(64, 64, 0);
     for (String format : List.of("png", "jpg")) {
-      ByteArrayOutputStream file = new ByteArrayOutputStream();
-      ImageIO.write(image, format, file);
-      assertCancelled(() -> ImageReader.decode(file.toByteArray()));
+      byte[] file = Pictures.file(image, format);
+      assertCancelled(() -> ImageReader.decode(file));
     }
   }
 

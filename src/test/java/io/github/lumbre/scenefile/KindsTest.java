@@ -14,6 +14,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.testing.Folders;
 import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.internal.BilinearTexture;
 import io.github.lumbre.texture.internal.ClearSky;
@@ -84,12 +85,9 @@ class KindsTest {
 
   /** Returns the classes of a package, those inside others included. */
   private static Stream<Class<?>> classes(String name) throws IOException {
-    List<Path> files;
-    try (Stream<Path> all = Files.list(Path.of("target", "classes", "io/github/lumbre", name))) {
-      files = all.filter(file -> file.toString().endsWith(".class")).toList();
-    }
     List<Class<?>> classes = new ArrayList<>();
-    for (Path file : files) {
+    for (Path file :
+        Folders.files(Path.of("target", "classes", "io/github/lumbre", name), ".class")) {
       String simple = file.getFileName().toString().replace(".class", "");
       try {
         classes.add(Class.forName("io.github.lumbre." + name.replace('/', '.') + "." + simple));
@@ -157,13 +155,12 @@ class KindsTest {
 
   @Test
   void noOtherClassHoldsAKey() throws IOException {
-    List<Path> files;
-    try (Stream<Path> all = Files.list(SOURCES.resolve("scenefile"))) {
-      files =
-          Stream.concat(all, Stream.of(SOURCES.resolve("cli/view/CameraJson.java")))
-              .filter(file -> file.toString().matches(".*(?<!Kinds|Keys)[.]java"))
-              .toList();
-    }
+    List<Path> files =
+        Stream.concat(
+                Folders.files(SOURCES.resolve("scenefile")).stream(),
+                Stream.of(SOURCES.resolve("cli/view/CameraJson.java")))
+            .filter(file -> file.toString().matches(".*(?<!Kinds|Keys)[.]java"))
+            .toList();
     Set<String> found = new TreeSet<>();
     for (Path file : files) {
       String source = Files.readString(file);

@@ -4,6 +4,7 @@ import static io.github.lumbre.scenefile.SceneFixture.json;
 import static io.github.lumbre.scenefile.SceneFixture.png;
 import static io.github.lumbre.scenefile.SceneFixture.scene;
 import static io.github.lumbre.scenefile.SceneFixture.texture;
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -57,15 +58,6 @@ class LightReaderTest {
     return file.scene().lights().get(0);
   }
 
-  private static void assertNear(Vec3 found, Vec3 expected) {
-    assertThat(found.minus(expected).length()).isLessThan(1e-14);
-  }
-
-  private static void assertNear(Rgb found, Rgb expected) {
-    assertThat(found.plus(expected.times(-1)).max()).isCloseTo(0, within(1e-14));
-    assertThat(expected.plus(found.times(-1)).max()).isCloseTo(0, within(1e-14));
-  }
-
   @Test
   void directionalLightShinesAlongZ() {
     DirectionalLight found =
@@ -73,7 +65,7 @@ class LightReaderTest {
             light(
                 "'lightType': 'Directional', 'intensity': 2, 'color': {'r': 1, 'g': 0.5, 'b': 0},"
                     + " 'localRotation': {'x': 90}, 'localScale': {'z': 7}");
-    assertNear(found.direction(), new Vec3(0, -1, 0));
+    assertNear(found.direction(), new Vec3(0, -1, 0), 1e-14);
     assertThat(found.irradiance()).isEqualTo(new Rgb(2, 1, 0));
   }
 
@@ -179,7 +171,8 @@ class LightReaderTest {
         light("'lightType': 'Point', 'profile': 'lamp.ies', 'intensity': 0.5, 'color': {'g': 0}");
     assertNear(
         half.sample(new Vec3(0, 0, 1), new Point2(.5, .5)).orElseThrow().radiance(),
-        new Rgb(12.5, 0, 12.5));
+        new Rgb(12.5, 0, 12.5),
+        1e-14);
   }
 
   @Test
@@ -251,7 +244,7 @@ class LightReaderTest {
     Ray ray = new Ray(new Vec3(0, 0, 5), back);
     NearestHit hit = new NearestHit();
     assertThat(scene.intersect(ray, hit)).isTrue();
-    assertNear(scene.surfaceAt(hit).geometricNormal(), Vec3.Z);
+    assertNear(scene.surfaceAt(hit).geometricNormal(), Vec3.Z, 1e-14);
     assertThat(scene.primitiveAt(hit).emission()).isPresent();
   }
 
@@ -267,9 +260,10 @@ class LightReaderTest {
     // Without rotation, the four columns from longitude -180° on are red, green, blue and white.
     Vec3 littleLeft = new Vec3(-.1, 0, 1).normalized();
     Vec3 turned = new Vec3(littleLeft.z(), 0, -littleLeft.x());
-    assertNear(scene.background(turned), new Rgb(0, 2, 0));
+    assertNear(scene.background(turned), new Rgb(0, 2, 0), 1e-14);
     Vec3 littleRight = new Vec3(.1, 0, 1).normalized();
-    assertNear(scene.background(new Vec3(littleRight.z(), 0, -littleRight.x())), new Rgb(0, 0, 2));
+    assertNear(
+        scene.background(new Vec3(littleRight.z(), 0, -littleRight.x())), new Rgb(0, 0, 2), 1e-14);
   }
 
   @Test

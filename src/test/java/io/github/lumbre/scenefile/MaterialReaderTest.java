@@ -5,8 +5,8 @@ import static io.github.lumbre.scenefile.SceneFixture.mesh;
 import static io.github.lumbre.scenefile.SceneFixture.png;
 import static io.github.lumbre.scenefile.SceneFixture.scene;
 import static io.github.lumbre.scenefile.SceneFixture.texture;
+import static io.github.lumbre.testing.Near.assertNear;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.geometry.Box;
 import io.github.lumbre.geometry.Mesh;
@@ -72,12 +72,6 @@ class MaterialReaderTest {
     return file.scene().primitives().get(0);
   }
 
-  private static void assertNear(Rgb found, double r, double g, double b) {
-    assertThat(found.r()).isCloseTo(r, within(1e-12));
-    assertThat(found.g()).isCloseTo(g, within(1e-12));
-    assertThat(found.b()).isCloseTo(b, within(1e-12));
-  }
-
   @Test
   void texturesAreCountedAndFilteredAsTheCallerWants() {
     LongAdder lookUps = new LongAdder();
@@ -86,7 +80,10 @@ class MaterialReaderTest {
     Emission emission = only(fixture.parse(parser, text)).emission().orElseThrow();
     long before = lookUps.sum();
     // Halfway between two texels, the picture's own filter would return one of them.
-    assertNear(emission.radiance().at(new TexturePoint(.5, .5)), .5, .21586050011389926, .5);
+    assertNear(
+        emission.radiance().at(new TexturePoint(.5, .5)),
+        new Rgb(.5, .21586050011389926, .5),
+        1e-12);
     assertThat(lookUps.sum()).isEqualTo(before + 1);
     assertThat(fixture.parse(text).scene().primitives()).hasSize(1);
     assertThat(lookUps.sum()).isEqualTo(before + 1);
@@ -116,8 +113,8 @@ class MaterialReaderTest {
             .emission()
             .orElseThrow();
     // sRGB 128 is 0.2158605 in linear RGB.
-    assertNear(emission.radiance().at(LEFT), 2, .21586050011389926, 0);
-    assertNear(emission.radiance().at(RIGHT), 0, .21586050011389926, 1);
+    assertNear(emission.radiance().at(LEFT), new Rgb(2, .21586050011389926, 0), 1e-12);
+    assertNear(emission.radiance().at(RIGHT), new Rgb(0, .21586050011389926, 1), 1e-12);
   }
 
   @Test
@@ -136,7 +133,10 @@ class MaterialReaderTest {
   void texturesMayBeFiltered() {
     Emission emission =
         only(parse("'materialType': 'Color', 'colorTextureId': 4")).emission().orElseThrow();
-    assertNear(emission.radiance().at(new TexturePoint(.5, .5)), .5, .21586050011389926, .5);
+    assertNear(
+        emission.radiance().at(new TexturePoint(.5, .5)),
+        new Rgb(.5, .21586050011389926, .5),
+        1e-12);
   }
 
   @Test

@@ -1,6 +1,7 @@
 package io.github.lumbre.scenefile;
 
 import static io.github.lumbre.scenefile.SceneFixture.json;
+import static io.github.lumbre.testing.Near.assertNear;
 import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -37,17 +38,13 @@ class ObjectTreeTest {
     return objects(objects).get(number).toWorld().point(point);
   }
 
-  private static void assertNear(Vec3 found, Vec3 expected) {
-    assertThat(found.minus(expected).length()).isLessThan(1e-14);
-  }
-
   @Test
   void rotationsAreInDegreesAboutZThenXThenY() {
-    assertNear(image("{'localRotation': {'x': 90}}", 0, Vec3.Z), new Vec3(0, -1, 0));
-    assertNear(image("{'localRotation': {'y': 90}}", 0, Vec3.Z), Vec3.X);
-    assertNear(image("{'localRotation': {'z': 90}}", 0, Vec3.X), Vec3.Y);
-    assertNear(image("{'localRotation': {'x': 90, 'z': 90}}", 0, Vec3.X), Vec3.Z);
-    assertNear(image("{'localRotation': {'x': 90, 'y': 90, 'z': 90}}", 0, Vec3.X), Vec3.X);
+    assertNear(image("{'localRotation': {'x': 90}}", 0, Vec3.Z), new Vec3(0, -1, 0), 1e-14);
+    assertNear(image("{'localRotation': {'y': 90}}", 0, Vec3.Z), Vec3.X, 1e-14);
+    assertNear(image("{'localRotation': {'z': 90}}", 0, Vec3.X), Vec3.Y, 1e-14);
+    assertNear(image("{'localRotation': {'x': 90, 'z': 90}}", 0, Vec3.X), Vec3.Z, 1e-14);
+    assertNear(image("{'localRotation': {'x': 90, 'y': 90, 'z': 90}}", 0, Vec3.X), Vec3.X, 1e-14);
   }
 
   @Test
@@ -59,7 +56,7 @@ class ObjectTreeTest {
             + " 'localScale': {'x': 1, 'y': 1, 'z': 5}}]}";
     // (1,1,1) → scaled (1,1,5) → turned (1,-5,1) → moved (1,-5,2)
     // → scaled (2,-10,4) → turned (4,-10,-2) → moved (5,-8,1).
-    assertNear(image(nested, 1, new Vec3(1, 1, 1)), new Vec3(5, -8, 1));
+    assertNear(image(nested, 1, new Vec3(1, 1, 1)), new Vec3(5, -8, 1), 1e-14);
   }
 
   @Test
@@ -114,9 +111,9 @@ class ObjectTreeTest {
                 "{'localScale': {'x': -3, 'y': 2, 'z': 1}, 'localRotation': {'y': 90}, 'children':"
                     + " [{'localPosition': {'x': 1}, 'localRotation': {'x': 90}}]}")
             .get(1);
-    assertNear(child.axes().normal(), new Vec3(0, -1, 0));
-    assertNear(child.axes().tangent(), new Vec3(0, 0, -1));
-    assertNear(child.axes().bitangent(), Vec3.X);
-    assertNear(child.position(), new Vec3(0, 0, 3));
+    assertNear(child.axes().normal(), new Vec3(0, -1, 0), 1e-14);
+    assertNear(child.axes().tangent(), new Vec3(0, 0, -1), 1e-14);
+    assertNear(child.axes().bitangent(), Vec3.X, 1e-14);
+    assertNear(child.position(), new Vec3(0, 0, 3), 1e-14);
   }
 }

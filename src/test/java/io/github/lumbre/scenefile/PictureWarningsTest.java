@@ -3,8 +3,7 @@ package io.github.lumbre.scenefile;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.image.format.imageio.LegacyFixture;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
+import io.github.lumbre.testing.Pictures;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -12,7 +11,6 @@ import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
 import java.util.zip.CRC32;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,14 +20,12 @@ class PictureWarningsTest {
   private static final int AFTER_HEADER = 33;
 
   private static String pngWithGamma(int gamma) throws IOException {
-    ByteArrayOutputStream plain = new ByteArrayOutputStream();
-    ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", plain);
     ByteBuffer chunk = ByteBuffer.allocate(16).putInt(4);
     chunk.put("gAMA".getBytes(StandardCharsets.US_ASCII)).putInt(gamma);
     CRC32 crc = new CRC32();
     crc.update(chunk.array(), 4, 8);
     chunk.putInt((int) crc.getValue());
-    byte[] file = plain.toByteArray();
+    byte[] file = Pictures.png(2, 2, 0);
     ByteBuffer all = ByteBuffer.allocate(file.length + 16).put(file, 0, AFTER_HEADER);
     all.put(chunk.array()).put(file, AFTER_HEADER, file.length - AFTER_HEADER);
     return Base64.getEncoder().encodeToString(all.array());

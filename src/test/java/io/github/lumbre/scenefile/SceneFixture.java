@@ -2,15 +2,13 @@ package io.github.lumbre.scenefile;
 
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
+import io.github.lumbre.testing.Pictures;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
-import javax.imageio.ImageIO;
 
 /** Small scenes in a folder, and the results of reading them. */
 final class SceneFixture {
@@ -74,19 +72,7 @@ final class SceneFixture {
 
   /** Returns a PNG of one row of pixels. */
   static byte[] png(int... pixels) {
-    BufferedImage image = new BufferedImage(pixels.length, 1, BufferedImage.TYPE_INT_RGB);
-    image.setRGB(0, 0, pixels.length, 1, pixels, 0, pixels.length);
-    return png(image);
-  }
-
-  static byte[] png(BufferedImage image) {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try {
-      ImageIO.write(image, "png", out);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return out.toByteArray();
+    return Pictures.png(pixels.length, 1, pixels);
   }
 
   /** Returns a texture asset. */

@@ -15,6 +15,7 @@ import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.SceneContents;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -468,7 +469,8 @@ class SceneParserTest {
 
   @Test
   void pictureOfFewBytesAndManyTexelsIsSuspicious() {
-    byte[] bomb = png(new BufferedImage(1024, 1024, BufferedImage.TYPE_BYTE_BINARY));
+    byte[] bomb =
+        Pictures.file(new BufferedImage(1024, 1024, BufferedImage.TYPE_BYTE_BINARY), "png");
     String objects = json("{'type': 'Shape', 'shapeType': 'Sphere', 'materialID': 3}");
     String assets =
         texture(5, bomb, "")

@@ -11,6 +11,7 @@ import com.networknt.schema.JsonSchema;
 import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion.VersionFlag;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -77,9 +78,7 @@ class SceneSchemaTest {
   }
 
   static Stream<Path> scenes() throws IOException {
-    try (Stream<Path> files = Files.list(Path.of("scenes"))) {
-      return files.filter(f -> f.toString().endsWith(".json")).sorted().toList().stream();
-    }
+    return Folders.scenes().stream();
   }
 
   private static boolean isValid(String scene) {

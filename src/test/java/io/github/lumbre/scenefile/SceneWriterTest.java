@@ -36,13 +36,13 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.audit.SceneAudit;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.testing.Effort;
+import io.github.lumbre.testing.Folders;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -155,9 +155,7 @@ class SceneWriterTest {
     assertThat(Files.readAllBytes(path)).isEqualTo(before);
     SceneWriter.replace(other, SETTINGS, path);
     assertThat(new SceneParser().parse(path).scene().ambient()).isEqualTo(Rgb.WHITE);
-    try (Stream<Path> files = Files.list(folder)) {
-      assertThat(files.map(f -> f.getFileName().toString())).containsExactly("scene.json");
-    }
+    assertThat(Folders.names(folder)).containsExactly("scene.json");
   }
 
   @Test

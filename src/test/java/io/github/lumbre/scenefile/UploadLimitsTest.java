@@ -11,6 +11,7 @@ import io.github.lumbre.model.format.threemf.ThreeMfSample;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -27,7 +28,6 @@ import java.util.List;
 import java.util.Random;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -306,10 +306,8 @@ class UploadLimitsTest {
 
   @Test
   void texelsAddUp() throws IOException {
-    ByteArrayOutputStream png = new ByteArrayOutputStream();
-    ImageIO.write(new BufferedImage(16, 16, BufferedImage.TYPE_INT_RGB), "png", png);
-    file("a.png", png.toByteArray());
-    file("b.png", png.toByteArray());
+    file("a.png", Pictures.png(16, 16, 0));
+    file("b.png", Pictures.png(16, 16, 0));
     file("a.mtl", "newmtl a\nmap_Kd a.png\nmap_Ks b.png\nillum 2\n");
     Path obj = file("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE);
     assertRefused(obj, Limits.NONE.withTexels(511), "16x16 pixels, expected at most 255");

@@ -6,6 +6,7 @@ import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.audit.Finding.Severity;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -15,7 +16,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -167,8 +167,7 @@ class SceneAuditTest {
   /** Models have glass as metallic-roughness materials that are boundaries of volumes. */
   @Test
   void openGlassOfModelsIsFound() throws Exception {
-    String open =
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl a\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    String open = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl a\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
     String advice = "close the mesh, or make it thin";
     assertFinds(
         auditOfModel(open, "illum 7"),
@@ -247,13 +246,7 @@ class SceneAuditTest {
   }
 
   private static String png(int width, int height, int rgb) throws IOException {
-    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-    for (int i = 0; i < width * height; i++) {
-      image.setRGB(i % width, i / width, rgb);
-    }
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    ImageIO.write(image, "png", bytes);
-    String base64 = Base64.getEncoder().encodeToString(bytes.toByteArray());
+    String base64 = Base64.getEncoder().encodeToString(Pictures.png(width, height, rgb));
     return "{\"id\": 3, \"assetType\": \"Texture\", \"base64PNG\": \"" + base64 + "\"}";
   }
 
