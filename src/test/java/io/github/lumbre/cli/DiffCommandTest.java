@@ -136,7 +136,7 @@ class DiffCommandTest extends CommandFixture {
     for (String z : new String[] {"1", "-1"}) {
       write("gone.obj", PLATE + bolt.replace("%s", z));
       long mixed = 0;
-      for (int rgb : changes("diff T/gone.obj T/brass.obj --size 320x240")) {
+      for (int rgb : changes("diff T/gone.obj T/brass.obj --size 160x120")) {
         double green = Srgb.decode((rgb >> 8 & 255) / 255.) / Srgb.decode((rgb >> 16 & 255) / 255.);
         // Green by red: 0.44 of what changed, 0.17 of what is gone; blue is in pale parts only.
         mixed += (rgb & 255) < 20 && green > .2 && green < .38 ? 1 : 0;
