@@ -12,7 +12,6 @@ import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.testing.Pictures;
-import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;

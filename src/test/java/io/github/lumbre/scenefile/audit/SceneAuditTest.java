@@ -7,8 +7,6 @@ import io.github.lumbre.scenefile.audit.Finding.Severity;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.testing.Pictures;
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
