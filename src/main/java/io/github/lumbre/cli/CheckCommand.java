@@ -63,7 +63,7 @@ final class CheckCommand extends Subcommand {
       return ExitCode.OK;
     }
     JsonSummary report = new JsonSummary("check", options.scene());
-    return new Run(Interruption.NONE, Optional.of(out), Optional.empty())
+    return new Run(Interruption.none(), Optional.of(out), Optional.empty())
         .of(report, () -> describe(options.load(parser(), errors), report));
   }
 
@@ -76,7 +76,7 @@ final class CheckCommand extends Subcommand {
 
   private static ExitCode describe(SceneFile file, JsonSummary report) {
     report.putScene(file);
-    ParsedScene parsed = ParsedScene.of(file);
+    ParsedScene parsed = file.parsed();
     report.putContents(parsed.contents());
     parsed.model().ifPresent(model -> report.putModel(model, model.parts(parsed.scene())));
     return ExitCode.OK;
@@ -84,7 +84,7 @@ final class CheckCommand extends Subcommand {
 
   private void describe(SceneFile file, Messages out) throws TaskException {
     RenderSettings settings = file.settings();
-    ParsedScene parsed = ParsedScene.of(file);
+    ParsedScene parsed = file.parsed();
     SceneContents contents = parsed.contents();
     out.line("scene      " + options.scene() + " is valid");
     out.line("camera     " + contents.camera());

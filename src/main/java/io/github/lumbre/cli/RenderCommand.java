@@ -225,7 +225,7 @@ final class RenderCommand extends Subcommand {
 
   /** Adds what the picture of a model shows. */
   private static void report(SceneFile file, Path picture, JsonSummary report) {
-    ParsedScene parsed = ParsedScene.of(file);
+    ParsedScene parsed = file.parsed();
     if (parsed.model().isPresent()) {
       PartTable parts = parsed.model().get().parts(parsed.scene());
       report.putContents(parsed.contents());

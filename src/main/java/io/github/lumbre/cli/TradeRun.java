@@ -22,7 +22,6 @@ import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.internal.CountingParser;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -116,7 +115,7 @@ final class TradeRun {
       throws SceneFormatException, TaskException, IOException {
     LongAdder nodes = new LongAdder();
     LongAdder lookUps = new LongAdder();
-    SceneFile again = options.load(CountingParser.of(parser, lookUps), quiet);
+    SceneFile again = options.load(parser.counting(lookUps), quiet);
     return new TradeScene(read.scene(), again.scene().counting(nodes), nodes, lookUps);
   }
 

@@ -239,7 +239,7 @@ final class ViewsCommand extends Subcommand {
       throws Exception {
     RenderSettings settings = file.settings();
     ImageWriter.Options options = settings.development();
-    ParsedScene first = ParsedScene.of(file);
+    ParsedScene first = file.parsed();
     List<String> notes = new ArrayList<>();
     PictureDrawing drawing =
         monitor
@@ -279,7 +279,7 @@ final class ViewsCommand extends Subcommand {
 
   /** Adds the parts of the model, and what each view shows. */
   private void describe(SceneFile file, List<Scene> views, JsonSummary report) {
-    ParsedScene first = ParsedScene.of(file);
+    ParsedScene first = file.parsed();
     ModelContents contents = first.model().orElseThrow();
     PartTable parts = contents.parts(first.scene());
     report.putScene(first);

@@ -22,9 +22,6 @@ import java.util.stream.IntStream;
  * ray's origin. This exceeds the error of any item's intersection test.
  */
 public final class Bvh {
-  private static final TriangleMesh NO_TRIANGLES =
-      TriangleMesh.of(new double[0], new double[0], new double[0], new int[0]);
-
   private static final LeafShapes NO_SHAPES = new LeafShapes(new Shape[0], new int[0]);
 
   /** Not volatile: a thread may use the former traversal for a while. */
@@ -73,7 +70,9 @@ public final class Bvh {
    * @param isIncluded returns whether the shape of a number is included
    */
   public static Bvh over(List<? extends Shape> shapes, Kernel kernel, IntPredicate isIncluded) {
-    Shape none = Mesh.baked(NO_TRIANGLES, Transform.IDENTITY);
+    double[] nothing = {};
+    TriangleMesh empty = TriangleMesh.of(nothing, nothing, nothing, new int[0]);
+    Shape none = Mesh.baked(empty, Transform.IDENTITY);
     return over(
         IntStream.range(0, shapes.size())
             .mapToObj(i -> isIncluded.test(i) ? shapes.get(i) : none)

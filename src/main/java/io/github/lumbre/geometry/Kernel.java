@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
@@ -117,7 +118,7 @@ public enum Kernel {
       return false;
     }
     if (this == AUTO) {
-      return KernelChange.isCompiled() && vectorObstacle().isEmpty() && suitVectors(items);
+      return CompiledKernel.isCompiled() && vectorObstacle().isEmpty() && suitVectors(items);
     }
     if (vectorObstacle().isPresent()) {
       throw new IllegalStateException(
@@ -131,7 +132,7 @@ public enum Kernel {
    * available: {@link KernelChange#run} asks that, which takes a while at the start of Java.
    */
   boolean mayChange(BvhItems items) {
-    return this == AUTO && !KernelChange.isCompiled() && suitVectors(items);
+    return this == AUTO && !CompiledKernel.isCompiled() && suitVectors(items);
   }
 
   private static boolean suitVectors(BvhItems items) {

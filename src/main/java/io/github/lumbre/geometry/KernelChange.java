@@ -1,5 +1,6 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
@@ -25,8 +26,6 @@ public final class KernelChange {
 
   /** After this time, vectors will not become faster. */
   private static final long LONGEST_NANOS = 40_000_000_000L;
-
-  private static volatile boolean isCompiled;
 
   private final List<Bvh> hierarchies;
 
@@ -61,16 +60,6 @@ public final class KernelChange {
       }
     }
     return new KernelChange(all.stream().filter(Bvh::isChangeable).toList(), lastPlace);
-  }
-
-  /** Returns whether the vector kernel is known to be compiled in this JVM. */
-  static boolean isCompiled() {
-    return isCompiled;
-  }
-
-  /** Sets whether the vector kernel is known to be compiled, for this class and its tests. */
-  static void setCompiled(boolean compiled) {
-    isCompiled = compiled;
   }
 
   /**
@@ -113,7 +102,7 @@ public final class KernelChange {
     if (!becomesFaster(hierarchies.get(largest), vectors.get(largest), isWanted)) {
       return false;
     }
-    setCompiled(true);
+    CompiledKernel.setCompiled(true);
     for (int i = 0; i < vectors.size(); i++) {
       hierarchies.get(i).changeTo(vectors.get(i));
     }

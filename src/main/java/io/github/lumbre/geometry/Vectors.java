@@ -12,8 +12,8 @@ final class Vectors {
   private static final String MODULE = VectorLanes.MODULE;
   private static final String TRAVERSAL = "io.github.lumbre.geometry.VectorTraversal";
 
-  /** Whether the module is loaded; set by {@link #findObstacle}. */
-  private static boolean isLoaded;
+  private static final Optional<Module> LOADED =
+      ModuleLayer.boot().findModule(MODULE).or(Vectors::loadModule);
 
   private static final Optional<String> OBSTACLE = findObstacle();
 
@@ -26,19 +26,17 @@ final class Vectors {
 
   /** Returns whether Java has the module and has loaded it. */
   static boolean isLoaded() {
-    return isLoaded;
+    return LOADED.isPresent();
   }
 
   private static Optional<String> findObstacle() {
-    Optional<Module> module = ModuleLayer.boot().findModule(MODULE).or(Vectors::loadModule);
-    if (module.isEmpty()) {
+    if (LOADED.isEmpty()) {
       return Optional.of(
           ModuleFinder.ofSystem().find(MODULE).isPresent()
               ? "Java runs without --add-modules " + MODULE
               : "this Java has no module " + MODULE);
     }
-    isLoaded = true;
-    Vectors.class.getModule().addReads(module.get());
+    Vectors.class.getModule().addReads(LOADED.get());
     return VectorLanes.obstacle(VectorLanes.ofModule());
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.geometry.SurfaceHit;
+import io.github.lumbre.light.internal.ProfileLight;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;

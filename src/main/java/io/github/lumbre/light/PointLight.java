@@ -1,7 +1,6 @@
 package io.github.lumbre.light;
 
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.light.internal.LightProfile;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -16,10 +15,6 @@ import java.util.Optional;
  * @param falloff how the irradiance depends on distance
  */
 public record PointLight(Vec3 position, Rgb intensity, Falloff falloff) implements Light {
-  static {
-    LightProfile.madeInto(ProfileLight::new);
-  }
-
   /**
    * Returns a light whose irradiance falls with the square of the distance.
    *

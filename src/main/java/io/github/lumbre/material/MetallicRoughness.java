@@ -222,7 +222,9 @@ public final class MetallicRoughness implements Material {
     }
 
     Optional<NormalChannel> normals(MaterialParameter parameter) {
-      return Optional.ofNullable((NormalChannel) stated.get(parameter));
+      return stated.get(parameter) instanceof NormalChannel normals
+          ? Optional.of(normals)
+          : Optional.empty();
     }
 
     ScalarChannel number(MaterialParameter parameter) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.integrator.Integrator;
 import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.math.sampling.internal.SobolSampler;
@@ -31,7 +32,7 @@ import java.util.function.UnaryOperator;
  * function of the scene, the seed, the pixel and the sample number, and films add exactly. The sums
  * are therefore bit-identical for any passes, threads and buckets.
  */
-public final class FilmRenderer implements PassRenderer {
+public final class FilmRenderer extends OpenRenderer implements PassRenderer {
   /**
    * The revision of sample values. It increases whenever a change of the program changes any bit of
    * any sample for the same scene, settings and seed. Films of other revisions cannot be resumed.
@@ -42,10 +43,6 @@ public final class FilmRenderer implements PassRenderer {
    * The samples per pixel of an adaptive render's pilot, which gives all pixels the same number.
    */
   public static final int ADAPTIVE_PILOT = AdaptiveSchedule.PILOT;
-
-  static {
-    RendererInside.openedBy(renderer -> renderer.new Inside());
-  }
 
   private final RenderSettings settings;
   private final Scene scene;
@@ -212,11 +209,11 @@ public final class FilmRenderer implements PassRenderer {
       workers.add(new BucketRenderer(settings, scene, poses, sampler(), film, target, queue));
     }
     double start = seconds();
-    KernelUpgrade.begin();
+    CompiledKernel.begin();
     try {
       crew.run(workers, queue, progress);
     } finally {
-      KernelUpgrade.end();
+      CompiledKernel.end();
     }
     RenderStatistics statistics = statistics(workers);
     double threadSeconds = (seconds() - start) * workers.size();
@@ -280,6 +277,10 @@ public final class FilmRenderer implements PassRenderer {
     return workers.stream()
         .map(BucketRenderer::statistics)
         .reduce(RenderStatistics.ZERO, RenderStatistics::plus);
+  }
+
+  RendererInside inside() {
+    return new Inside();
   }
 
   /** Does what the program does with a renderer and other programs do not need. */

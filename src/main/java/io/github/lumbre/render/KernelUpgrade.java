@@ -1,9 +1,8 @@
 package io.github.lumbre.render;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.scene.Scene;
 import java.util.OptionalDouble;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.DoubleSupplier;
 
 /**
@@ -27,40 +26,10 @@ final class KernelUpgrade {
    */
   private static final double PRICE = 4;
 
-  /** The longest time between two passes of a render that continues. */
-  private static final long PAUSE_NANOS = 2_000_000_000;
-
-  /**
-   * Seconds of the threads of passes with plain Java, in all renders of this JVM, less what a
-   * change has used up.
-   */
-  private static final DoubleAdder SPENT = new DoubleAdder();
-
-  /** The number of passes that are running in this JVM. */
-  private static final AtomicInteger RUNNING = new AtomicInteger();
-
   /** The processor seconds that this JVM had used before its first pass, by reading the scene. */
   private static final double READING = usedSeconds().orElse(0);
 
-  private static volatile long lastEnd;
-
   private KernelUpgrade() {}
-
-  /** Forgets the passes of former renders, for tests. */
-  static void forget() {
-    SPENT.reset();
-  }
-
-  /** Takes note of the begin of a pass. */
-  static void begin() {
-    RUNNING.incrementAndGet();
-  }
-
-  /** Takes note of the end of a pass. */
-  static void end() {
-    lastEnd = System.nanoTime();
-    RUNNING.decrementAndGet();
-  }
 
   /**
    * Starts the change if it pays, after a pass.
@@ -84,14 +53,13 @@ final class KernelUpgrade {
     if (!scene.mayChangeKernel()) {
       return;
     }
-    SPENT.add(seconds);
-    double spent = SPENT.sum();
+    double spent = CompiledKernel.spent(seconds);
     if (pays(spent, secondsLeft)) {
       double share = Math.min(1, processorSeconds.getAsDouble() / spent);
       if (!pays(share * spent, share * secondsLeft)) {
         return;
       }
-      SPENT.reset();
+      CompiledKernel.spent(-spent);
       Thread thread = new Thread(() -> run(scene), "lumbre-kernel");
       thread.setDaemon(true);
       thread.start();
@@ -121,18 +89,13 @@ final class KernelUpgrade {
    * @param seconds the time that the change took
    */
   static void stopped(double seconds) {
-    SPENT.add(PAYS_FROM - PRICE * seconds);
-  }
-
-  /** Returns whether a pass is running, or may follow on one that has just ended. */
-  static boolean isRendering() {
-    return RUNNING.get() > 0 || System.nanoTime() - lastEnd < PAUSE_NANOS;
+    CompiledKernel.spent(PAYS_FROM - PRICE * seconds);
   }
 
   private static void run(Scene scene) {
     long start = System.nanoTime();
     try {
-      scene.changeKernel(KernelUpgrade::isRendering);
+      scene.changeKernel(CompiledKernel::isRendering);
       if (scene.mayChangeKernel()) {
         stopped((System.nanoTime() - start) * 1e-9);
       }

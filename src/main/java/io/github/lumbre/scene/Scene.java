@@ -36,18 +36,7 @@ import java.util.stream.Collectors;
  * <p>A scene has two lists of lights. {@link #lights} holds the declared lights. {@link #emitters}
  * holds all lights of path mode: the declared lights, other emissive surfaces, and the background.
  */
-public final class Scene {
-  static {
-    SceneInside.openedBy(
-        scene ->
-            new SceneInside(
-                scene.description(),
-                scene.names,
-                scene.lights.groups(),
-                scene.shortcuts,
-                scene::without));
-  }
-
+public final class Scene extends OpenScene {
   /**
    * What code built a scene from.
    *
@@ -153,6 +142,10 @@ public final class Scene {
     return takes(Specialization.UNIFORM_MATERIALS)
         ? primitives.stream().map(Primitive::simplified).toArray(Primitive[]::new)
         : primitives.toArray(Primitive[]::new);
+  }
+
+  SceneInside inside() {
+    return new SceneInside(description(), names, lights.groups(), shortcuts, this::without);
   }
 
   /** Returns the same scene without a specialization. Its renders are bit-identical. */

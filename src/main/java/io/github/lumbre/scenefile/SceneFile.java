@@ -11,7 +11,7 @@ import java.util.Set;
  * The content of a scene file. {@link SceneParser} and {@link SceneWriter} make it; others cannot
  * implement it. Immutable.
  */
-public interface SceneFile {
+public interface SceneFile extends OpenSceneFile {
   /** Returns the scene. */
   Scene scene();
 

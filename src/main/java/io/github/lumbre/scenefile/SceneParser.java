@@ -10,7 +10,6 @@ import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
-import io.github.lumbre.scenefile.internal.CountingParser;
 import io.github.lumbre.scenefile.internal.FileHashes;
 import io.github.lumbre.scenefile.internal.ModelParser;
 import io.github.lumbre.scenefile.internal.ParsedScene;
@@ -36,10 +35,6 @@ public final class SceneParser {
 
   /** The largest limit that can be set: width × height in pixels. */
   public static final int MAX_PIXELS_EVER = 1 << 29;
-
-  static {
-    CountingParser.madeBy(SceneParser::counting);
-  }
 
   private final boolean lenient;
   private final SettingsChange settings;
@@ -118,7 +113,8 @@ public final class SceneParser {
     return new SceneParser(lenient, settings, changed, kernel, assets);
   }
 
-  private SceneParser counting(LongAdder lookUps) {
+  /** Returns a parser whose textures increment a counter at each lookup, for measurements. */
+  public SceneParser counting(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
     return new SceneParser(lenient, settings, changed, kernel, assets);
   }

@@ -13,7 +13,6 @@ import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.internal.Look;
 import io.github.lumbre.stage.internal.PictureDrawing;
 import io.github.lumbre.stage.internal.ShownLabels;
@@ -497,7 +496,7 @@ public final class Stage {
    * @param picture in linear light, of the size of the settings' frame or crop
    */
   public static Image withDrawing(SceneFile file, Image picture) {
-    return PictureDrawing.of(ParsedScene.of(file), note -> {})
+    return PictureDrawing.of(file.parsed(), note -> {})
         .onLight(file.scene(), Optional.empty(), picture);
   }
 

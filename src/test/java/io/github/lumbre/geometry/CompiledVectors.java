@@ -1,5 +1,7 @@
 package io.github.lumbre.geometry;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
+
 /** What this JVM knows about the vector kernel, for tests of other packages. */
 public final class CompiledVectors {
   private CompiledVectors() {}
@@ -14,6 +16,6 @@ public final class CompiledVectors {
         thread.join();
       }
     }
-    KernelChange.setCompiled(false);
+    CompiledKernel.setCompiled(false);
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.geometry.internal.HierarchyLimitException;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Ray;
@@ -118,7 +119,7 @@ class KernelChangeTest {
     assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
 
     BvhItems items = new BvhItems(mesh);
-    KernelChange.setCompiled(true);
+    CompiledKernel.setCompiled(true);
     assertThat(Kernel.AUTO.over(items, 10000)).isNotInstanceOf(BinaryTraversal.class);
     assertThat(Kernel.AUTO.over(items, 1000)).isInstanceOf(BinaryTraversal.class);
     assertThatThrownBy(() -> Kernel.VECTOR.over(items, 1000))
@@ -151,7 +152,7 @@ class KernelChangeTest {
     Thread.currentThread().interrupt();
     assertThatThrownBy(() -> change.run(() -> true)).isInstanceOf(InterruptedException.class);
     assertThat(bvh.bounded()).isInstanceOf(BinaryTraversal.class);
-    assertThat(KernelChange.isCompiled()).isFalse();
+    assertThat(CompiledKernel.isCompiled()).isFalse();
   }
 
   @Test

@@ -8,7 +8,6 @@ import io.github.lumbre.image.internal.LinearReader;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
 import java.io.IOException;
@@ -243,7 +242,7 @@ class RealModelsTest {
     SceneFile scene = StagedModel.read(file, Stage.DEFAULT, new SceneParser()).scene();
     List<String> warnings =
         scene.warnings().stream().map(w -> w.path() + ": " + w.message()).toList();
-    return new Content(ParsedScene.of(scene).contents().triangles(), warnings);
+    return new Content(scene.parsed().contents().triangles(), warnings);
   }
 
   private static Content sky(Path file) throws IOException {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.geometry.CompiledVectors;
 import io.github.lumbre.geometry.Kernel;
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFile;
@@ -28,7 +29,7 @@ class KernelUpgradeTest {
   void readScene() throws Exception {
     assumeTrue(Kernel.vectorObstacle().isEmpty(), () -> Kernel.vectorObstacle().orElseThrow());
     CompiledVectors.forget();
-    KernelUpgrade.forget();
+    CompiledKernel.spent(-CompiledKernel.spent(0));
     file = new SceneParser().parse(Path.of("scenes/torus-knot.json"));
     scene = file.scene();
     assertThat(scene.mayChangeKernel()).isTrue();
@@ -49,19 +50,19 @@ class KernelUpgradeTest {
 
   @Test
   void longRendersChangeIt() throws InterruptedException {
-    KernelUpgrade.begin();
+    CompiledKernel.begin();
     KernelUpgrade.passed(scene, 3.1, 8.1, () -> 100);
     CompiledVectors.forget();
-    KernelUpgrade.end();
+    CompiledKernel.end();
     assertThat(scene.mayChangeKernel()).isFalse();
   }
 
   @Test
   void manyShortRendersChangeIt() throws InterruptedException {
-    KernelUpgrade.begin();
+    CompiledKernel.begin();
     KernelUpgrade.passed(scene, 8.1, 0, () -> 100);
     CompiledVectors.forget();
-    KernelUpgrade.end();
+    CompiledKernel.end();
     assertThat(scene.mayChangeKernel()).isFalse();
   }
 
@@ -69,12 +70,12 @@ class KernelUpgradeTest {
   @Test
   void stoppedChangeGoesOnWhenItsTimeIsEarned() throws InterruptedException {
     KernelUpgrade.stopped(.5);
-    KernelUpgrade.begin();
+    CompiledKernel.begin();
     KernelUpgrade.passed(scene, 1.9, 0, () -> 100);
     assertThat(scene.mayChangeKernel()).isTrue();
     KernelUpgrade.passed(scene, .2, 0, () -> 100);
     CompiledVectors.forget();
-    KernelUpgrade.end();
+    CompiledKernel.end();
     assertThat(scene.mayChangeKernel()).isFalse();
   }
 
@@ -84,10 +85,10 @@ class KernelUpgradeTest {
     KernelUpgrade.passed(scene, 8.1, 0, () -> 100);
     CompiledVectors.forget();
     assertThat(scene.mayChangeKernel()).isTrue();
-    KernelUpgrade.begin();
+    CompiledKernel.begin();
     KernelUpgrade.passed(scene, 7.9, 0, () -> 100);
     CompiledVectors.forget();
-    KernelUpgrade.end();
+    CompiledKernel.end();
     assertThat(scene.mayChangeKernel()).isFalse();
   }
 
@@ -100,15 +101,15 @@ class KernelUpgradeTest {
 
   @Test
   void changesStopSoonAfterTheLastPass() throws InterruptedException {
-    KernelUpgrade.begin();
-    KernelUpgrade.begin();
-    KernelUpgrade.end();
+    CompiledKernel.begin();
+    CompiledKernel.begin();
+    CompiledKernel.end();
     Thread.sleep(2100);
-    assertThat(KernelUpgrade.isRendering()).isTrue();
-    KernelUpgrade.end();
-    assertThat(KernelUpgrade.isRendering()).isTrue();
+    assertThat(CompiledKernel.isRendering()).isTrue();
+    CompiledKernel.end();
+    assertThat(CompiledKernel.isRendering()).isTrue();
     Thread.sleep(2100);
-    assertThat(KernelUpgrade.isRendering()).isFalse();
+    assertThat(CompiledKernel.isRendering()).isFalse();
   }
 
   @Test

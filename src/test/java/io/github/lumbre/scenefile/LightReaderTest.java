@@ -23,7 +23,6 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.format.ies.IesSamples;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.texture.TexturePoint;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -120,7 +119,7 @@ class LightReaderTest {
     String one = json("{'type': 'Light', 'lightType': 'Ambient', 'intensity': 0.25}");
     SceneFile file = fixture.parse(scene(one + "," + one, ""));
     assertThat(file.scene().ambient()).isEqualTo(Rgb.gray(.5));
-    assertThat(ParsedScene.of(file).contents().lights()).isEqualTo(2);
+    assertThat(file.parsed().contents().lights()).isEqualTo(2);
   }
 
   @ParameterizedTest
@@ -182,7 +181,7 @@ class LightReaderTest {
     String two = scene(lamp + ", " + lamp, "");
     SceneFile file = fixture.parse(two);
     assertThat(file.scene().lights()).hasSize(2);
-    assertThat(ParsedScene.of(file).files().assets()).containsOnlyKeys("lamp.ies");
+    assertThat(file.parsed().files().assets()).containsOnlyKeys("lamp.ies");
     assertThat(SceneParser.files(folder.resolve("scene.json")))
         .containsExactly(folder.toRealPath().resolve("lamp.ies"));
     // The file is read once.

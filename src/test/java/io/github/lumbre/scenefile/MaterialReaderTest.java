@@ -28,7 +28,6 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scenefile.internal.CountingParser;
 import io.github.lumbre.texture.ScalarTexture;
 import io.github.lumbre.texture.TexturePoint;
 import java.nio.file.Path;
@@ -75,7 +74,7 @@ class MaterialReaderTest {
   @Test
   void texturesAreCountedAndFilteredAsTheCallerWants() {
     LongAdder lookUps = new LongAdder();
-    SceneParser parser = CountingParser.of(new SceneParser().interpolatingTextures(true), lookUps);
+    SceneParser parser = new SceneParser().interpolatingTextures(true).counting(lookUps);
     String text = withMaterial("'materialType': 'Color', 'colorTextureId': 3");
     Emission emission = only(fixture.parse(parser, text)).emission().orElseThrow();
     long before = lookUps.sum();

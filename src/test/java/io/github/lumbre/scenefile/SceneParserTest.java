@@ -13,7 +13,6 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.SceneContents;
 import io.github.lumbre.testing.Pictures;
 import java.awt.image.BufferedImage;
@@ -51,7 +50,7 @@ class SceneParserTest {
     assertThat(file.scene().primitives()).isEmpty();
     assertThat(file.settings()).isEqualTo(RenderSettings.DEFAULT);
     assertThat(file.warnings()).isEmpty();
-    assertThat(ParsedScene.of(file).contents())
+    assertThat(file.parsed().contents())
         .isEqualTo(new SceneContents("Pinhole", 0, 0, 0, 0, 0, 0, 0));
   }
 
@@ -326,7 +325,7 @@ class SceneParserTest {
             json(
                 "{'id': 2, 'assetType': 'Mesh', 'file': 'unused.obj'},"
                     + "{'id': 3, 'assetType': 'Texture', 'file': 'unused.png'}"));
-    assertThat(ParsedScene.of(fixture.parse(text)).origins().unused()).hasSize(2);
+    assertThat(fixture.parse(text).parsed().origins().unused()).hasSize(2);
   }
 
   @ParameterizedTest
@@ -360,7 +359,7 @@ class SceneParserTest {
     Path sub = Files.createDirectory(folder.resolve("sub"));
     Files.createSymbolicLink(folder.resolve("link"), sub);
     Files.writeString(sub.resolve("a.obj"), TRIANGLE);
-    assertThat(ParsedScene.of(fixture.parse(sceneWithMeshFile(name))).contents().triangles())
+    assertThat(fixture.parse(sceneWithMeshFile(name)).parsed().contents().triangles())
         .isEqualTo(1);
   }
 
@@ -410,7 +409,7 @@ class SceneParserTest {
             scene(
                 json("{'type': 'Shape', 'shapeType': 'Mesh', 'meshId': 2}"),
                 json("{'id': 2, 'assetType': 'Mesh', 'base64OBJ': '" + lines + "'}")));
-    assertThat(ParsedScene.of(file).contents().triangles()).isEqualTo(1);
+    assertThat(file.parsed().contents().triangles()).isEqualTo(1);
   }
 
   @Test
@@ -502,7 +501,7 @@ class SceneParserTest {
                     + "{'id': 4, 'assetType': 'Material', 'materialType': 'None'},"
                     + "{'id': 6, 'assetType': 'Material', 'materialType': 'None'}");
     SceneFile file = fixture.parse(scene(objects, assets));
-    assertThat(ParsedScene.of(file).contents())
+    assertThat(file.parsed().contents())
         .isEqualTo(new SceneContents("Pinhole", 3, 1, 4, 0, 1, 2, 1));
     assertThat(file.warnings())
         .map(Object::toString)

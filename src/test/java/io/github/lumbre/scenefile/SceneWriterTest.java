@@ -34,7 +34,6 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.audit.SceneAudit;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.testing.Effort;
 import io.github.lumbre.testing.Folders;
 import java.nio.file.FileAlreadyExistsException;
@@ -117,9 +116,9 @@ class SceneWriterTest {
   void codeScenesHaveHashesPlacesAndAudits() {
     SceneFile file = SceneWriter.file(simple().build(), SETTINGS);
     assertThat(file.hash()).hasSize(64);
-    assertThat(ParsedScene.of(file).origins().primitives().get(0).toString())
+    assertThat(file.parsed().origins().primitives().get(0).toString())
         .isEqualTo("$.objects[0] \"ball\"");
-    assertThat(ParsedScene.of(file).contents().shapes()).isEqualTo(1);
+    assertThat(file.parsed().contents().shapes()).isEqualTo(1);
     assertThat(SceneAudit.of(file)).isNotNull();
     assertThat(new PixelReplay(file.scene(), SETTINGS).pixel(8, 5, 1).brightest()).isNotEmpty();
     Scene other = simple().add("second", Sphere.of(Vec3.Y, 1), Matte.GRAY).build();

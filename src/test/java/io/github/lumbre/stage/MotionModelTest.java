@@ -259,7 +259,7 @@ class MotionModelTest {
         .extracting(pose -> pose.primitives().size())
         .containsExactly(3, 3, 3, 3, 4, 4, 4, 4);
     // What is known of the scene is known of its middle pose.
-    ParsedScene parsed = ParsedScene.of(appearing);
+    ParsedScene parsed = appearing.parsed();
     assertThat(parsed.origins().primitives()).hasSize(4);
     assertThat(parsed.contents().triangles()).isEqualTo(4);
     assertThat(parsed.model().orElseThrow().parts(appearing.scene()).parts()).hasSize(4);

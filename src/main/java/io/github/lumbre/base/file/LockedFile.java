@@ -1,6 +1,5 @@
 package io.github.lumbre.base.file;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
@@ -10,18 +9,13 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A hidden lock file or temporary file beside a target file. Only one run at a time can hold it.
  * The next run reuses a file that a killed run left behind. Mutable, for one thread.
  */
-final class LockedFile implements Closeable {
+final class LockedFile implements Unfinished {
   private static final int ATTEMPTS = 10;
-
-  /** The files that this JVM holds. */
-  private static final Set<Path> OPEN = ConcurrentHashMap.newKeySet();
 
   private final Path path;
   private final FileChannel channel;
@@ -48,8 +42,7 @@ final class LockedFile implements Closeable {
       }
       // Start over if a run that has just ended has deleted or renamed our file.
       if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
-        OPEN.add(path);
-        return new LockedFile(path, channel);
+        return ProcessEnd.add(new LockedFile(path, channel));
       }
       channel.close();
     }
@@ -66,20 +59,13 @@ final class LockedFile implements Closeable {
 
   /** Releases the file without deleting it. */
   void release() throws IOException {
-    OPEN.remove(path);
+    ProcessEnd.remove(this);
     channel.close();
   }
 
-  /** Deletes all files that this JVM holds, as far as possible. */
-  static void deleteAll() {
-    for (Path path : OPEN) {
-      try {
-        Files.deleteIfExists(path);
-      } catch (IOException e) {
-        // The program is ending and cannot report this. The next run reuses the file.
-        continue;
-      }
-    }
+  @Override
+  public void delete() throws IOException {
+    Files.deleteIfExists(path);
   }
 
   /** Deletes the file. */
@@ -87,7 +73,7 @@ final class LockedFile implements Closeable {
   public void close() throws IOException {
     try (channel) {
       Files.deleteIfExists(path);
-      OPEN.remove(path);
+      ProcessEnd.remove(this);
     }
   }
 

@@ -1,6 +1,5 @@
 package io.github.lumbre.base.file;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
@@ -13,16 +12,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A lock on the names of many files in one folder, by one hidden file in it: each name locks one
  * byte of that file, at a place that follows from the name. Runs that write other files of the
  * folder share the hidden file, and the last of them deletes it. Mutable, for one thread.
  */
-final class NamesLock implements Closeable {
+final class NamesLock implements Unfinished {
   private static final String NAME = ".lumbre.lock";
   private static final int ATTEMPTS = 10;
 
@@ -30,9 +27,6 @@ final class NamesLock implements Closeable {
   private static final long HASH_OF_NOTHING = 0xcbf29ce484222325L;
 
   private static final long HASH_FACTOR = 0x100000001b3L;
-
-  /** The locks that this JVM holds. */
-  private static final Set<NamesLock> OPEN = ConcurrentHashMap.newKeySet();
 
   private final Path path;
   private final FileChannel channel;
@@ -57,8 +51,7 @@ final class NamesLock implements Closeable {
       lock.lock(files);
       // Start over if a run that has just ended has deleted the file.
       if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
-        OPEN.add(lock);
-        return lock;
+        return ProcessEnd.add(lock);
       }
       lock.channel.close();
     }
@@ -98,22 +91,10 @@ final class NamesLock implements Closeable {
     return hash >>> 2;
   }
 
-  /** Deletes the files of locks that this JVM holds, as far as no other run holds them, too. */
-  static void deleteAll() {
-    for (NamesLock lock : OPEN) {
-      try {
-        lock.close();
-      } catch (IOException e) {
-        // The program is ending and cannot report this. The next run reuses the file.
-        continue;
-      }
-    }
-  }
-
   /** Unlocks the names, and deletes the file unless another run has locked names, too. */
   @Override
   public void close() throws IOException {
-    if (!OPEN.remove(this)) {
+    if (!ProcessEnd.remove(this)) {
       return;
     }
     try (channel) {

@@ -154,9 +154,14 @@ public final class OutputFile implements Closeable {
    * use by any thread.
    */
   public static void deleteUnfinished() {
-    LockedFile.deleteAll();
-    NamesLock.deleteAll();
-    PrivateFolder.deleteAll();
+    for (Unfinished open : ProcessEnd.open(Unfinished.class)) {
+      try {
+        open.delete();
+      } catch (IOException e) {
+        // The program is ending and cannot report this. The next run reuses hidden files.
+        continue;
+      }
+    }
   }
 
   private static Path hidden(Path destination, String ending) {

@@ -1,6 +1,5 @@
 package io.github.lumbre.base.file;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -8,8 +7,6 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A new folder for what an installed program reads and writes, which only this user can enter. Its
@@ -18,11 +15,8 @@ import java.util.concurrent.ConcurrentHashMap;
  *
  * @param path absolute path of the folder
  */
-public record PrivateFolder(Path path) implements Closeable {
+public record PrivateFolder(Path path) implements Unfinished {
   private static final String PREFIX = ".lumbre-";
-
-  /** The folders of this JVM that are not closed. */
-  private static final Set<PrivateFolder> OPEN = ConcurrentHashMap.newKeySet();
 
   /** Creates a folder beside a file. */
   public static PrivateFolder beside(Path file) throws IOException {
@@ -35,9 +29,7 @@ public record PrivateFolder(Path path) implements Closeable {
   }
 
   private static PrivateFolder opened(Path path) {
-    PrivateFolder folder = new PrivateFolder(path);
-    OPEN.add(folder);
-    return folder;
+    return ProcessEnd.add(new PrivateFolder(path));
   }
 
   /**
@@ -56,21 +48,9 @@ public record PrivateFolder(Path path) implements Closeable {
     return Files.size(file);
   }
 
-  /** Deletes all folders that are not closed, as far as possible. */
-  static void deleteAll() {
-    for (PrivateFolder folder : OPEN) {
-      try {
-        folder.close();
-      } catch (IOException e) {
-        // The program is ending and cannot report this.
-        continue;
-      }
-    }
-  }
-
   @Override
   public void close() throws IOException {
-    OPEN.remove(this);
+    ProcessEnd.remove(this);
     if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
       Files.walkFileTree(path, new Deletion());
     }

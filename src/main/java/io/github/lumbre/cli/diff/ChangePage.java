@@ -7,7 +7,6 @@ import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.model.difference.PartChange;
 import io.github.lumbre.model.difference.PartChange.Kind;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.util.Base64;
@@ -68,9 +67,9 @@ public final class ChangePage {
     figure("new: " + now.path(), now.picture(), html);
     ChangePicture.Drawn difference =
         ChangePicture.of(
-            ParsedScene.of(old.file()),
+            old.file().parsed(),
             old.picture().image(),
-            ParsedScene.of(now.file()),
+            now.file().parsed(),
             now.picture().image(),
             changes);
     figure("difference", new DisplayLight(difference.image(), ImageWriter.Options.DEFAULT), html);

@@ -31,7 +31,7 @@ record DescribeTool(Studio studio) implements Tool {
   @Override
   public Outcome call(Arguments arguments, CallProgress progress) throws ToolException {
     Studio.Staged model = ModelInputs.model(studio, arguments);
-    ParsedScene scene = ParsedScene.of(model.first());
+    ParsedScene scene = model.first().parsed();
     JsonSummary summary = model.summary(name());
     summary.putContents(scene.contents());
     summary.putModel(scene.model().orElseThrow(), model.parts());

@@ -61,7 +61,7 @@ final class Studio {
     /** Returns the parts of the model. */
     synchronized PartTable parts() {
       if (parts.isEmpty()) {
-        ParsedScene scene = ParsedScene.of(first());
+        ParsedScene scene = first().parsed();
         parts = Optional.of(scene.model().orElseThrow().parts(scene.scene()));
       }
       return parts.get();

@@ -5,7 +5,6 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -130,7 +129,8 @@ public final class PictureMetadata {
   }
 
   private static Optional<String> labels(SceneFile file) {
-    return ParsedScene.of(file)
+    return file
+        .parsed()
         .model()
         .map(model -> new TreeSet<>(model.labels()))
         .filter(kinds -> !kinds.isEmpty())

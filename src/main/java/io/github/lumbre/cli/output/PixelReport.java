@@ -12,7 +12,6 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.render.PixelReplay;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.internal.Origin;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.SceneOrigins;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -45,7 +44,7 @@ public record PixelReport(SceneFile file, PixelPlace pixel) {
 
   /** Returns the places of the scene's objects in its file. */
   SceneOrigins origins() {
-    return ParsedScene.of(file).origins();
+    return file.parsed().origins();
   }
 
   /** Returns the path of a sample, vertex by vertex. */

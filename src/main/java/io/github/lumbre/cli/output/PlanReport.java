@@ -18,7 +18,6 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scene.internal.Specialization;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.SceneOrigins;
 import java.util.List;
 import java.util.Map;
@@ -33,7 +32,7 @@ public final class PlanReport {
   public PlanReport(SceneFile file) {
     scene = file.scene();
     settings = file.settings();
-    unused = ParsedScene.of(file).origins().unused();
+    unused = file.parsed().origins().unused();
   }
 
   /** Prints one line for each kind of step: what is done, or why it is skipped. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.output;
 
+import io.github.lumbre.base.file.ProcessEnd;
 import java.io.PrintStream;
 import java.time.Duration;
 import java.util.Optional;
@@ -7,7 +8,6 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.DoubleSupplier;
@@ -31,10 +31,6 @@ public final class ProgressBar implements ProgressDisplay {
   private static final double SUSPENDED_SECONDS = 3;
 
   private static final long VANISH_MILLIS = 200;
-
-  /** The bar that is currently shown; it is erased before a line of text is printed. */
-  private static final AtomicReference<Optional<ProgressBar>> SHOWN =
-      new AtomicReference<>(Optional.empty());
 
   private final String title;
   private final PrintStream out;
@@ -101,7 +97,8 @@ public final class ProgressBar implements ProgressDisplay {
             TerminalWidth.watching(),
             !terminal.equals("dumb"),
             () -> System.nanoTime() * 1e-9);
-    SHOWN.set(Optional.of(bar));
+    shown().ifPresent(ProcessEnd::remove);
+    ProcessEnd.add(bar);
     bar.timer.scheduleAtFixedRate(
         bar::tick, INTERVAL_MILLIS, INTERVAL_MILLIS, TimeUnit.MILLISECONDS);
     return bar;
@@ -117,9 +114,14 @@ public final class ProgressBar implements ProgressDisplay {
     return new ProgressBar(title, out, width, hasEscapes, clock);
   }
 
+  /** Returns the bar that is currently shown; it is erased before a line of text is printed. */
+  private static Optional<ProgressBar> shown() {
+    return ProcessEnd.open(ProgressBar.class).stream().findFirst();
+  }
+
   /** Prints lines above the bar if one is shown: erases it first, and the next tick redraws it. */
   static void aside(Runnable print) {
-    Optional<ProgressBar> shown = SHOWN.get();
+    Optional<ProgressBar> shown = shown();
     if (shown.isEmpty()) {
       print.run();
       return;
@@ -134,7 +136,7 @@ public final class ProgressBar implements ProgressDisplay {
 
   /** Erases the bar permanently before the program exits, unless the terminal is blocked. */
   public static void vanish() {
-    Optional<ProgressBar> shown = SHOWN.get();
+    Optional<ProgressBar> shown = shown();
     try {
       if (shown.isPresent() && shown.get().lock.tryLock(VANISH_MILLIS, TimeUnit.MILLISECONDS)) {
         shown.get().erase();
@@ -229,7 +231,7 @@ public final class ProgressBar implements ProgressDisplay {
           closed = true;
         });
     width.close();
-    SHOWN.updateAndGet(shown -> shown.filter(bar -> bar != this));
+    ProcessEnd.remove(this);
   }
 
   /** Draws the current state of the bar. */

@@ -11,7 +11,6 @@ import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import io.github.lumbre.stage.internal.PictureDrawing;
 import java.util.Optional;
@@ -32,7 +31,7 @@ public final class CleanPicture {
       SceneFile file, String title, Consumer<String> notes, Progress progress)
       throws InterruptedException {
     Image light = light(file, progress);
-    return PictureDrawing.of(ParsedScene.of(file), notes)
+    return PictureDrawing.of(file.parsed(), notes)
         .onDisplay(file.scene(), Optional.of(title), light, file.settings().development())
         .withBackground();
   }

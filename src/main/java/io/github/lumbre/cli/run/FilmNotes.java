@@ -21,7 +21,6 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.SceneText;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.InvalidPathException;
@@ -70,7 +69,7 @@ public record FilmNotes(Path film, FilmHeader header) {
               notes.put(SCENE_TEXT, new String(text.json(), StandardCharsets.UTF_8));
               notes.put(SCENE_FOLDER, text.path().toAbsolutePath().getParent().toString());
             });
-    FilmFiles.text(ParsedScene.of(file).files()).ifPresent(text -> notes.put(FILES, text));
+    FilmFiles.text(file.parsed().files()).ifPresent(text -> notes.put(FILES, text));
     notes.put(OUTPUT, output.toAbsolutePath().normalize().toString());
     notes.put(SAMPLES, String.valueOf(settings.samples()));
     notes.put(EXPOSURE, settings.text(Setting.EXPOSURE));
@@ -154,8 +153,7 @@ public record FilmNotes(Path film, FilmHeader header) {
     return Optional.ofNullable(header.notes().get(FILES))
         .map(
             then ->
-                FilmFiles.changed(
-                    then, ParsedScene.of(now).files(), String.valueOf(scene.getFileName())))
+                FilmFiles.changed(then, now.parsed().files(), String.valueOf(scene.getFileName())))
         .orElse(List.of());
   }
 

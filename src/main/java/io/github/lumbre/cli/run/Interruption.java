@@ -2,6 +2,7 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.base.file.ProcessEnd;
 import io.github.lumbre.base.limit.internal.TimeLimit;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.cli.output.Signals;
@@ -9,13 +10,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Handles SIGINT, SIGTERM and SIGHUP so that a command ends early without losing its result. The
@@ -42,20 +40,12 @@ public final class Interruption implements AutoCloseable {
    */
   static final Duration GRACE = Duration.ofSeconds(3);
 
-  /** The exit code of the first signal; 0 before that. */
-  private static final AtomicInteger FIRST = new AtomicInteger();
-
-  private static final Set<Interruption> LISTENING = ConcurrentHashMap.newKeySet();
-
   private final CountDownLatch closed = new CountDownLatch(1);
   private boolean rendering;
   private Optional<Thread> waiting = Optional.empty();
   private Optional<Thread> finishing = Optional.empty();
   private volatile boolean requested;
   private long requestedAt;
-
-  /** Hears no signals: the first one exits the program. */
-  public static final Interruption NONE = new Interruption();
 
   private Interruption() {}
 
@@ -80,14 +70,14 @@ public final class Interruption implements AutoCloseable {
 
   /** Returns the exit code of the program, given the exit code of its command. */
   public static int exitCode(int ofCommand) {
-    int signal = FIRST.get();
+    int signal = ProcessEnd.signal();
     boolean hasFailed =
         ofCommand > ExitCode.TARGET.number() && ofCommand != ExitCode.INTERRUPTED.number();
     return signal == 0 || hasFailed ? ofCommand : signal;
   }
 
   private static void arrived(int code) {
-    if (!FIRST.compareAndSet(0, code)) {
+    if (!ProcessEnd.arrived(code)) {
       if (code != ExitCode.HUNG_UP.number()) {
         ProgressBar.vanish();
         OutputFile.deleteUnfinished();
@@ -95,17 +85,21 @@ public final class Interruption implements AutoCloseable {
       }
       return;
     }
-    if (!letCommandsEnd(List.copyOf(LISTENING))) {
+    if (!letCommandsEnd(ProcessEnd.open(Interruption.class))) {
       ProgressBar.vanish();
       System.exit(code);
     }
   }
 
+  /** Returns one that hears no signals: the first one exits the program. */
+  public static Interruption none() {
+    return new Interruption();
+  }
+
   /** Starts to listen for signals. One that has arrived before counts, too. */
   public static Interruption listen() {
-    Interruption interruption = new Interruption();
-    LISTENING.add(interruption);
-    if (FIRST.get() != 0) {
+    Interruption interruption = ProcessEnd.add(new Interruption());
+    if (ProcessEnd.signal() != 0) {
       interruption.request();
     }
     return interruption;
@@ -144,7 +138,7 @@ public final class Interruption implements AutoCloseable {
   @Override
   public void close() {
     if (!requested) {
-      LISTENING.remove(this);
+      ProcessEnd.remove(this);
     }
     closed.countDown();
   }

@@ -8,7 +8,6 @@ import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.Backdrop;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderResult;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import io.github.lumbre.stage.internal.PictureDrawing;
 import java.util.EnumSet;
@@ -86,7 +85,7 @@ record LaterSteps(
 
     /** Returns the picture with its lines and labels; empty if it lacks them. */
     private Optional<DisplayLight> drawn(Image image, ImageWriter.Options options) {
-      if (!PictureDrawing.isNeeded(ParsedScene.of(job.file()))) {
+      if (!PictureDrawing.isNeeded(job.file().parsed())) {
         return Optional.of(new DisplayLight(image, options));
       }
       return result.complete()
@@ -97,8 +96,7 @@ record LaterSteps(
     private DisplayLight onto(Image image, ImageWriter.Options options) {
       PictureDrawing drawing =
           PictureDrawing.of(
-              ParsedScene.of(job.file()),
-              note -> job.said().line(job.picture().target() + ": " + note));
+              job.file().parsed(), note -> job.said().line(job.picture().target() + ": " + note));
       return job.picture().isForScreen()
           ? drawing.onDisplay(job.file().scene(), Optional.empty(), image, options)
           : new DisplayLight(

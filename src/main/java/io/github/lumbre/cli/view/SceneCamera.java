@@ -15,7 +15,7 @@ final class SceneCamera {
   /** Replaces the scene; the camera stays where it was moved to. */
   void open(SceneFile file) {
     boolean isFirst = home.isEmpty();
-    ParsedScene opened = ParsedScene.of(file);
+    ParsedScene opened = file.parsed();
     home = Optional.of(opened);
     orbit = isFirst || pose.isEmpty() ? Optional.of(Orbit.of(file.scene())) : orbit;
     current = Optional.of(pose.map(opened::seenFrom).orElse(opened));

@@ -13,7 +13,6 @@ import io.github.lumbre.render.stopping.BudgetWatch;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.internal.PictureDrawing;
 import java.util.Optional;
 import java.util.Set;
@@ -94,7 +93,7 @@ public final class ViewRenderer implements Runnable {
 
     Sink(ViewSession.Job job) {
       this.job = job;
-      drawing = PictureDrawing.of(ParsedScene.of(job.file()), note -> {});
+      drawing = PictureDrawing.of(job.file().parsed(), note -> {});
     }
 
     @Override

@@ -17,13 +17,6 @@ import java.util.Arrays;
  * angle 0, and +y the horizontal angle 90.
  */
 public final class LightProfile {
-  /** Makes a light of a source, the lamp's axes in world space, and a profile. */
-  public interface Maker {
-    Light light(PointLight source, Frame axes, LightProfile profile);
-  }
-
-  private static Maker maker;
-
   private final double[] vertical;
   private final double[] horizontal;
 
@@ -66,11 +59,6 @@ public final class LightProfile {
     flux = sphere();
   }
 
-  /** Sets how a light is made. The class of point lights calls it once, before there are any. */
-  public static void madeInto(Maker newMaker) {
-    maker = newMaker;
-  }
-
   /**
    * Returns a light with this profile. A scale does not change the profile; a mirrored space
    * mirrors it.
@@ -81,7 +69,7 @@ public final class LightProfile {
   public Light light(PointLight source, Transform toWorld) {
     Frame axes =
         Frame.around(Directions.axis(toWorld), toWorld.vector(Vec3.X), toWorld.vector(Vec3.Y));
-    return maker.light(source, axes, this);
+    return new ProfileLight(source, axes, this);
   }
 
   /**

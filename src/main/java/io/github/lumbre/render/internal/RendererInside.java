@@ -13,18 +13,20 @@ import java.util.function.LongFunction;
 
 /**
  * What the parts of this program do with a {@link FilmRenderer} and other programs do not need.
- * Only {@link FilmRenderer} extends it.
  */
 public abstract class RendererInside {
-  private static Function<FilmRenderer, RendererInside> opener;
+  /** A superclass of renderers that this class can open, and no class of another package. */
+  public abstract static class Opener {
+    private final Function<FilmRenderer, RendererInside> opening;
 
-  /** Sets how a renderer is opened. The class of renderers calls it once, before there are any. */
-  public static void openedBy(Function<FilmRenderer, RendererInside> newOpener) {
-    opener = newOpener;
+    protected Opener(Function<FilmRenderer, RendererInside> opening) {
+      this.opening = opening;
+    }
   }
 
   public static RendererInside of(FilmRenderer renderer) {
-    return opener.apply(renderer);
+    Opener opener = renderer;
+    return opener.opening.apply(renderer);
   }
 
   /**

@@ -20,15 +20,18 @@ public record SceneInside(
     LightGroups lightGroups,
     Set<Specialization> specializations,
     Function<Specialization, Scene> dropping) {
-  private static Function<Scene, SceneInside> opener;
+  /** A superclass of scenes that this class can open, and no class of another package. */
+  public abstract static class Opener {
+    private final Function<Scene, SceneInside> opening;
 
-  /** Sets how a scene is opened. The class of scenes calls it once, before there are any. */
-  public static void openedBy(Function<Scene, SceneInside> newOpener) {
-    opener = newOpener;
+    protected Opener(Function<Scene, SceneInside> opening) {
+      this.opening = opening;
+    }
   }
 
   public static SceneInside of(Scene scene) {
-    return opener.apply(scene);
+    Opener opener = scene;
+    return opener.opening.apply(scene);
   }
 
   public boolean takes(Specialization specialization) {

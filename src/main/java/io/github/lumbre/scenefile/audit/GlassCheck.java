@@ -102,7 +102,7 @@ final class GlassCheck implements Check {
       MetallicRoughness material, MaterialParameter parameter, double value) {
     return material
         .stated(parameter)
-        .filter(channel -> channel.isConstant() && ((ScalarChannel) channel).at(ORIGIN) == value)
+        .filter(c -> c instanceof ScalarChannel n && n.isConstant() && n.at(ORIGIN) == value)
         .isPresent();
   }
 

@@ -29,7 +29,7 @@ public final class SceneAudit {
    * findings may be missing and the interrupt status stays set.
    */
   public static List<Finding> of(SceneFile file) {
-    ParsedScene scene = ParsedScene.of(file);
+    ParsedScene scene = file.parsed();
     Pilot pilot = Pilot.of(scene);
     return CHECKS.stream()
         .flatMap(check -> check.of(scene, pilot).stream())

@@ -38,9 +38,9 @@ public record ParsedScene(
     warnings = List.copyOf(warnings);
   }
 
-  /** Returns a scene file as what it is: all are made by the parser or the writer of scenes. */
-  public static ParsedScene of(SceneFile file) {
-    return (ParsedScene) file;
+  @Override
+  public ParsedScene parsed() {
+    return this;
   }
 
   @Override

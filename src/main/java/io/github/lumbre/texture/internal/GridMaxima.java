@@ -121,14 +121,11 @@ public final class GridMaxima {
    * @param rows number of cells along v
    */
   static Optional<GridMaxima> of(Texture<Rgb> texture, int columns, int rows) {
-    boolean isTinted = texture instanceof TintedTexture;
-    Texture<Rgb> plain = isTinted ? ((TintedTexture) texture).texture() : texture;
-    Rgb tint = isTinted ? ((TintedTexture) texture).tint() : Rgb.WHITE;
-    if (plain instanceof ImageTexture image && image.filter() == ImageTexture.Filter.BILINEAR) {
-      return isTinted
-          ? Optional.empty()
-          : Optional.of(new GridMaxima(image.texels(), image.tint(), columns, rows));
+    if (texture instanceof ImageTexture image && image.filter() == ImageTexture.Filter.BILINEAR) {
+      return Optional.of(new GridMaxima(image.texels(), image.tint(), columns, rows));
     }
+    Texture<Rgb> plain = texture instanceof TintedTexture tinted ? tinted.texture() : texture;
+    Rgb tint = texture instanceof TintedTexture tinted ? tinted.tint() : Rgb.WHITE;
     return plain instanceof LinearTexture linear
         ? Optional.of(new GridMaxima(linear.texels(), tint, columns, rows))
         : Optional.empty();

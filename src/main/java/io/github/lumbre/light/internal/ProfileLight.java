@@ -1,6 +1,10 @@
-package io.github.lumbre.light;
+package io.github.lumbre.light.internal;
 
-import io.github.lumbre.light.internal.LightProfile;
+import io.github.lumbre.image.Rgb;
+import io.github.lumbre.light.Light;
+import io.github.lumbre.light.LightBounds;
+import io.github.lumbre.light.LightSample;
+import io.github.lumbre.light.PointLight;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import java.util.Optional;
@@ -11,11 +15,15 @@ import java.util.Optional;
  * @param source the point light that is multiplied by the candelas of the profile
  * @param axes the lamp's axes in world space
  */
-record ProfileLight(PointLight source, Frame axes, LightProfile profile) implements Light {
+public record ProfileLight(PointLight source, Frame axes, LightProfile profile) implements Light {
   @Override
   public void sample(double x, double y, double z, double u, double v, LightSample result) {
     source.sample(x, y, z, u, v, result);
-    result.dim(profile.intensity(axes.toLocal(result.wi().negated())));
+    double intensity = profile.intensity(axes.toLocal(result.wi().negated()));
+    result.dim(Rgb.gray(intensity));
+    if (intensity == 0) {
+      result.clear();
+    }
   }
 
   @Override
