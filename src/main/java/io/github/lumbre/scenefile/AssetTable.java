@@ -1,8 +1,11 @@
 package io.github.lumbre.scenefile;
 
+import io.github.lumbre.scene.SettingType;
+import io.github.lumbre.scenefile.internal.SceneOrigins;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,7 +14,7 @@ import java.util.TreeMap;
 
 /** The assets of a scene by type and id, not yet decoded. */
 final class AssetTable {
-  static final Map<String, Type> TYPES = ordered(Type.values());
+  static final Map<String, Type> TYPES = Value.named(Value::capitalized, List.of(Type.values()));
 
   /** The id that names no asset. */
   static final int NONE = -1;
@@ -19,19 +22,14 @@ final class AssetTable {
   private static final int MAX_IDS_SHOWN = 20;
 
   enum Type {
-    MATERIAL("Material"),
-    TEXTURE("Texture"),
-    MESH("Mesh");
-
-    private final String label;
-
-    Type(String label) {
-      this.label = label;
-    }
+    MATERIAL,
+    TEXTURE,
+    MESH
   }
 
   private final boolean lenient;
   private final Map<Type, Map<Integer, JsonNode>> assets = new EnumMap<>(Type.class);
+  private final Map<Type, Set<JsonNode>> used = new EnumMap<>(Type.class);
 
   /**
    * @param lenient whether a reference to a missing asset is a warning instead of an error
@@ -40,6 +38,7 @@ final class AssetTable {
     this.lenient = lenient;
     for (Type type : Type.values()) {
       assets.put(type, new TreeMap<>());
+      used.put(type, new HashSet<>());
     }
     Map<Integer, JsonNode> all = new HashMap<>();
     for (JsonNode asset : root.objects(SceneKeys.ASSETS.name())) {
@@ -50,14 +49,6 @@ final class AssetTable {
   /** Returns whether a reference to a missing asset is a warning instead of an error. */
   boolean isLenient() {
     return lenient;
-  }
-
-  private static Map<String, Type> ordered(Type... types) {
-    Map<String, Type> map = new LinkedHashMap<>();
-    for (Type type : types) {
-      map.put(type.label, type);
-    }
-    return map;
   }
 
   private void add(JsonNode asset, Map<Integer, JsonNode> all) {
@@ -84,9 +75,26 @@ final class AssetTable {
     assets.get(type.get()).put(id.get(), asset);
   }
 
-  /** Returns all assets of a type, used or not. */
-  List<JsonNode> all(Type type) {
-    return List.copyOf(assets.get(type).values());
+  /** Warns of keys that no asset of a type has. */
+  void warnUnknown(Type type, Set<String> known) {
+    assets.get(type).values().forEach(asset -> asset.warnUnknown(known));
+  }
+
+  /** Returns the number of assets of a type that have been found. */
+  int used(Type type) {
+    return used.get(type).size();
+  }
+
+  /** Returns the assets that have not been found. */
+  List<SceneOrigins.Unused> unused() {
+    List<SceneOrigins.Unused> unused = new ArrayList<>();
+    assets.forEach(
+        (type, ofType) ->
+            ofType.values().stream()
+                .filter(asset -> !used.get(type).contains(asset))
+                .map(asset -> new SceneOrigins.Unused(SettingType.nameOf(type), asset.origin()))
+                .forEach(unused::add));
+    return unused;
   }
 
   /** Returns the asset that a key names; empty if there is none. Reports dangling ids. */
@@ -98,23 +106,22 @@ final class AssetTable {
   Optional<JsonNode> find(JsonNode from, String key, Type type) {
     Optional<Integer> id = from.id(key).filter(i -> i != NONE);
     Optional<JsonNode> asset = id.map(assets.get(type)::get);
+    asset.ifPresent(used.get(type)::add);
     if (id.isPresent() && asset.isEmpty()) {
       reportDangling(from, key, id.get(), type);
     }
     return asset;
   }
 
-  /** Returns whether a key names an existing asset of a type; never reports an error. */
-  boolean has(JsonNode from, Key<Integer> key, Type type) {
-    return from.idSilently(key.name())
-        .filter(id -> id != NONE && assets.get(type).containsKey(id))
-        .isPresent();
+  /** Returns the same as {@link #find}, without adding an error. */
+  Optional<JsonNode> findSilently(JsonNode from, Key<Integer> key, Type type) {
+    return from.idSilently(key.name()).filter(id -> id != NONE).map(assets.get(type)::get);
   }
 
   private void reportDangling(JsonNode from, String key, int id, Type type) {
     String message =
         "expected the id of a %s, found %s; %s"
-            .formatted(type.label, id, shown(assets.get(type).keySet()));
+            .formatted(Value.capitalized(type), id, shown(assets.get(type).keySet()));
     if (lenient) {
       from.warn(key, message);
     } else {

@@ -31,7 +31,7 @@ final class Family<F> {
    * @param common keys that are valid for every kind
    */
   Family(String typeKey, Optional<String> missing, String thing, List<Key<?>> common) {
-    this.typeKey = new Key<>(typeKey, Value.TEXT, missing, false, "");
+    this.typeKey = new Key<>(typeKey, Value.TEXT, missing, false, "", Optional.empty());
     this.thing = thing;
     this.common = common;
   }
@@ -80,7 +80,7 @@ final class Family<F> {
   /** Returns the reader of a node's kind; empty, with an error added, if the kind is unknown. */
   Optional<F> choose(JsonNode node) {
     String key = typeKey.name();
-    Optional<String> name = node.has(key) ? node.string(key) : typeKey.missing();
+    Optional<String> name = node.has(key) ? node.string(key) : typeKey.defaultValue();
     if (name.isEmpty()) {
       if (!node.has(key)) {
         node.error(key, expected() + "nothing");

@@ -10,12 +10,10 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
-import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import io.github.lumbre.scenefile.internal.Origin;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -296,15 +294,6 @@ record JsonNode(JsonValue value, Problems problems) {
   /** Returns the choice that a key names, or the default if the key is missing or wrong. */
   <T> T choice(String childKey, Map<String, T> choices, T missing) {
     return choice(childKey, choices).orElse(missing);
-  }
-
-  /** Returns the choice that a key names in lower case, or the default if missing or wrong. */
-  <E extends Enum<E>> E choice(String childKey, E missing) {
-    Map<String, E> choices = new LinkedHashMap<>();
-    for (E choice : missing.getDeclaringClass().getEnumConstants()) {
-      choices.put(SettingType.nameOf(choice), choice);
-    }
-    return choice(childKey, choices, missing);
   }
 
   /** Returns the choice that a key names, or empty if the key is missing or wrong. */

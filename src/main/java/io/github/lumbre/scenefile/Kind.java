@@ -60,7 +60,7 @@ final class Kind<F, O> {
 
   /** Adds keys that are written elsewhere. */
   Kind<F, O> with(Key<?>... read) {
-    keys.addAll(List.of(read));
+    List.of(read).forEach(key -> keys.addAll(key.all()));
     return this;
   }
 
@@ -72,20 +72,14 @@ final class Kind<F, O> {
     return with(key).writing((object, to, textures) -> key.put(to, getter.apply(object, textures)));
   }
 
-  /** Adds the channels of normal maps, which are written elsewhere. */
-  Kind<F, O> with(ChannelKeys<?>... channels) {
-    List.of(channels).forEach(channel -> keys.addAll(channel.keys()));
-    return this;
+  Kind<F, O> color(Key<Rgb> key, Function<O, Texture<Rgb>> getter) {
+    return with(key)
+        .writing((object, to, textures) -> textures.color(to, key, getter.apply(object)));
   }
 
-  Kind<F, O> color(ChannelKeys<Rgb> channel, Function<O, Texture<Rgb>> getter) {
-    return with(channel)
-        .writing((object, to, textures) -> textures.color(to, channel, getter.apply(object)));
-  }
-
-  Kind<F, O> number(ChannelKeys<Double> channel, Function<O, ScalarTexture> getter) {
-    return with(channel)
-        .writing((object, to, textures) -> textures.scalar(to, channel, getter.apply(object)));
+  Kind<F, O> number(Key<Double> key, Function<O, ScalarTexture> getter) {
+    return with(key)
+        .writing((object, to, textures) -> textures.number(to, key, getter.apply(object)));
   }
 
   /** Adds a flag that is true in this kind, and false or missing in another one of its name. */

@@ -1,10 +1,14 @@
 package io.github.lumbre.scenefile;
 
 import com.google.gson.JsonObject;
+import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.geometry.Rectangle;
+import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
+import io.github.lumbre.light.Light;
 import io.github.lumbre.light.PointLight;
 import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.light.internal.Directions;
@@ -13,23 +17,14 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.scene.internal.SceneNode;
-import io.github.lumbre.scenefile.ObjectTree.Placed;
+import io.github.lumbre.scenefile.LightReader.Stated;
 import io.github.lumbre.texture.internal.ClearSky;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /** The lights of scene files. */
 final class LightKinds {
-  /** Makes an action that adds a light to a scene. */
-  interface Reading {
-    /**
-     * @param intensity times the color
-     */
-    Consumer<SceneAssembly> read(LightReader reader, Placed light, Rgb intensity);
-  }
-
   /** A computed sky. */
   enum Sky {
     STUDIO,
@@ -37,7 +32,16 @@ final class LightKinds {
     SUN
   }
 
-  static final Family<Reading> FAMILY =
+  /** The unit of an area light's intensity; without one, radiance times a local area above 1. */
+  enum Unit {
+    RADIANCE,
+    POWER
+  }
+
+  /** Rotates a rectangle, whose normal is +y, to the format's direction of emission, +z. */
+  private static final Transform UPRIGHT = Transform.rotationDegrees(new Vec3(90, 0, 0));
+
+  static final Family<Function<Stated, Consumer<SceneAssembly>>> FAMILY =
       new Family<>("lightType", Optional.empty(), "a light", ObjectKeys.OF_EMITTERS);
 
   /** The kind of the lights of the sky. */
@@ -51,7 +55,8 @@ final class LightKinds {
           "Times the color; see docs/scene-format.md for its unit. With a profile, a factor, by"
               + " default 1.");
   static final Key<Rgb> COLOR = Key.color("color", "");
-  static final Key<Falloff> FALLOFF = Key.choice("falloff", falloffs(), Falloff.NONE, "");
+  static final Key<Falloff> FALLOFF =
+      Key.choice("falloff", Value::camelCase, Falloff.NONE, "");
   static final Key<String> PROFILE =
       Key.of(
           "profile", Value.TEXT, "IES file of a lamp (LM-63), relative to the scene's folder.");
@@ -68,8 +73,7 @@ final class LightKinds {
           "Half angle in degrees.");
   static final Key<Double> PENUMBRA =
       Key.number("penumbra", Range.closed(0, 90), 0, "In degrees, at most the spotAngle.");
-  static final Key<LightReader.Unit> UNIT =
-      Key.choice("unit", units(), LightReader.Unit.FORMAT, "").withoutDefault();
+  static final Key<Unit> UNIT = Key.choice("unit", Unit.RADIANCE, "").withoutDefault();
   static final Key<Double> RADIUS = ShapeKinds.size("radius", "In scene units.");
   static final Key<Double> WIDTH = ShapeKinds.size("width", "Along x.");
   static final Key<Double> HEIGHT = ShapeKinds.size("height", "Along y.");
@@ -94,30 +98,33 @@ final class LightKinds {
           "Of the sun of a clear sky, in degrees above the horizon.");
 
   static {
-    shining("Directional", DirectionalLight.class, LightReader::directional)
+    small(
+            "Directional",
+            DirectionalLight.class,
+            in -> added(new DirectionalLight(in.axis(), in.strength())))
         .with(COLOR, DirectionalLight::irradiance)
-        .writing(
-            (light, to, textures) ->
-                pointing(to, Vec3.ZERO, light.direction()));
-    shining("Point", PointLight.class, LightReader::point)
+        .writing((light, to, textures) -> pointing(to, Vec3.ZERO, light.direction()));
+    small(
+            "Point",
+            PointLight.class,
+            in -> PROFILE.isIn(in.at().node()) ? in.profiled() : added(in.point(Falloff.NONE)))
         .with(COLOR, PointLight::intensity)
         .with(FALLOFF, PointLight::falloff)
         .with(PROFILE)
         .placed(light -> Transform.translation(light.position()));
-    shining("Spot", SpotLight.class, LightReader::spot)
+    small("Spot", SpotLight.class, LightKinds::spot)
         .with(COLOR, light -> light.source().intensity())
         .with(FALLOFF, light -> light.source().falloff())
         .with(SPOT_ANGLE, SpotLight::halfAngleDegrees)
         .with(PENUMBRA, SpotLight::penumbraDegrees)
-        .writing(
-            (light, to, textures) -> pointing(to, light.source().position(), light.axis()));
-    shining("Ambient", SceneNode.Ambient.class, LightReader::ambient)
+        .writing((light, to, textures) -> pointing(to, light.source().position(), light.axis()));
+    shining("Ambient", SceneNode.Ambient.class, in -> scene -> scene.addAmbient(in.strength()))
         .with(COLOR, SceneNode.Ambient::irradiance);
     // Scenes state area lights that code built as materials, because these may have a texture.
-    shining("Rectangle", Void.class, LightReader::rectangle).with(COLOR, WIDTH, HEIGHT, UNIT);
-    shining("Sphere", Void.class, LightReader::sphere).with(COLOR, RADIUS, UNIT);
+    shining("Rectangle", Void.class, LightKinds::rectangle).with(COLOR, WIDTH, HEIGHT, UNIT);
+    shining("Sphere", Void.class, LightKinds::sphere).with(COLOR, RADIUS, UNIT);
     FAMILY
-        .kind(DOME, EnvironmentLight.class, LightReader::dome)
+        .kind(DOME, EnvironmentLight.class, Stated::dome)
         .with(TEXTURE, SKY, SUN_AZIMUTH, SUN_ELEVATION, INTENSITY, COLOR)
         .writing(LightKinds::dome);
     FAMILY.refuse("ProfileLight", "a light without a profile", "the profile of a lamp");
@@ -126,8 +133,53 @@ final class LightKinds {
 
   private LightKinds() {}
 
-  private static <O> Kind<Reading, O> shining(String name, Class<O> type, Reading reading) {
+  private static <O> Kind<Function<Stated, Consumer<SceneAssembly>>, O> shining(
+      String name, Class<O> type, Function<Stated, Consumer<SceneAssembly>> reading) {
     return FAMILY.kind(name, type, reading).with(INTENSITY).writing((o, to, t) -> shine(to));
+  }
+
+  /** Adds a light that is as small as a point, and does not shine through glass. */
+  private static <O> Kind<Function<Stated, Consumer<SceneAssembly>>, O> small(
+      String name, Class<O> type, Function<Stated, Consumer<SceneAssembly>> reading) {
+    return shining(
+        name,
+        type,
+        in -> {
+          in.warnOfGlass();
+          return reading.apply(in);
+        });
+  }
+
+  private static Consumer<SceneAssembly> added(Light light) {
+    return scene -> scene.add(light);
+  }
+
+  private static Consumer<SceneAssembly> spot(Stated in) {
+    JsonNode node = in.at().node();
+    if (PROFILE.isIn(node)) {
+      PROFILE.warn(node, "is ignored, because only Point lights have one");
+    }
+    double written = SPOT_ANGLE.in(node);
+    double angle = Math.min(90, Math.abs(written));
+    if (angle != written) {
+      SPOT_ANGLE.warn(
+          node,
+          PrintableText.number(written) + " is treated as " + PrintableText.number(angle));
+    }
+    double penumbra = PENUMBRA.within(Range.closed(0, angle)).in(node);
+    return added(new SpotLight(in.point(Falloff.NONE), in.axis(), angle, penumbra));
+  }
+
+  private static Consumer<SceneAssembly> rectangle(Stated in) {
+    double width = in.at().get(WIDTH);
+    double height = in.at().get(HEIGHT);
+    Transform toWorld = in.at().toWorld().times(UPRIGHT);
+    return in.lamp(new Rectangle(toWorld, width, height, false), width * height);
+  }
+
+  private static Consumer<SceneAssembly> sphere(Stated in) {
+    double radius = in.at().get(RADIUS);
+    return in.lamp(new Sphere(in.at().toWorld(), radius), 4 * Math.PI * radius * radius);
   }
 
   /** Writes the intensity of lights whose color is their strength. */
@@ -150,19 +202,5 @@ final class LightKinds {
     if (!isUniform) {
       LocalTransform.matrix(to, Transform.ofFrame(sky.axes(), Vec3.ZERO));
     }
-  }
-
-  private static Map<String, Falloff> falloffs() {
-    Map<String, Falloff> falloffs = new LinkedHashMap<>();
-    falloffs.put("none", Falloff.NONE);
-    falloffs.put("inverseSquare", Falloff.INVERSE_SQUARE);
-    return falloffs;
-  }
-
-  private static Map<String, LightReader.Unit> units() {
-    Map<String, LightReader.Unit> units = new LinkedHashMap<>();
-    units.put("radiance", LightReader.Unit.RADIANCE);
-    units.put("power", LightReader.Unit.POWER);
-    return units;
   }
 }

@@ -1,21 +1,15 @@
 package io.github.lumbre.scenefile;
 
 import io.github.lumbre.base.text.PrintableText;
-import io.github.lumbre.geometry.Rectangle;
 import io.github.lumbre.geometry.Shape;
-import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.light.DirectionalLight;
 import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.light.Falloff;
 import io.github.lumbre.light.PointLight;
-import io.github.lumbre.light.SpotLight;
 import io.github.lumbre.light.internal.Directions;
 import io.github.lumbre.light.internal.LightProfile;
-import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import io.github.lumbre.texture.Texture;
@@ -25,38 +19,6 @@ import java.util.function.Consumer;
 
 /** Reads lights, and converts the format's intensity to the unit of each light type. */
 final class LightReader {
-  /** Rotates a rectangle, whose normal is +y, to the format's direction of emission, +z. */
-  private static final Transform UPRIGHT = Transform.rotationDegrees(new Vec3(90, 0, 0));
-
-  /** The unit of an area light's intensity. */
-  enum Unit {
-    /**
-     * The format's own unit: radiance for lights of local area 1 or less, and radiance times local
-     * area for larger ones.
-     */
-    FORMAT {
-      @Override
-      double radiance(double localArea, double worldArea) {
-        return 1 / Math.max(1, localArea);
-      }
-    },
-    RADIANCE {
-      @Override
-      double radiance(double localArea, double worldArea) {
-        return 1;
-      }
-    },
-    POWER {
-      @Override
-      double radiance(double localArea, double worldArea) {
-        return 1 / (Math.PI * worldArea);
-      }
-    };
-
-    /** Returns the radiance of a light of intensity 1; areas are before and after its transform. */
-    abstract double radiance(double localArea, double worldArea);
-  }
-
   private final TextureReader textures;
   private final LightProfiles profiles;
   private final boolean hasGlass;
@@ -89,130 +51,110 @@ final class LightReader {
     JsonNode node = light.node();
     node.warnUnknown(keys);
     count++;
-    double missing = LightKinds.PROFILE.isIn(node) ? 1 : 0;
-    String key = LightKinds.INTENSITY.name();
-    Rgb intensity = LightKinds.COLOR.in(node).times(LightKinds.INTENSITY.in(node, missing));
-    if (intensity.isBlack()) {
-      node.warn(key, "the light emits nothing");
+    double otherwise = LightKinds.PROFILE.isIn(node) ? 1 : 0;
+    Rgb strength = light.get(LightKinds.COLOR).times(LightKinds.INTENSITY.in(node, otherwise));
+    if (strength.isBlack()) {
+      LightKinds.INTENSITY.warn(node, "the light emits nothing");
     }
-    if (!intensity.isFinite()) {
-      node.error(key, "expected a finite product with the color, found an infinite one");
+    if (!strength.isFinite()) {
+      LightKinds.INTENSITY.error(
+          node, "expected a finite product with the color, found an infinite one");
       return Optional.empty();
     }
-    return LightKinds.FAMILY.choose(node).map(kind -> kind.read(this, light, intensity));
+    return LightKinds.FAMILY.choose(node).map(kind -> kind.apply(new Stated(light, strength)));
   }
 
-  Consumer<SceneAssembly> directional(Placed light, Rgb irradiance) {
-    warnOfGlass(light);
-    DirectionalLight made = new DirectionalLight(axis(light), irradiance);
-    return scene -> scene.add(made);
-  }
+  /** What a light states. */
+  final class Stated {
+    private final Placed at;
+    private final Rgb strength;
 
-  Consumer<SceneAssembly> point(Placed light, Rgb intensity) {
-    warnOfGlass(light);
-    if (LightKinds.PROFILE.isIn(light.node())) {
-      return profiled(light, intensity);
+    private Stated(Placed at, Rgb strength) {
+      this.at = at;
+      this.strength = strength;
     }
-    PointLight made = pointLight(light, intensity, Falloff.NONE);
-    return scene -> scene.add(made);
-  }
 
-  private Consumer<SceneAssembly> profiled(Placed light, Rgb factor) {
-    PointLight source = pointLight(light, factor, Falloff.INVERSE_SQUARE);
-    if (source.falloff() == Falloff.NONE) {
-      LightKinds.FALLOFF.error(
-          light.node(), "expected \"inverseSquare\", which profiles need, found \"none\"");
+    Placed at() {
+      return at;
     }
-    Optional<LightProfile> profile = profiles.of(light.node());
-    return scene -> scene.add(profile.orElseThrow().light(source, light.toWorld()));
-  }
 
-  Consumer<SceneAssembly> spot(Placed light, Rgb intensity) {
-    warnOfGlass(light);
-    if (LightKinds.PROFILE.isIn(light.node())) {
-      LightKinds.PROFILE.warn(light.node(), "is ignored, because only Point lights have one");
+    /** Returns the intensity times the color. */
+    Rgb strength() {
+      return strength;
     }
-    double angle = spotAngle(light.node());
-    double penumbra = light.node().number(LightKinds.PENUMBRA.name(), 0, Range.closed(0, angle));
-    PointLight source = pointLight(light, intensity, Falloff.NONE);
-    SpotLight made = new SpotLight(source, axis(light), angle, penumbra);
-    return scene -> scene.add(made);
-  }
 
-  private static double spotAngle(JsonNode light) {
-    double written = LightKinds.SPOT_ANGLE.in(light);
-    double angle = Math.min(90, Math.abs(written));
-    if (angle != written) {
-      light.warn(
-          LightKinds.SPOT_ANGLE.name(),
-          PrintableText.number(written) + " is treated as " + PrintableText.number(angle));
+    /** Returns the direction of emission. */
+    Vec3 axis() {
+      return ObjectKeys.MATRIX.isIn(at.node())
+          ? Directions.axis(at.toWorld())
+          : at.toWorld().vector(Vec3.Z).normalized();
     }
-    return angle;
-  }
 
-  Consumer<SceneAssembly> ambient(Placed light, Rgb irradiance) {
-    return scene -> scene.addAmbient(irradiance);
-  }
-
-  Consumer<SceneAssembly> rectangle(Placed light, Rgb intensity) {
-    double width = LightKinds.WIDTH.in(light.node());
-    double height = LightKinds.HEIGHT.in(light.node());
-    Shape shape = new Rectangle(light.toWorld().times(UPRIGHT), width, height, false);
-    return lamp(light, intensity, shape, width * height);
-  }
-
-  Consumer<SceneAssembly> sphere(Placed light, Rgb intensity) {
-    double radius = LightKinds.RADIUS.in(light.node());
-    Shape shape = new Sphere(light.toWorld(), radius);
-    return lamp(light, intensity, shape, 4 * Math.PI * radius * radius);
-  }
-
-  private Consumer<SceneAssembly> lamp(Placed light, Rgb intensity, Shape shape, double localArea) {
-    Unit unit = LightKinds.UNIT.in(light.node(), Unit.FORMAT);
-    boolean measurable = ShapeReader.isMeasurable(light.node().spot(), shape);
-    Rgb radiance = measurable ? intensity.times(unit.radiance(localArea, shape.area())) : Rgb.BLACK;
-    if (!radiance.isFinite()) {
-      intensityError(light, "expected a finite radiance, found an infinite one");
+    void warnOfGlass() {
+      if (hasGlass && !warnedOfGlass) {
+        LightKinds.FAMILY
+            .typeKey()
+            .warn(
+                at.node(),
+                "the scene has glass, which blocks light from Directional, Point and Spot lights");
+        warnedOfGlass = true;
+      }
     }
-    Emission emission = new Emission(Texture.constant(radiance), false);
-    return scene -> scene.addAreaLight(shape, emission);
-  }
 
-  Consumer<SceneAssembly> dome(Placed light, Rgb radiance) {
-    hasDome = true;
-    boolean isFinite = radiance.max() <= EnvironmentLight.MAX_RADIANCE;
-    if (!isFinite) {
-      String most = PrintableText.number(EnvironmentLight.MAX_RADIANCE);
-      intensityError(light, "expected a product with the color of at most " + most);
+    PointLight point(Falloff otherwise) {
+      Falloff falloff = LightKinds.FALLOFF.in(at.node(), otherwise);
+      return new PointLight(at.position(), strength, falloff);
     }
-    Rgb used = isFinite ? radiance : Rgb.BLACK;
-    EnvironmentLight made = textures.dome(light.node(), light.axes(), used);
-    return scene -> scene.add(made);
-  }
 
-  private static void intensityError(Placed light, String message) {
-    LightKinds.INTENSITY.error(light.node(), message);
-  }
+    Consumer<SceneAssembly> profiled() {
+      PointLight source = point(Falloff.INVERSE_SQUARE);
+      if (source.falloff() == Falloff.NONE) {
+        LightKinds.FALLOFF.error(
+            at.node(), "expected \"inverseSquare\", which profiles need, found \"none\"");
+      }
+      Optional<LightProfile> profile = profiles.of(at.node());
+      return scene -> scene.add(profile.orElseThrow().light(source, at.toWorld()));
+    }
 
-  private static PointLight pointLight(Placed light, Rgb intensity, Falloff missing) {
-    Falloff falloff = LightKinds.FALLOFF.in(light.node(), missing);
-    return new PointLight(light.position(), intensity, falloff);
-  }
+    /**
+     * Returns an area light.
+     *
+     * @param localArea of the shape before its transform
+     */
+    Consumer<SceneAssembly> lamp(Shape shape, double localArea) {
+      double perUnit = radiance(shape, localArea);
+      boolean isMeasurable = ShapeReader.isMeasurable(at.node().spot(), shape.bounds());
+      Rgb radiance = isMeasurable ? strength.times(perUnit) : Rgb.BLACK;
+      if (!radiance.isFinite()) {
+        LightKinds.INTENSITY.error(
+            at.node(), "expected a finite radiance, found an infinite one");
+      }
+      Emission emission = new Emission(Texture.constant(radiance), false);
+      return scene -> scene.addAreaLight(shape, emission);
+    }
 
-  private static Vec3 axis(Placed light) {
-    return ObjectKeys.MATRIX.isIn(light.node())
-        ? Directions.axis(light.toWorld())
-        : light.toWorld().vector(Vec3.Z).normalized();
-  }
+    /** Returns the radiance of an intensity of 1. */
+    private double radiance(Shape shape, double localArea) {
+      if (!LightKinds.UNIT.isIn(at.node())) {
+        return 1 / Math.max(1, localArea);
+      }
+      return switch (LightKinds.UNIT.in(at.node(), LightKinds.Unit.RADIANCE)) {
+        case RADIANCE -> 1;
+        case POWER -> 1 / (Math.PI * shape.area());
+      };
+    }
 
-  private void warnOfGlass(Placed light) {
-    if (hasGlass && !warnedOfGlass) {
-      light
-          .node()
-          .warn(
-              LightKinds.FAMILY.typeKey().name(),
-              "the scene has glass, which blocks light from Directional, Point and Spot lights");
-      warnedOfGlass = true;
+    Consumer<SceneAssembly> dome() {
+      hasDome = true;
+      boolean isFinite = strength.max() <= Stage.Sky.MAX_INTENSITY;
+      if (!isFinite) {
+        String most = PrintableText.number(Stage.Sky.MAX_INTENSITY);
+        LightKinds.INTENSITY.error(
+            at.node(), "expected a product with the color of at most " + most);
+      }
+      EnvironmentLight made =
+          textures.dome(at.node(), at.axes(), isFinite ? strength : Rgb.BLACK);
+      return scene -> scene.add(made);
     }
   }
 }

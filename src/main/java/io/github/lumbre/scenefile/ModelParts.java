@@ -205,7 +205,7 @@ final class ModelParts {
     ModelMaterial material = part.material();
     Optional<Surface> other = Optional.ofNullable(placement.overrides.get(material.name()));
     PartSurface shown = PartSurface.of(part);
-    if (ShapeReader.isMeasurable(placement.place.spot(), surface.shape())) {
+    if (ShapeReader.isMeasurable(placement.place.spot(), surface.shape().bounds())) {
       target.add(
           placement.place.origin(part.location(), part.name()),
           placement.place.origin(material.location(), material.name()),

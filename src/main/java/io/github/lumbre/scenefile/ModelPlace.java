@@ -24,7 +24,7 @@ interface ModelPlace {
   /** Adds the error of a model that cannot be used. */
   void error(ModelFormatException e);
 
-  private static Kind kind(ModelFormatException e) {
+  static Kind kind(ModelFormatException e) {
     return e.kind() == ModelFormatException.Kind.TOO_LARGE ? Kind.LIMIT : Kind.ASSET;
   }
 

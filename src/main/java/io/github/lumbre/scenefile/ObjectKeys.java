@@ -3,10 +3,8 @@ package io.github.lumbre.scenefile;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scenefile.internal.CameraKeys;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.stream.Stream;
 
 /** The keys of all objects and assets. */
 final class ObjectKeys {
@@ -17,7 +15,7 @@ final class ObjectKeys {
   static final Key<JsonNode> NAME = Key.of("name", Value.other("{}"), "");
   static final Key<Integer> ID = Key.of(CameraKeys.ID, Value.ID, "");
   static final Key<ObjectTree.Type> TYPE =
-      Key.choice(CameraKeys.TYPE, types(), ObjectTree.Type.NONE, "");
+      Key.choice(CameraKeys.TYPE, Value::capitalized, ObjectTree.Type.NONE, "");
   static final Key<JsonNode> CHILDREN = Key.of(CameraKeys.CHILDREN, LIST, "");
   static final Key<Vec3> POSITION = Key.of(CameraKeys.POSITION, Value.VECTOR, Vec3.ZERO, "");
   static final Key<Vec3> ROTATION =
@@ -60,10 +58,11 @@ final class ObjectKeys {
           TYPE, NAME, ID, CHILDREN, POSITION, ROTATION, SCALE, LOOK_AT, LOOK_AT_UP, MATRIX);
 
   /** The keys of every object that can emit light. */
-  static final List<Key<?>> OF_EMITTERS = withGroup();
+  static final List<Key<?>> OF_EMITTERS =
+      Stream.<Key<?>>concat(ALL.stream(), Stream.of(LIGHT_GROUP)).toList();
 
   static final Key<AssetTable.Type> ASSET_TYPE =
-      Key.choice("assetType", AssetTable.TYPES, AssetTable.Type.MATERIAL, "").withoutDefault();
+      Key.of("assetType", Value.choice(AssetTable.TYPES), "");
   static final Key<String> FILE = content("file");
 
   /** The keys of every asset. */
@@ -100,21 +99,5 @@ final class ObjectKeys {
   /** Returns a key of the content of an asset, or of its file. */
   static Key<String> content(String name) {
     return Key.of(name, Value.TEXT, "");
-  }
-
-  private static List<Key<?>> withGroup() {
-    List<Key<?>> keys = new ArrayList<>(ALL);
-    keys.add(LIGHT_GROUP);
-    return keys;
-  }
-
-  private static Map<String, ObjectTree.Type> types() {
-    Map<String, ObjectTree.Type> types = new LinkedHashMap<>();
-    types.put("None", ObjectTree.Type.NONE);
-    types.put("Camera", ObjectTree.Type.CAMERA);
-    types.put("Shape", ObjectTree.Type.SHAPE);
-    types.put("Model", ObjectTree.Type.MODEL);
-    types.put("Light", ObjectTree.Type.LIGHT);
-    return types;
   }
 }

@@ -42,6 +42,10 @@ final class ObjectTree {
       return new Frame(rotation.vector(Vec3.X), rotation.vector(Vec3.Y), rotation.vector(Vec3.Z));
     }
 
+    <T> T get(Key<T> key) {
+      return key.in(node);
+    }
+
     /** Returns the name of the light group of the object's light; empty for none. */
     String lightGroup() {
       String name = ObjectKeys.LIGHT_GROUP.in(node);

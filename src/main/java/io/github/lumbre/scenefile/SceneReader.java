@@ -9,17 +9,16 @@ import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.AssetTable.Type;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import io.github.lumbre.scenefile.internal.Origin;
 import io.github.lumbre.scenefile.internal.PlacedCamera;
 import io.github.lumbre.scenefile.internal.SceneContents;
 import io.github.lumbre.scenefile.internal.SceneOrigins;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Predicate;
 
 /** Reads the objects of a scene, the assets they use, and the main camera. Not reusable. */
 final class SceneReader {
@@ -31,7 +30,6 @@ final class SceneReader {
   private final AssetTable assets;
   private final ObjectTree tree;
   private final TextureReader textures;
-  private final MeshReader meshes;
   private final MaterialReader materials;
   private final ShapeReader shapes;
   private final ModelObjects models;
@@ -63,9 +61,8 @@ final class SceneReader {
     this.assets = assets;
     tree = ObjectTree.of(root);
     textures = new TextureReader(assets, data, settings.seed(), change);
-    meshes = new MeshReader(assets, data);
     materials = new MaterialReader(assets, textures);
-    shapes = new ShapeReader(meshes, objects(ObjectTree.Type.SHAPE), kernel);
+    shapes = new ShapeReader(assets, data, objects(ObjectTree.Type.SHAPE), kernel);
     profiles = new LightProfiles(data);
     modelParts = new ModelParts(parts, data.allowance(), kernel, new DecodedPictures());
     models = new ModelObjects(data, materials, modelParts, settings, sceneName, assets.isLenient());
@@ -82,9 +79,9 @@ final class SceneReader {
    * @param background radiance from the settings; empty if they name none
    */
   void read(double aspect, Optional<Rgb> background) {
-    textures.checkAll();
-    meshes.checkAll();
-    materials.checkAll();
+    assets.warnUnknown(Type.TEXTURE, TextureKinds.FAMILY.keys());
+    assets.warnUnknown(Type.MESH, Key.names(ObjectKeys.OF_ASSETS, ObjectKeys.OF_MESHES));
+    assets.warnUnknown(Type.MATERIAL, MaterialKinds.FAMILY.keys());
     Set<String> keys = Key.names(ObjectKeys.ALL);
     objects(ObjectTree.Type.NONE).forEach(o -> o.node().warnUnknown(keys));
     readCamera(aspect);
@@ -143,7 +140,10 @@ final class SceneReader {
         made ->
             parts.add(
                 object.node().origin(),
-                materials.asset(object.node()).map(JsonNode::origin).orElse(Origin.NONE),
+                assets
+                    .findSilently(object.node(), ShapeKinds.MATERIAL, Type.MATERIAL)
+                    .map(JsonNode::origin)
+                    .orElse(Origin.NONE),
                 object.lightGroup(),
                 scene -> surface.add(made, scene)));
   }
@@ -204,21 +204,7 @@ final class SceneReader {
 
   /** Returns the places of objects and assets; requires an earlier call of {@link #scene}. */
   SceneOrigins origins() {
-    List<SceneOrigins.Unused> unused = new ArrayList<>();
-    addUnused(AssetTable.Type.MATERIAL, "material", materials::uses, unused);
-    addUnused(AssetTable.Type.TEXTURE, "texture", textures::uses, unused);
-    addUnused(AssetTable.Type.MESH, "mesh", meshes::uses, unused);
-    return parts.origins(textures.uses(), unused);
-  }
-
-  private void addUnused(
-      AssetTable.Type type,
-      String name,
-      Predicate<JsonNode> isUsed,
-      List<SceneOrigins.Unused> unused) {
-    assets.all(type).stream()
-        .filter(isUsed.negate())
-        .forEach(asset -> unused.add(new SceneOrigins.Unused(name, asset.origin())));
+    return parts.origins(textures.uses(), assets.unused());
   }
 
   /** Returns the numbers of objects and assets. */
@@ -226,11 +212,11 @@ final class SceneReader {
     return new SceneContents(
         cameraType,
         shapes.count() + modelParts.count(),
-        meshes.count() + modelParts.meshes(),
+        assets.used(Type.MESH) + modelParts.meshes(),
         shapes.triangles() + modelParts.triangles(),
         modelParts.points(),
         lightCount + modelParts.lights(),
-        materials.count() + modelParts.materials(),
-        textures.count() + modelParts.pictures());
+        assets.used(Type.MATERIAL) + modelParts.materials(),
+        assets.used(Type.TEXTURE) + modelParts.pictures());
   }
 }

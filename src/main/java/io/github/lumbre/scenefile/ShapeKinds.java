@@ -11,6 +11,7 @@ import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 
 /** The shapes of scene files. */
 final class ShapeKinds {
@@ -32,30 +33,17 @@ final class ShapeKinds {
 
   static {
     Key<Double> radius = size("radius", "In scene units.");
-    FAMILY
-        .kind(
-            "Sphere",
-            Sphere.class,
-            (at, reader) -> Optional.of(new Sphere(at.toWorld(), radius.in(at.node()))))
-        .with(MATERIAL)
+    kind("Sphere", Sphere.class, at -> new Sphere(at.toWorld(), at.get(radius)))
         .with(radius, Sphere::radius)
         .placed(Sphere::toWorld);
     planes();
     Key<Double> width = size("width", "Along x.");
     Key<Double> height = size("height", "Along y.");
     Key<Double> depth = size("depth", "Along z.");
-    FAMILY
-        .kind(
+    kind(
             "Cube",
             Box.class,
-            (at, reader) ->
-                Optional.of(
-                    new Box(
-                        at.toWorld(),
-                        width.in(at.node()),
-                        height.in(at.node()),
-                        depth.in(at.node()))))
-        .with(MATERIAL)
+            at -> new Box(at.toWorld(), at.get(width), at.get(height), at.get(depth)))
         .with(width, box -> box.size().x())
         .with(height, box -> box.size().y())
         .with(depth, box -> box.size().z())
@@ -71,33 +59,28 @@ final class ShapeKinds {
     return Key.number(name, Range.SIZE, 1, meaning);
   }
 
+  private static <S extends Shape> Kind<BiFunction<Placed, ShapeReader, Optional<Shape>>, S> kind(
+      String name, Class<S> type, Function<Placed, S> reading) {
+    return FAMILY
+        .kind(name, type, (at, reader) -> Optional.of(reading.apply(at)))
+        .with(MATERIAL);
+  }
+
   private static void planes() {
     Key<Boolean> finite = Key.flag("finite", false, "Whether it has a width and a height.");
     Key<Double> width = size("width", "Along x.");
     Key<Double> height = size("height", "Along z.");
-    FAMILY
-        .kind(
+    kind(
             PLANE,
             Rectangle.class,
-            (at, reader) ->
-                Optional.of(
-                    new Rectangle(
-                        at.toWorld(),
-                        width.in(at.node()),
-                        height.in(at.node()),
-                        TWO_SIDED.in(at.node()))))
+            at -> new Rectangle(at.toWorld(), at.get(width), at.get(height), at.get(TWO_SIDED)))
         .when(finite)
-        .with(MATERIAL)
         .with(width, Rectangle::width)
         .with(height, Rectangle::height)
         .with(TWO_SIDED, Rectangle::isTwoSided)
         .placed(Rectangle::toWorld);
-    FAMILY
-        .kind(
-            PLANE,
-            Plane.class,
-            (at, reader) -> Optional.of(new Plane(at.toWorld(), TWO_SIDED.in(at.node()))))
-        .with(MATERIAL, finite)
+    kind(PLANE, Plane.class, at -> new Plane(at.toWorld(), at.get(TWO_SIDED)))
+        .with(finite)
         .with(TWO_SIDED, Plane::isTwoSided)
         .placed(Plane::toWorld);
   }

@@ -8,6 +8,9 @@ import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.geometry.SharedMesh;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.obj.ObjMesh;
+import io.github.lumbre.model.format.obj.ObjReader;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import java.util.HashMap;
@@ -24,10 +27,11 @@ final class ShapeReader {
   /** The largest absolute coordinate: squares of coordinates must not overflow. */
   private static final double MAX_REACH = 1e150;
 
-  private final MeshReader meshes;
+  private final AssetData data;
   private final Kernel kernel;
   private final Map<JsonNode, Integer> placements = new HashMap<>();
   private final Map<JsonNode, Optional<JsonNode>> meshOfObject = new HashMap<>();
+  private final Map<JsonNode, Optional<TriangleMesh>> meshes = new HashMap<>();
   private final Map<JsonNode, SharedMesh> shared = new HashMap<>();
   private final Set<String> keys = ShapeKinds.FAMILY.keys();
   private int count;
@@ -37,20 +41,17 @@ final class ShapeReader {
    * @param shapes all shape objects of the scene
    * @param kernel traversal kernel of shared meshes
    */
-  ShapeReader(MeshReader meshes, List<Placed> shapes, Kernel kernel) {
-    this.meshes = meshes;
+  ShapeReader(AssetTable assets, AssetData data, List<Placed> shapes, Kernel kernel) {
+    this.data = data;
     this.kernel = kernel;
     for (Placed shape : shapes) {
-      countPlacement(shape.node());
-    }
-  }
-
-  private void countPlacement(JsonNode object) {
-    String kind = ShapeKinds.FAMILY.typeKey().name();
-    if (object.find(kind).filter(type -> type.isText(ShapeKinds.MESHES)).isPresent()) {
-      Optional<JsonNode> asset = meshes.asset(object);
-      meshOfObject.put(object, asset);
-      asset.ifPresent(a -> placements.merge(a, 1, Integer::sum));
+      JsonNode object = shape.node();
+      Optional<JsonNode> type = ShapeKinds.FAMILY.typeKey().find(object);
+      if (type.filter(t -> t.isText(ShapeKinds.MESHES)).isPresent()) {
+        Optional<JsonNode> asset = assets.find(object, ShapeKinds.MESH, AssetTable.Type.MESH);
+        meshOfObject.put(object, asset);
+        asset.ifPresent(a -> placements.merge(a, 1, Integer::sum));
+      }
     }
   }
 
@@ -72,18 +73,13 @@ final class ShapeReader {
     return ShapeKinds.FAMILY
         .choose(node)
         .flatMap(reader -> reader.apply(object, this))
-        .filter(shape -> shape instanceof Plane || isMeasurable(node.spot(), shape));
+        .filter(shape -> shape instanceof Plane || isMeasurable(node.spot(), shape.bounds()));
   }
 
   /**
-   * Returns whether a shape lies within 1e150 of the origin, so that its area does not overflow;
-   * adds an error if it does not.
+   * Returns whether a box lies within 1e150 of the origin, so that areas do not overflow; adds an
+   * error if it does not.
    */
-  static boolean isMeasurable(Spot spot, Shape shape) {
-    return isMeasurable(spot, shape.bounds());
-  }
-
-  /** Returns whether a box lies within 1e150 of the origin; adds an error if it does not. */
   static boolean isMeasurable(Spot spot, Bounds3 bounds) {
     double reach = Math.max(bounds.min().maxAbs(), bounds.max().maxAbs());
     if (reach <= MAX_REACH) {
@@ -101,7 +97,29 @@ final class ShapeReader {
       object.node().warn(ShapeKinds.MESH.name(), "names no mesh; the object is not rendered");
       return Optional.empty();
     }
-    return meshes.read(asset.get()).map(mesh -> placed(object, asset.get(), mesh));
+    return meshes
+        .computeIfAbsent(asset.get(), this::read)
+        .map(mesh -> placed(object, asset.get(), mesh));
+  }
+
+  private Optional<TriangleMesh> read(JsonNode asset) {
+    return data.read(asset, ObjectKeys.BASE64_MESH.name()).flatMap(this::decoded);
+  }
+
+  private Optional<TriangleMesh> decoded(AssetData.Content content) {
+    ObjMesh obj;
+    try {
+      obj = ObjReader.read(content.bytes(), data.allowance().left());
+    } catch (ModelFormatException e) {
+      content.error(ModelPlace.kind(e), e.getMessage());
+      return Optional.empty();
+    }
+    data.allowance().addTriangles(obj.indices().length / 3);
+    TriangleMesh mesh = TriangleMesh.of(obj.positions(), obj.normals(), obj.uvs(), obj.indices());
+    if (mesh.droppedTriangles() > 0) {
+      content.warn("dropped triangles of zero area: " + mesh.droppedTriangles());
+    }
+    return mesh.triangleCount() == 0 ? Optional.empty() : Optional.of(mesh);
   }
 
   private Shape placed(Placed object, JsonNode asset, TriangleMesh mesh) {

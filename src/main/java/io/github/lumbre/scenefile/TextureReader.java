@@ -9,6 +9,7 @@ import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.sampling.internal.Hash;
 import io.github.lumbre.scenefile.AssetTable.Type;
 import io.github.lumbre.scenefile.LightKinds.Sky;
+import io.github.lumbre.scenefile.internal.Origin;
 import io.github.lumbre.scenefile.internal.SceneOrigins.TextureUse;
 import io.github.lumbre.texture.NormalMap;
 import io.github.lumbre.texture.ScalarTexture;
@@ -49,43 +50,29 @@ final class TextureReader {
     this.seed = seed;
   }
 
-  /** Warns of keys that no texture type has. */
-  void checkAll() {
-    assets.all(Type.TEXTURE).forEach(t -> t.warnUnknown(TextureKinds.FAMILY.keys()));
-  }
-
-  /** Returns the number of textures in use. */
-  int count() {
-    return pictures.size();
-  }
-
-  /** Returns whether any material, light or camera uses a texture. */
-  boolean uses(JsonNode texture) {
-    return pictures.containsKey(texture);
-  }
-
   /** Returns the uses of decoded images by materials so far. */
   List<TextureUse> uses() {
     return uses;
   }
 
   /** Finds the texture of a material's channel, and records the use. */
-  private Optional<Picture> find(JsonNode material, ChannelKeys<?> channel, UvMapping mapping) {
-    Optional<Picture> picture = find(material, channel.texture());
+  private Optional<Picture> find(JsonNode material, Key<?> key, UvMapping mapping) {
+    if (key.variation().isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<Picture> picture = find(material, key.texture());
     if (picture.isPresent() && picture.get() instanceof Picture.Decoded decoded) {
-      assets
-          .find(material, channel.texture(), Type.TEXTURE)
-          .ifPresent(
-              texture ->
-                  uses.add(
-                      new TextureUse(
-                          material.origin(),
-                          channel.name(),
-                          texture.origin(),
-                          decoded.width(),
-                          decoded.height(),
-                          mapping.scaleX(),
-                          mapping.scaleY())));
+      Origin texture =
+          assets.findSilently(material, key.texture(), Type.TEXTURE).orElseThrow().origin();
+      uses.add(
+          new TextureUse(
+              material.origin(),
+              key.stem(),
+              texture,
+              decoded.width(),
+              decoded.height(),
+              mapping.scaleX(),
+              mapping.scaleY()));
     }
     return picture;
   }
@@ -129,50 +116,49 @@ final class TextureReader {
     return change.watched(picture.as(role));
   }
 
-  /**
-   * Returns a color channel of a material: a constant, multiplied by a texture if there is one.
-   *
-   * @param constant the channel's constant color
-   */
-  Texture<Rgb> color(JsonNode material, ChannelKeys<Rgb> channel, Rgb constant) {
-    UvMapping mapping = mapping(material, channel);
-    return find(material, channel, mapping)
+  /** Returns a color of a material: a constant, multiplied by a texture if there is one. */
+  Texture<Rgb> color(JsonNode material, Key<Rgb> key, Rgb constant) {
+    UvMapping mapping = mapping(material, key);
+    return find(material, key, mapping)
         .map(picture -> mapping.over(TintedTexture.of(constant, watched(picture, Role.COLOR))))
         .orElse(Texture.constant(constant));
   }
 
-  /** Returns a color channel clamped to 1: a constant here, a texture at each lookup. */
-  Texture<Rgb> reflectance(JsonNode material, ChannelKeys<Rgb> channel, Rgb constant) {
-    boolean textured = assets.has(material, channel.texture(), Type.TEXTURE);
-    return color(material, channel, textured ? constant : constant.clampedToOne());
+  /** Returns a color clamped to 1: a constant here, a texture at each lookup. */
+  Texture<Rgb> reflectance(JsonNode material, Key<Rgb> key, Rgb constant) {
+    boolean isTextured =
+        key.variation().isPresent()
+            && assets.findSilently(material, key.texture(), Type.TEXTURE).isPresent();
+    return color(material, key, isTextured ? constant : constant.clampedToOne());
   }
 
-  /**
-   * Returns a scalar channel: a constant, multiplied by a texture's red channel if there is one.
-   */
-  ScalarTexture scalar(JsonNode material, ChannelKeys<Double> channel) {
-    double constant = channel.constant().in(material);
-    UvMapping mapping = mapping(material, channel);
-    Optional<Picture> picture = find(material, channel, mapping);
+  /** Returns a number: a constant, multiplied by a texture's red channel if there is one. */
+  ScalarTexture number(JsonNode material, Key<Double> key) {
+    double constant = key.in(material);
+    UvMapping mapping = mapping(material, key);
+    Optional<Picture> picture = find(material, key, mapping);
     if (picture.isEmpty()) {
       return ScalarTexture.constant(constant);
     }
-    double low = channel.low();
-    double high = channel.high();
+    double low = key.variation().orElseThrow().low();
+    double high = key.variation().orElseThrow().high();
     return new RedChannel(mapping.over(watched(picture.get(), Role.DATA)), constant, low, high);
   }
 
-  /** Returns the normal map of a channel, or empty if it has none. */
-  Optional<NormalMap> normalMap(JsonNode material, ChannelKeys<Double> channel) {
-    double strength = channel.constant().in(material);
-    UvMapping mapping = mapping(material, channel);
-    return find(material, channel, mapping)
+  /** Returns the normal map of a key, or empty if it has none. */
+  Optional<NormalMap> normalMap(JsonNode material, Key<Double> key) {
+    double strength = key.in(material);
+    UvMapping mapping = mapping(material, key);
+    return find(material, key, mapping)
         .map(picture -> new NormalMap(watched(picture, Role.NORMAL), mapping, strength));
   }
 
-  private static UvMapping mapping(JsonNode material, ChannelKeys<?> channel) {
-    Point2 offset = channel.offset().in(material);
-    Point2 scale = channel.scale().in(material);
+  private static UvMapping mapping(JsonNode material, Key<?> key) {
+    if (key.variation().isEmpty()) {
+      return UvMapping.IDENTITY;
+    }
+    Point2 offset = key.offset().in(material);
+    Point2 scale = key.scale().in(material);
     return new UvMapping(offset.x(), offset.y(), scale.x(), scale.y());
   }
 

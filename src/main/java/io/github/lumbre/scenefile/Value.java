@@ -10,11 +10,15 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
+import io.github.lumbre.scene.SettingType;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
@@ -31,6 +35,8 @@ record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema
     /** Returns the value of a key; {@code otherwise} if it is missing, or wrong: an error. */
     T read(JsonNode from, String key, T otherwise);
   }
+
+  private static final Pattern WORD = Pattern.compile("-(.)");
 
   static final Value<Boolean> FLAG =
       new Value<>(JsonNode::flag, JsonPrimitive::new, "{'type': ['boolean', 'null']}");
@@ -85,6 +91,24 @@ record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema
         (from, key, otherwise) -> from.choice(key, choices, otherwise),
         value -> new JsonPrimitive(nameOf(value, choices)),
         "{'enum': [" + quoted(choices.keySet()) + ", null]}");
+  }
+
+  /** Returns values by their names, in their order. */
+  static <T> Map<String, T> named(Function<T, String> naming, List<T> values) {
+    Map<String, T> named = new LinkedHashMap<>();
+    values.forEach(value -> named.put(naming.apply(value), value));
+    return named;
+  }
+
+  /** Returns the name of a constant of one word with a capital, such as {@code Light}. */
+  static String capitalized(Enum<?> constant) {
+    return constant.name().charAt(0) + constant.name().substring(1).toLowerCase(Locale.ROOT);
+  }
+
+  /** Returns the name of a constant as keys are written, such as {@code inverseSquare}. */
+  static String camelCase(Enum<?> constant) {
+    String name = SettingType.nameOf(constant);
+    return WORD.matcher(name).replaceAll(word -> word.group(1).toUpperCase(Locale.ROOT));
   }
 
   private static <T> String nameOf(T value, Map<String, T> choices) {

@@ -59,49 +59,48 @@ record WrittenTextures(WrittenAssets assets) {
     return new Parts(tint, UvMapping.IDENTITY, texture);
   }
 
-  void color(JsonObject to, ChannelKeys<Rgb> channel, Texture<Rgb> texture) {
+  void color(JsonObject to, Key<Rgb> key, Texture<Rgb> texture) {
     Parts parts = parts(texture);
-    channel.constant().put(to, parts.tint());
-    picture(to, channel, parts, Role.COLOR);
+    key.put(to, parts.tint());
+    picture(to, key, parts, Role.COLOR);
   }
 
-  /** Writes a scalar channel. */
-  void scalar(JsonObject to, ChannelKeys<Double> channel, ScalarTexture texture) {
+  void number(JsonObject to, Key<Double> key, ScalarTexture texture) {
     if (texture instanceof ConstantScalar constant) {
-      channel.constant().put(to, constant.value());
+      key.put(to, constant.value());
       return;
     }
-    double low = channel.low();
-    double high = channel.high();
+    double low = key.variation().orElseThrow().low();
+    double high = key.variation().orElseThrow().high();
     if (!(texture instanceof RedChannel red) || red.min() != low || red.max() != high) {
       throw new Unwritable(
-          channel.name() + ": a constant, or a RedChannel from " + low + " to " + high,
+          key.stem() + ": a constant, or a RedChannel from " + low + " to " + high,
           Written.name(texture));
     }
     Parts parts = parts(red.texture());
     if (!parts.tint().equals(Rgb.WHITE) || parts.picture() instanceof Constant) {
       throw new Unwritable(
-          channel.name() + ": the red of a picture without tint", "another texture");
+          key.stem() + ": the red of a picture without tint", "another texture");
     }
-    channel.constant().put(to, red.factor());
-    picture(to, channel, parts, Role.DATA);
+    key.put(to, red.factor());
+    picture(to, key, parts, Role.DATA);
   }
 
-  void normalMap(JsonObject to, ChannelKeys<Double> channel, NormalMap map) {
+  void normalMap(JsonObject to, Key<Double> key, NormalMap map) {
     Parts parts = parts(map.normals());
-    channel.constant().put(to, map.strength());
-    picture(to, channel, new Parts(Rgb.WHITE, map.mapping(), parts.picture()), Role.NORMAL);
+    key.put(to, map.strength());
+    picture(to, key, new Parts(Rgb.WHITE, map.mapping(), parts.picture()), Role.NORMAL);
   }
 
-  private void picture(JsonObject to, ChannelKeys<?> channel, Parts parts, Role role) {
+  private void picture(JsonObject to, Key<?> key, Parts parts, Role role) {
     if (parts.picture() instanceof Constant) {
       return;
     }
-    channel.texture().put(to, id(parts.picture(), role));
+    key.texture().put(to, id(parts.picture(), role));
     UvMapping mapping = parts.mapping();
     if (!mapping.equals(UvMapping.IDENTITY)) {
-      channel.offset().put(to, new Point2(mapping.offsetX(), mapping.offsetY()));
-      channel.scale().put(to, new Point2(mapping.scaleX(), mapping.scaleY()));
+      key.offset().put(to, new Point2(mapping.offsetX(), mapping.offsetY()));
+      key.scale().put(to, new Point2(mapping.scaleX(), mapping.scaleY()));
     }
   }
 

@@ -176,12 +176,12 @@ final class SceneSchema {
     family.kinds().forEach(kind -> keys.addAll(kind.keys()));
     String names = family.names().stream().map(SceneSchema::quoted).collect(joined());
     String values =
-        type.missing()
+        type.defaultValue()
             .map(missing -> "{'enum': [%s, null], 'default': '%s'}".formatted(names, missing))
             .orElse("{'enum': [" + names + "]}");
     String common = known(family.common()) + ", '" + type.name() + "': " + values;
     String required =
-        type.missing().isPresent() ? "" : ", 'required': ['" + type.name() + "']";
+        type.defaultValue().isPresent() ? "" : ", 'required': ['" + type.name() + "']";
     String kinds =
         family.names().stream()
             .map(
@@ -189,7 +189,7 @@ final class SceneSchema {
                     when(
                         type.name(),
                         quoted(kind),
-                        type.missing().equals(Optional.of(kind)),
+                        type.defaultValue().equals(Optional.of(kind)),
                         kinds(family, kind)))
             .collect(joined());
     return "'%s': {%s%s, 'allOf': [%s]}"
@@ -273,7 +273,7 @@ final class SceneSchema {
     }
     JsonObject schema = JsonParser.parseString(type).getAsJsonObject();
     boolean isShown = !schema.has("$ref") && !schema.has("items");
-    key.missing()
+    key.defaultValue()
         .filter(value -> isShown && !List.of("", Double.POSITIVE_INFINITY).contains(value))
         .map(value -> key.type().writer().apply(value))
         .filter(value -> !value.equals(new JsonPrimitive("")))
