@@ -93,21 +93,22 @@ final class AssetData {
   /**
    * Returns the bytes of an asset; empty, with an error added, if they cannot be read.
    *
-   * @param base64Key key of the base64 text; ignored with a warning if the asset names a file
+   * @param base64 key of the base64 text; ignored with a warning if the asset names a file
    */
-  Optional<Content> read(JsonNode asset, String base64Key) {
+  Optional<Content> read(JsonNode asset, Key<String> base64) {
     if (ObjectKeys.FILE.isIn(asset)) {
-      if (asset.has(base64Key)) {
-        asset.warn(base64Key, "is ignored, because the asset names a file");
+      if (base64.isIn(asset)) {
+        base64.warn(asset, "is ignored, because the asset names a file");
       }
-      String key = ObjectKeys.FILE.name();
-      return asset.string(key).flatMap(name -> file(asset.spot(key), name));
+      return ObjectKeys.FILE
+          .stated(asset)
+          .flatMap(name -> file(asset.spot(ObjectKeys.FILE.name()), name));
     }
-    if (!asset.has(base64Key)) {
-      asset.error(base64Key, "expected " + base64Key + " or file, found neither");
+    if (!base64.isIn(asset)) {
+      base64.error(asset, "expected " + base64.name() + " or file, found neither");
       return Optional.empty();
     }
-    return asset.string(base64Key).flatMap(text -> decoded(asset.spot(base64Key), text));
+    return base64.stated(asset).flatMap(text -> decoded(asset.spot(base64.name()), text));
   }
 
   /**
@@ -116,12 +117,12 @@ final class AssetData {
    *
    * @param key that holds the name
    */
-  Set<Path> files(List<JsonNode> assets, String key) throws IOException {
+  Set<Path> files(List<JsonNode> assets, Key<String> key) throws IOException {
     Path folder = folder();
     Set<Path> files = new LinkedHashSet<>();
     for (JsonNode asset : assets) {
-      Optional<String> name = asset.has(key) ? asset.string(key) : Optional.empty();
-      name.flatMap(AssetData::validRelative)
+      key.stated(asset)
+          .flatMap(AssetData::validRelative)
           .map(path -> folder.resolve(path).normalize())
           .filter(path -> path.startsWith(folder) && Files.isRegularFile(path))
           .ifPresent(files::add);
@@ -213,7 +214,7 @@ final class AssetData {
 
   /** Returns the model files that objects name, and the files that these name, if they exist. */
   Set<Path> modelFiles(List<JsonNode> models) throws IOException {
-    Set<Path> all = new LinkedHashSet<>(files(models, ObjectKeys.FILE.name()));
+    Set<Path> all = new LinkedHashSet<>(files(models, ObjectKeys.FILE));
     for (Path model : List.copyOf(all)) {
       Path folder = model.getParent();
       ModelFolder recording =

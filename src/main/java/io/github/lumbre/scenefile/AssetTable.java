@@ -52,17 +52,16 @@ final class AssetTable {
   }
 
   private void add(JsonNode asset, Map<Integer, JsonNode> all) {
-    String typeKey = ObjectKeys.ASSET_TYPE.name();
     String idKey = ObjectKeys.ID.name();
-    Optional<Type> type = asset.choice(typeKey, TYPES);
-    if (!asset.has(typeKey)) {
-      asset.error(
-          typeKey, "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
+    Optional<Type> type = ObjectKeys.ASSET_TYPE.stated(asset);
+    if (!ObjectKeys.ASSET_TYPE.isIn(asset)) {
+      ObjectKeys.ASSET_TYPE.error(
+          asset, "expected one of " + String.join(", ", TYPES.keySet()) + ", found nothing");
     }
-    if (!asset.has(idKey)) {
+    if (!ObjectKeys.ID.isIn(asset)) {
       asset.error(idKey, "expected an integer, found nothing");
     }
-    Optional<Integer> id = asset.id(idKey);
+    Optional<Integer> id = ObjectKeys.ID.stated(asset);
     if (id.isEmpty() || type.isEmpty()) {
       return;
     }
@@ -99,12 +98,7 @@ final class AssetTable {
 
   /** Returns the asset that a key names; empty if there is none. Reports dangling ids. */
   Optional<JsonNode> find(JsonNode from, Key<Integer> key, Type type) {
-    return find(from, key.name(), type);
-  }
-
-  /** Returns the same as the other method, for a key that scenes name. */
-  Optional<JsonNode> find(JsonNode from, String key, Type type) {
-    Optional<Integer> id = from.id(key).filter(i -> i != NONE);
+    Optional<Integer> id = key.stated(from).filter(i -> i != NONE);
     Optional<JsonNode> asset = id.map(assets.get(type)::get);
     asset.ifPresent(used.get(type)::add);
     if (id.isPresent() && asset.isEmpty()) {
@@ -118,14 +112,14 @@ final class AssetTable {
     return from.idSilently(key.name()).filter(id -> id != NONE).map(assets.get(type)::get);
   }
 
-  private void reportDangling(JsonNode from, String key, int id, Type type) {
+  private void reportDangling(JsonNode from, Key<Integer> key, int id, Type type) {
     String message =
         "expected the id of a %s, found %s; %s"
             .formatted(Value.capitalized(type), id, shown(assets.get(type).keySet()));
     if (lenient) {
-      from.warn(key, message);
+      key.warn(from, message);
     } else {
-      from.error(key, message);
+      key.error(from, message);
     }
   }
 

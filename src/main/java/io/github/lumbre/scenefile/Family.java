@@ -80,7 +80,7 @@ final class Family<F> {
   /** Returns the reader of a node's kind; empty, with an error added, if the kind is unknown. */
   Optional<F> choose(JsonNode node) {
     String key = typeKey.name();
-    Optional<String> name = node.has(key) ? node.string(key) : typeKey.defaultValue();
+    Optional<String> name = node.has(key) ? typeKey.stated(node) : typeKey.defaultValue();
     if (name.isEmpty()) {
       if (!node.has(key)) {
         node.error(key, expected() + "nothing");

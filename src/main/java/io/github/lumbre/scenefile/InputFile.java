@@ -72,10 +72,10 @@ final class InputFile {
         new AssetData(file, new SceneHash(), Allowance.unlimited(), Map.of(), List.of());
     Set<Path> files =
         new LinkedHashSet<>(
-            data.files(root.objects(SceneKeys.ASSETS.name()), ObjectKeys.FILE.name()));
+            data.files(root.objects(SceneKeys.ASSETS.name()), ObjectKeys.FILE));
     ObjectTree tree = ObjectTree.of(root);
     files.addAll(data.modelFiles(tree.nodes(ObjectTree.Type.MODEL)));
-    files.addAll(data.files(tree.nodes(ObjectTree.Type.LIGHT), LightKinds.PROFILE.name()));
+    files.addAll(data.files(tree.nodes(ObjectTree.Type.LIGHT), LightKinds.PROFILE));
     return files;
   }
 }

@@ -7,7 +7,6 @@ import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
@@ -170,64 +169,51 @@ record JsonNode(JsonValue value, Problems problems) {
 
   /** Returns the objects of an array; an empty list if the key is missing. */
   List<JsonNode> objects(String childKey) {
-    return array(childKey).stream().flatMap(n -> n.asObject().stream()).toList();
+    return find(childKey).map(JsonNode::array).orElse(List.of()).stream()
+        .flatMap(n -> n.asObject().stream())
+        .toList();
   }
 
-  /** Returns the strings of an array; an empty list if the key is missing. */
-  List<String> strings(String childKey) {
-    return array(childKey).stream().flatMap(n -> n.asString().stream()).toList();
+  /** Returns the strings of this array; adds an error for everything else. */
+  List<String> strings() {
+    return array().stream().flatMap(n -> n.string().stream()).toList();
   }
 
-  private List<JsonNode> array(String childKey) {
-    Optional<JsonNode> array = find(childKey);
-    if (array.isEmpty()) {
+  private List<JsonNode> array() {
+    if (!isArray()) {
+      unexpected("an array");
       return List.of();
     }
-    if (!array.get().isArray()) {
-      array.get().unexpected("an array");
-      return List.of();
-    }
-    return array.get().elements();
+    return elements();
   }
 
-  double number(String childKey, double missing, Range range) {
-    return find(childKey).map(node -> node.number(missing, range)).orElse(missing);
-  }
-
-  private double number(double instead, Range range) {
+  /** Returns the value if it is a number in a range; otherwise empty, with an error added. */
+  Optional<Double> number(Range range) {
     if (!isNumber()) {
       unexpected(range.ifLow());
-      return instead;
+      return Optional.empty();
     }
     // Overflow was already reported when the text was read.
     if (value.isInfinite()) {
-      return instead;
+      return Optional.empty();
     }
     if (!range.contains(value.number())) {
       unexpected(range.expectedFor(value.number()));
-      return instead;
+      return Optional.empty();
     }
-    return value.number();
+    return Optional.of(value.number());
   }
 
-  int integer(String childKey, int missing, int low, int high) {
-    return (int) integer(childKey, (long) missing, low, high);
-  }
-
-  long integer(String childKey, long missing, long low, long high) {
-    return find(childKey).map(node -> node.integer(missing, low, high)).orElse(missing);
-  }
-
-  private long integer(long instead, long low, long high) {
+  /** Returns the value if it is an integer in a range; otherwise empty, with an error added. */
+  Optional<Long> integer(long low, long high) {
     if (value.isInfinite()) {
-      return instead;
+      return Optional.empty();
     }
     Optional<Long> found = value.exactLong().filter(n -> n >= low && n <= high);
-    if (found.isPresent()) {
-      return found.get();
+    if (found.isEmpty()) {
+      unexpected(expectedInteger(low, high));
     }
-    unexpected(expectedInteger(low, high));
-    return instead;
+    return found;
   }
 
   /** Returns the expected range as text; the full range only for an integer outside it. */
@@ -243,14 +229,7 @@ record JsonNode(JsonValue value, Problems problems) {
     return "an integer from " + low + " to " + high;
   }
 
-  /** Returns an id, or empty if the key is missing or wrong. */
-  Optional<Integer> id(String childKey) {
-    long none = Long.MAX_VALUE;
-    long found = integer(childKey, none, Integer.MIN_VALUE, Integer.MAX_VALUE);
-    return found == none ? Optional.empty() : Optional.of((int) found);
-  }
-
-  /** Returns the same as {@link #id}, without adding an error. */
+  /** Returns an id; empty, without adding an error, if the key is missing or wrong. */
   Optional<Integer> idSilently(String childKey) {
     return find(childKey)
         .flatMap(node -> node.value.exactLong())
@@ -258,20 +237,13 @@ record JsonNode(JsonValue value, Problems problems) {
         .map(Long::intValue);
   }
 
-  boolean flag(String childKey, boolean missing) {
-    return find(childKey).map(node -> node.flag(missing)).orElse(missing);
-  }
-
-  private boolean flag(boolean instead) {
+  /** Returns the value if it is true or false; otherwise empty, with an error added. */
+  Optional<Boolean> flag() {
     if (value.isFlag()) {
-      return value.flag();
+      return Optional.of(value.flag());
     }
     unexpected("true or false");
-    return instead;
-  }
-
-  Optional<String> string(String childKey) {
-    return find(childKey).flatMap(JsonNode::asString);
+    return Optional.empty();
   }
 
   /** Returns the value if it is a string; otherwise empty, without adding an error. */
@@ -279,7 +251,8 @@ record JsonNode(JsonValue value, Problems problems) {
     return value.isString() ? Optional.of(value.text()) : Optional.empty();
   }
 
-  private Optional<String> asString() {
+  /** Returns the value if it is a string; otherwise empty, with an error added. */
+  Optional<String> string() {
     if (!value.isString()) {
       unexpected("a string");
     }
@@ -291,17 +264,8 @@ record JsonNode(JsonValue value, Problems problems) {
     return text().equals(Optional.of(text));
   }
 
-  /** Returns the choice that a key names, or the default if the key is missing or wrong. */
-  <T> T choice(String childKey, Map<String, T> choices, T missing) {
-    return choice(childKey, choices).orElse(missing);
-  }
-
-  /** Returns the choice that a key names, or empty if the key is missing or wrong. */
-  <T> Optional<T> choice(String childKey, Map<String, T> choices) {
-    return find(childKey).flatMap(node -> node.choice(choices));
-  }
-
-  private <T> Optional<T> choice(Map<String, T> choices) {
+  /** Returns the choice that the value names; otherwise empty, with an error added. */
+  <T> Optional<T> choice(Map<String, T> choices) {
     if (value.isString() && choices.containsKey(value.text())) {
       return Optional.of(choices.get(value.text()));
     }
@@ -314,73 +278,67 @@ record JsonNode(JsonValue value, Problems problems) {
    *
    * @param lengths allowed numbers of elements
    */
-  double[] numbers(String childKey, List<Integer> lengths) {
-    Optional<JsonNode> array = find(childKey);
-    if (array.isEmpty() || !array.get().isArray()) {
-      array.ifPresent(node -> node.unexpected("an array of numbers"));
-      return new double[0];
+  Optional<double[]> numbers(List<Integer> lengths) {
+    if (!isArray()) {
+      unexpected("an array of numbers");
+      return Optional.empty();
     }
-    List<JsonNode> elements = array.get().elements();
+    List<JsonNode> elements = elements();
     if (!lengths.contains(elements.size())) {
       String expected = lengths.stream().map(String::valueOf).collect(Collectors.joining(" or "));
-      array.get().error("expected " + expected + " numbers, found " + elements.size());
-      return new double[0];
+      error("expected " + expected + " numbers, found " + elements.size());
+      return Optional.empty();
     }
-    return elements.stream().mapToDouble(node -> node.number(0, Range.ANY)).toArray();
+    return Optional.of(
+        elements.stream().mapToDouble(node -> node.number(Range.ANY).orElse(0.)).toArray());
   }
 
   /** Returns the vector {x, y, z}; the default replaces missing components. */
-  Vec3 vec3(String childKey, Vec3 missing) {
-    Optional<JsonNode> node = parts(childKey, "x", "y", "z");
-    if (node.isEmpty()) {
-      return missing;
-    }
-    node.get().warnUnknown(VECTOR_KEYS);
-    return new Vec3(
-        node.get().number("x", missing.x(), Range.ANY),
-        node.get().number("y", missing.y(), Range.ANY),
-        node.get().number("z", missing.z(), Range.ANY));
+  Optional<Vec3> vec3(Vec3 components) {
+    return members(VECTOR_KEYS, List.of("x", "y", "z"))
+        .map(
+            node ->
+                new Vec3(
+                    node.component("x", components.x(), Range.ANY),
+                    node.component("y", components.y(), Range.ANY),
+                    node.component("z", components.z(), Range.ANY)));
+  }
+
+  private double component(String childKey, double otherwise, Range range) {
+    return find(childKey).flatMap(node -> node.number(range)).orElse(otherwise);
   }
 
   /**
-   * Returns the object under a key whose members are numbers. If it is something else, the error
-   * has an example, with the numbers of an array.
+   * Returns this object if its members are numbers. If it is something else, the error has an
+   * example, with the numbers of an array.
    */
-  private Optional<JsonNode> parts(String childKey, String... keys) {
-    Optional<JsonNode> child = find(childKey);
-    if (child.isEmpty() || child.get().isObject()) {
-      return child;
+  private Optional<JsonNode> members(Set<String> known, List<String> shown) {
+    if (isObject()) {
+      warnUnknown(known);
+      return Optional.of(this);
     }
-    List<JsonNode> given = child.get().isArray() ? child.get().elements() : List.of();
+    List<JsonNode> given = isArray() ? elements() : List.of();
     List<String> members = new ArrayList<>();
-    for (String each : keys) {
+    for (String each : shown) {
       int i = members.size();
       boolean isNumber = i < given.size() && given.get(i).isNumber();
       members.add('"' + each + "\": " + (isNumber ? given.get(i).found() : "1"));
     }
-    child.get().unexpected("an object such as {" + String.join(", ", members) + "}");
+    unexpected("an object such as {" + String.join(", ", members) + "}");
     return Optional.empty();
   }
 
-  /** Returns the vector {x, y}; the default replaces missing components. */
-  Point2 vec2(String childKey, Point2 missing) {
-    Vec3 found = vec3(childKey, new Vec3(missing.x(), missing.y(), 0));
-    return new Point2(found.x(), found.y());
-  }
-
-  /** Returns the color {r, g, b} under a key; missing components, or all of them, are 1. */
-  Rgb rgb(String childKey) {
-    return parts(childKey, "r", "g", "b").map(JsonNode::rgb).orElse(Rgb.WHITE);
-  }
-
-  /** Returns this object as a color; alpha is checked and ignored. */
-  Rgb rgb() {
-    warnUnknown(COLOR_KEYS);
-    number("a", 1, Range.ANY);
-    return new Rgb(
-        number("r", 1, Range.NOT_NEGATIVE),
-        number("g", 1, Range.NOT_NEGATIVE),
-        number("b", 1, Range.NOT_NEGATIVE));
+  /** Returns the color {r, g, b}; missing components are 1, and alpha is checked and ignored. */
+  Optional<Rgb> rgb() {
+    return members(COLOR_KEYS, List.of("r", "g", "b"))
+        .map(
+            node -> {
+              node.component("a", 1, Range.ANY);
+              return new Rgb(
+                  node.component("r", 1, Range.NOT_NEGATIVE),
+                  node.component("g", 1, Range.NOT_NEGATIVE),
+                  node.component("b", 1, Range.NOT_NEGATIVE));
+            });
   }
 
   /** Returns the keys of an object, in the order of the file. */

@@ -3,6 +3,7 @@ package io.github.lumbre.scenefile;
 import com.google.gson.JsonObject;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.math.Point2;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scene.SettingType;
 import java.util.Collection;
@@ -61,6 +62,14 @@ record Key<T>(
 
   static Key<Rgb> color(String name, String meaning) {
     return of(name, Value.COLOR, Rgb.WHITE, meaning);
+  }
+
+  static Key<Vec3> vector(String name, Vec3 defaultValue, String meaning) {
+    return of(name, Value.vector(defaultValue), defaultValue, meaning);
+  }
+
+  private static Key<Point2> point(String name, Point2 defaultValue) {
+    return of(name, Value.point(defaultValue), defaultValue, "");
   }
 
   /** Returns a key whose values are the names of enum constants. */
@@ -128,11 +137,11 @@ record Key<T>(
   }
 
   Key<Point2> offset() {
-    return of(stem() + "Offset", Value.POINT, new Point2(0, 0), "");
+    return point(stem() + "Offset", new Point2(0, 0));
   }
 
   Key<Point2> scale() {
-    return of(stem() + "Scale", Value.POINT, new Point2(1, 1), "");
+    return point(stem() + "Scale", new Point2(1, 1));
   }
 
   /** Returns this key and those of its texture. */
@@ -146,7 +155,12 @@ record Key<T>(
   }
 
   T in(JsonNode node, T otherwise) {
-    return type.reader().read(node, name, otherwise);
+    return stated(node).orElse(otherwise);
+  }
+
+  /** Returns the value in an object; empty if it is missing, or wrong, with an error added. */
+  Optional<T> stated(JsonNode node) {
+    return node.find(name).flatMap(type.reader());
   }
 
   Optional<JsonNode> find(JsonNode node) {

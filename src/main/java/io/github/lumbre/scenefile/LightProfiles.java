@@ -19,7 +19,7 @@ final class LightProfiles {
 
   /** Returns the profile that a light names; empty, with an error added, if it cannot be used. */
   Optional<LightProfile> of(JsonNode light) {
-    Optional<String> name = light.string(LightKinds.PROFILE.name());
+    Optional<String> name = LightKinds.PROFILE.stated(light);
     if (name.isPresent() && !known.containsKey(name.get())) {
       known.put(name.get(), read(light, name.get()));
     }

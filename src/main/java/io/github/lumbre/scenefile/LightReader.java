@@ -135,20 +135,16 @@ final class LightReader {
 
     /** Returns the radiance of an intensity of 1. */
     private double radiance(Shape shape, double localArea) {
-      if (!LightKinds.UNIT.isIn(at.node())) {
-        return 1 / Math.max(1, localArea);
-      }
-      return switch (LightKinds.UNIT.in(at.node(), LightKinds.Unit.RADIANCE)) {
-        case RADIANCE -> 1;
-        case POWER -> 1 / (Math.PI * shape.area());
-      };
+      return at.stated(LightKinds.UNIT)
+          .map(unit -> unit == LightKinds.Unit.POWER ? 1 / (Math.PI * shape.area()) : 1)
+          .orElse(1 / Math.max(1, localArea));
     }
 
     Consumer<SceneAssembly> dome() {
       hasDome = true;
-      boolean isFinite = strength.max() <= Stage.Sky.MAX_INTENSITY;
+      boolean isFinite = strength.max() <= EnvironmentLight.MAX_RADIANCE;
       if (!isFinite) {
-        String most = PrintableText.number(Stage.Sky.MAX_INTENSITY);
+        String most = PrintableText.number(EnvironmentLight.MAX_RADIANCE);
         LightKinds.INTENSITY.error(
             at.node(), "expected a product with the color of at most " + most);
       }

@@ -30,11 +30,11 @@ final class MaterialReader {
 
   /** Returns the surface for an object's {@code materialID}; the default if it names none. */
   Surface of(JsonNode object) {
-    return named(object, ShapeKinds.MATERIAL.name()).orElse(Surface.DEFAULT);
+    return named(object, ShapeKinds.MATERIAL).orElse(Surface.DEFAULT);
   }
 
   /** Returns the surface of the material asset with an id that a node states; empty if none. */
-  Optional<Surface> named(JsonNode node, String key) {
+  Optional<Surface> named(JsonNode node, Key<Integer> key) {
     return assets
         .find(node, key, Type.MATERIAL)
         .map(asset -> surfaces.computeIfAbsent(asset, this::read));

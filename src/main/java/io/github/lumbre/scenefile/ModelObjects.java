@@ -33,21 +33,17 @@ record ModelObjects(
     RenderSettings settings,
     String sceneName,
     boolean lenient) {
-  private static final Set<String> KEYS = Key.names(ObjectKeys.OF_EMITTERS);
-
-  static {
-    KEYS.addAll(ModelKeys.NAMES);
-    KEYS.addAll(Key.names(ObjectKeys.OF_MODELS));
-  }
+  private static final Set<String> KEYS =
+      Key.names(ObjectKeys.OF_EMITTERS, ModelKeys.ALL, ObjectKeys.OF_MODELS);
 
   /** Adds the model of an object; adds an error if it cannot be used. */
   void read(Placed object) {
     JsonNode node = object.node();
     node.warnUnknown(KEYS);
-    Optional<String> name = node.string(ObjectKeys.FILE.name());
+    Optional<String> name = object.stated(ObjectKeys.FILE);
     if (name.isEmpty()) {
-      if (!node.has(ObjectKeys.FILE.name())) {
-        node.error(ObjectKeys.FILE.name(), "expected the name of a model file, found nothing");
+      if (!ObjectKeys.FILE.isIn(node)) {
+        ObjectKeys.FILE.error(node, "expected the name of a model file, found nothing");
       }
       return;
     }
@@ -69,18 +65,18 @@ record ModelObjects(
             : data.folderOf(name);
     try {
       Model model = ModelReader.read(name, content, files, options);
-      if (ObjectKeys.USE_CAMERA.isIn(node)) {
-        String camera = ObjectKeys.USE_CAMERA.in(node);
-        parts.seenBy(PlacedCamera.inPoses(model, camera, object.toWorld()));
+      Optional<String> camera = object.stated(ObjectKeys.USE_CAMERA);
+      if (camera.isPresent()) {
+        parts.seenBy(PlacedCamera.inPoses(model, camera.get(), object.toWorld()));
       }
       parts.add(
           model,
           new ModelParts.Placement(
               place,
               object.toWorld(),
-              ObjectKeys.SHARED_MODEL.in(node),
+              object.get(ObjectKeys.SHARED_MODEL),
               overrides(node),
-              ObjectKeys.USE_LIGHTS.in(node),
+              object.get(ObjectKeys.USE_LIGHTS),
               object.lightGroup()));
     } catch (ModelFormatException e) {
       place.error(e);
@@ -104,7 +100,7 @@ record ModelObjects(
             named ->
                 named
                     .keys()
-                    .forEach(key -> materials.named(named, key).ifPresent(s -> all.put(key, s))));
+                    .forEach(key -> materials.named(named, Key.id(key)).ifPresent(s -> all.put(key, s))));
     return all;
   }
 }

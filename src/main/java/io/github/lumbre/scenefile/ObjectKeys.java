@@ -17,25 +17,19 @@ final class ObjectKeys {
   static final Key<ObjectTree.Type> TYPE =
       Key.choice(CameraKeys.TYPE, Value::capitalized, ObjectTree.Type.NONE, "");
   static final Key<JsonNode> CHILDREN = Key.of(CameraKeys.CHILDREN, LIST, "");
-  static final Key<Vec3> POSITION = Key.of(CameraKeys.POSITION, Value.VECTOR, Vec3.ZERO, "");
+  static final Key<Vec3> POSITION = Key.vector(CameraKeys.POSITION, Vec3.ZERO, "");
   static final Key<Vec3> ROTATION =
-      Key.of(
-          CameraKeys.ROTATION,
-          Value.VECTOR,
-          Vec3.ZERO,
-          "Degrees, about z first, then x, then y.");
+      Key.vector(CameraKeys.ROTATION, Vec3.ZERO, "Degrees, about z first, then x, then y.");
   static final Key<Vec3> SCALE =
-      Key.of(CameraKeys.SCALE, Value.VECTOR, new Vec3(1, 1, 1), "1 where missing.");
+      Key.vector(CameraKeys.SCALE, new Vec3(1, 1, 1), "1 where missing.");
   static final Key<Vec3> LOOK_AT =
-      Key.of(
+      Key.vector(
           CameraKeys.LOOK_AT,
-          Value.VECTOR,
           Vec3.Z,
           "The point, in the parent's space, that local +z points to.");
   static final Key<Vec3> LOOK_AT_UP =
-      Key.of(
+      Key.vector(
           CameraKeys.LOOK_AT_UP,
-          Value.VECTOR,
           Vec3.Y,
           "The direction nearest to local +y; the parent's +y where missing.");
   static final Key<double[]> MATRIX =

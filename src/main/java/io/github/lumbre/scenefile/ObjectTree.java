@@ -46,6 +46,10 @@ final class ObjectTree {
       return key.in(node);
     }
 
+    <T> Optional<T> stated(Key<T> key) {
+      return key.stated(node);
+    }
+
     /** Returns the name of the light group of the object's light; empty for none. */
     String lightGroup() {
       String name = ObjectKeys.LIGHT_GROUP.in(node);
@@ -124,7 +128,8 @@ final class ObjectTree {
   }
 
   private void noteId(JsonNode node) {
-    node.id(ObjectKeys.ID.name())
+    ObjectKeys.ID
+        .stated(node)
         .ifPresent(
             id -> {
               JsonNode first = byId.putIfAbsent(id, node);

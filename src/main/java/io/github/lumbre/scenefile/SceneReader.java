@@ -95,7 +95,7 @@ final class SceneReader {
   private void readCamera(double aspect) {
     List<Placed> all = objects(ObjectTree.Type.CAMERA);
     all.forEach(each -> each.node().warnUnknown(CameraKinds.FAMILY.keys()));
-    Optional<Integer> wanted = root.id(MAIN_CAMERA);
+    Optional<Integer> wanted = SceneKeys.MAIN_CAMERA.stated(root);
     Optional<Placed> main =
         all.stream()
             .filter(c -> wanted.isPresent() && wanted.equals(idOf(c)))

@@ -1,22 +1,29 @@
 package io.github.lumbre.scenefile;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonPrimitive;
 import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.math.internal.Range;
+import io.github.lumbre.model.ModelOptions.Pose;
+import io.github.lumbre.model.internal.OptionTypes.NamedType;
+import io.github.lumbre.model.internal.OptionTypes.PoseType;
+import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.ChoiceType;
+import io.github.lumbre.scene.internal.SettingTypes.ExposureType;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.IntegerType;
 import io.github.lumbre.scene.internal.SettingTypes.LongType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scene.internal.SettingTypes.PowerType;
 import io.github.lumbre.scene.internal.SettingTypes.ScreenColorType;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -74,8 +81,9 @@ final class SettingsReader {
     return Key.of(setting.name(), value(setting.type()), setting.missing(), setting.meaning());
   }
 
-  @SuppressWarnings("unchecked") // The setting's type has the type of the values.
-  private static <T> Value<T> value(SettingType<T> type) {
+  /** Returns the values of a setting, or of an option of a model. */
+  @SuppressWarnings("unchecked") // The type has the type of the values.
+  static <T> Value<T> value(SettingType<T> type) {
     if (type instanceof IntegerType range) {
       return (Value<T>) Value.integer(range.low(), range.high());
     }
@@ -97,18 +105,62 @@ final class SettingsReader {
     if (type instanceof ScreenColorType screen) {
       return (Value<T>)
           new Value<Optional<Rgb>>(
-              (options, key, missing) -> screenColor(options, key),
+              SettingsReader::screenColor,
               color -> new JsonPrimitive(screen.format(color)),
               "{'anyOf': [{'$ref': '#/$defs/color'}, {'$ref': '#/$defs/screenColor'}]}");
     }
-    return (Value<T>)
-        new Value<Exposure>(
-            SettingsReader::exposure,
-            exposure ->
-                exposure.equals(Exposure.AUTO)
-                    ? new JsonPrimitive(SettingType.AUTO)
-                    : new JsonPrimitive(exposure.stops().getAsDouble()),
-            "{'anyOf': [{'type': ['number', 'null']}, {'const': 'auto'}]}");
+    if (type instanceof ExposureType) {
+      return (Value<T>)
+          new Value<Exposure>(
+              SettingsReader::exposure,
+              exposure ->
+                  exposure.equals(Exposure.AUTO)
+                      ? new JsonPrimitive(SettingType.AUTO)
+                      : new JsonPrimitive(exposure.stops().getAsDouble()),
+              "{'anyOf': [{'type': ['number', 'null']}, {'const': 'auto'}]}");
+    }
+    if (type instanceof NamedType<T> named) {
+      return Value.choice(named.choices());
+    }
+    if (type instanceof PoseType) {
+      return (Value<T>)
+          new Value<Pose>(
+              node -> node.string().map(name -> new Pose(name, 0)),
+              pose -> new JsonPrimitive(pose.animation()),
+              Value.TEXT.schema());
+    }
+    if (type instanceof TextsType texts) {
+      return (Value<T>) texts(texts);
+    }
+    return new Value<>(
+        node -> node.string().flatMap(text -> parsed(type, text, node)),
+        value -> new JsonPrimitive(type.format(value)),
+        Value.TEXT.schema());
+  }
+
+  private static <T> Optional<T> parsed(SettingType<T> type, String text, JsonNode node) {
+    try {
+      return Optional.of(type.parse(text));
+    } catch (IllegalArgumentException e) {
+      node.error(e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  private static Value<List<String>> texts(TextsType type) {
+    return new Value<>(
+        node -> {
+          List<String> all = node.strings();
+          List<String> refused = all.stream().filter(t -> !type.accepts(List.of(t))).toList();
+          refused.forEach(text -> node.error(type.refusal(List.of(text))));
+          return Optional.of(all).filter(texts -> refused.isEmpty());
+        },
+        texts -> {
+          JsonArray array = new JsonArray();
+          texts.forEach(array::add);
+          return array;
+        },
+        "{'type': ['array', 'null'], 'items': {'type': 'string'}}");
   }
 
   private static Value<Integer> power(PowerType type) {
@@ -118,18 +170,15 @@ final class SettingsReader {
             .mapToObj(Integer::toString)
             .collect(Collectors.joining(", "));
     return new Value<>(
-        (options, key, missing) -> power(key, missing, type, options),
+        node -> {
+          Optional<Integer> value = node.integer(1, type.high()).map(Long::intValue);
+          value
+              .filter(number -> !type.accepts(number))
+              .ifPresent(n -> node.error("expected " + type.expected() + ", found " + n));
+          return value.filter(type::accepts);
+        },
         JsonPrimitive::new,
         "{'enum': [" + powers + ", null]}");
-  }
-
-  private static Integer power(String key, int missing, PowerType type, JsonNode options) {
-    int value = options.integer(key, missing, 1, type.high());
-    if (type.accepts(value)) {
-      return value;
-    }
-    options.error(key, "expected " + type.expected() + ", found " + value);
-    return missing;
   }
 
   /**
@@ -145,37 +194,32 @@ final class SettingsReader {
     return raySamples(n == -1 ? SceneKeys.DEFAULT_ANTIALIASING : n);
   }
 
-  private static Exposure exposure(JsonNode options, String key, Exposure missing) {
-    Optional<JsonNode> node = options.find(key);
-    if (node.isEmpty()) {
-      return missing;
+  private static Optional<Exposure> exposure(JsonNode node) {
+    if (node.isText(SettingType.AUTO)) {
+      return Optional.of(Exposure.AUTO);
     }
-    if (node.get().isText("auto")) {
-      return Exposure.AUTO;
+    if (!node.isNumber()) {
+      node.error("expected a finite number or \"auto\", found " + node.found());
     }
-    if (!node.get().isNumber()) {
-      node.get().error("expected a finite number or \"auto\", found " + node.get().found());
-      return missing;
-    }
-    return Exposure.of(options.number(key, 0, Range.ANY));
+    return Optional.of(node).filter(JsonNode::isNumber)
+        .flatMap(number -> number.number(Range.ANY))
+        .map(Exposure::of);
   }
 
-  /** Returns a color of the screen; empty if there is none, or the light of {@link #backplate}. */
-  private static Optional<Rgb> screenColor(JsonNode options, String key) {
-    Optional<JsonNode> node = options.find(key).filter(n -> !n.isObject());
-    String text = node.flatMap(JsonNode::text).orElse("");
+  /** Returns a color of the screen; no color for an object, the light of {@link #backplate}. */
+  private static Optional<Optional<Rgb>> screenColor(JsonNode node) {
+    String text = node.text().orElse("");
     Optional<Rgb> color = CssColor.of(text);
-    if (node.isPresent() && color.isEmpty()) {
-      node.get()
-          .error(
-              "expected light such as %s, or %s, found %s%s"
-                  .formatted(
-                      WHITE_LIGHT,
-                      Setting.BACKPLATE.type().expected(),
-                      node.get().found(),
-                      Spelling.suggestion(text, CssColor.known())));
+    if (!node.isObject() && color.isEmpty()) {
+      node.error(
+          "expected light such as %s, or %s, found %s%s"
+              .formatted(
+                  WHITE_LIGHT,
+                  Setting.BACKPLATE.type().expected(),
+                  node.found(),
+                  Spelling.suggestion(text, CssColor.known())));
     }
-    return color;
+    return Optional.of(color);
   }
 
   private static boolean isTransparent(JsonNode options) {
@@ -184,7 +228,10 @@ final class SettingsReader {
 
   /** Returns the light that the camera sees instead of environment lights; empty for none. */
   static Optional<Rgb> backplate(JsonNode options) {
-    return options.find(Setting.BACKPLATE.name()).filter(JsonNode::isObject).map(JsonNode::rgb);
+    return options
+        .find(Setting.BACKPLATE.name())
+        .filter(JsonNode::isObject)
+        .flatMap(JsonNode::rgb);
   }
 
   /** Returns the radiance of the background; empty if the scene names none. */
@@ -200,6 +247,6 @@ final class SettingsReader {
                   .formatted(WHITE_LIGHT, TRANSPARENT, node.get().found()));
       return Optional.empty();
     }
-    return Optional.of(node.get().rgb());
+    return node.get().rgb();
   }
 }

@@ -103,7 +103,7 @@ final class ShapeReader {
   }
 
   private Optional<TriangleMesh> read(JsonNode asset) {
-    return data.read(asset, ObjectKeys.BASE64_MESH.name()).flatMap(this::decoded);
+    return data.read(asset, ObjectKeys.BASE64_MESH).flatMap(this::decoded);
   }
 
   private Optional<TriangleMesh> decoded(AssetData.Content content) {

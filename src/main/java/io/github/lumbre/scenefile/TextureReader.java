@@ -91,7 +91,7 @@ final class TextureReader {
   /** Returns the picture of an asset; empty, with an error added, if it cannot be decoded. */
   Optional<Picture> image(JsonNode texture) {
     Filter filter = filter(texture);
-    return data.read(texture, TextureKinds.BASE64.name())
+    return data.read(texture, TextureKinds.BASE64)
         .flatMap(
             content ->
                 new PictureDecoder(data.allowance(), assets.isLenient()).read(content, filter));
@@ -164,9 +164,7 @@ final class TextureReader {
 
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
-    boolean isComputed = LightKinds.SKY.isIn(light);
-    Optional<Sky> sky =
-        isComputed ? Optional.of(LightKinds.SKY.in(light, Sky.STUDIO)) : Optional.empty();
+    Optional<Sky> sky = LightKinds.SKY.stated(light);
     if (sky.isEmpty() || sky.get() == Sky.STUDIO) {
       SUN_KEYS.stream()
           .filter(key -> key.isIn(light))

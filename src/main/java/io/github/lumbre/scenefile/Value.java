@@ -17,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -25,50 +26,54 @@ import java.util.stream.Collectors;
  * The type of a key's values: how they are read, written and described. Stateless.
  *
  * @param <T> the type in memory
- * @param reader reads the value of a key
+ * @param reader empty, with an error added, for a wrong value
  * @param writer throws {@link Unwritable} for a value that scenes may not state
  * @param schema of JSON, in which ' stands for "
  */
-record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema) {
-  /** Reads values. */
-  interface Reader<T> {
-    /** Returns the value of a key; {@code otherwise} if it is missing, or wrong: an error. */
-    T read(JsonNode from, String key, T otherwise);
-  }
-
+record Value<T>(
+    Function<JsonNode, Optional<T>> reader, Function<T, JsonElement> writer, String schema) {
   private static final Pattern WORD = Pattern.compile("-(.)");
 
   static final Value<Boolean> FLAG =
       new Value<>(JsonNode::flag, JsonPrimitive::new, "{'type': ['boolean', 'null']}");
   static final Value<Long> LONG =
       new Value<>(
-          (from, key, otherwise) -> from.integer(key, otherwise, Long.MIN_VALUE, Long.MAX_VALUE),
+          node -> node.integer(Long.MIN_VALUE, Long.MAX_VALUE),
           JsonPrimitive::new,
           integers(Long.MIN_VALUE, Long.MAX_VALUE));
   static final Value<Integer> ID =
       new Value<>(
-          (from, key, otherwise) -> from.id(key).orElse(otherwise),
+          integer(Integer.MIN_VALUE, Integer.MAX_VALUE).reader(),
           JsonPrimitive::new,
           "{'$ref': '#/$defs/id'}");
   static final Value<String> TEXT = text("{'type': ['string', 'null']}");
   static final Value<Rgb> COLOR =
       new Value<>(
-          (from, key, otherwise) -> from.has(key) ? from.rgb(key) : otherwise,
+          JsonNode::rgb,
           color -> numbers("r", color.r(), "g", color.g(), "b", color.b()),
           "{'$ref': '#/$defs/color'}");
-  static final Value<Vec3> VECTOR =
-      new Value<>(
-          JsonNode::vec3,
-          vector -> numbers("x", vector.x(), "y", vector.y(), "z", vector.z()),
-          "{'$ref': '#/$defs/vector'}");
-  static final Value<Point2> POINT =
-      new Value<>(
-          JsonNode::vec2, point -> numbers("x", point.x(), "y", point.y()), VECTOR.schema());
+
+  /** Returns vectors, with the components of one that are missing. */
+  static Value<Vec3> vector(Vec3 components) {
+    return new Value<>(
+        node -> node.vec3(components),
+        vector -> numbers("x", vector.x(), "y", vector.y(), "z", vector.z()),
+        "{'$ref': '#/$defs/vector'}");
+  }
+
+  /** Returns points of a plane, with the components of one that are missing. */
+  static Value<Point2> point(Point2 components) {
+    Value<Vec3> vector = vector(new Vec3(components.x(), components.y(), 0));
+    return new Value<>(
+        node -> vector.reader().apply(node).map(found -> new Point2(found.x(), found.y())),
+        point -> numbers("x", point.x(), "y", point.y()),
+        vector.schema());
+  }
 
   /** Returns the numbers in a range. */
   static Value<Double> number(Range range) {
     return new Value<>(
-        (from, key, otherwise) -> from.number(key, otherwise, range),
+        node -> node.number(range),
         value -> {
           if (!range.contains(value)) {
             throw new Unwritable(range.expectedFor(value), "" + value);
@@ -80,7 +85,7 @@ record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema
 
   static Value<Integer> integer(int low, int high) {
     return new Value<>(
-        (from, key, otherwise) -> from.integer(key, otherwise, low, high),
+        node -> node.integer(low, high).map(Long::intValue),
         JsonPrimitive::new,
         integers(low, high));
   }
@@ -88,7 +93,7 @@ record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema
   /** Returns named values. */
   static <T> Value<T> choice(Map<String, T> choices) {
     return new Value<>(
-        (from, key, otherwise) -> from.choice(key, choices, otherwise),
+        node -> node.choice(choices),
         value -> new JsonPrimitive(nameOf(value, choices)),
         "{'enum': [" + quoted(choices.keySet()) + ", null]}");
   }
@@ -124,15 +129,14 @@ record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema
 
   /** Returns texts with a schema of their own. */
   static Value<String> text(String schema) {
-    return new Value<>(
-        (from, key, otherwise) -> from.string(key).orElse(otherwise), JsonPrimitive::new, schema);
+    return new Value<>(JsonNode::string, JsonPrimitive::new, schema);
   }
 
   /** Returns arrays of numbers, of one of some lengths. */
   static Value<double[]> list(Integer... lengths) {
     String ofLength = "{'minItems': %1$s, 'maxItems': %1$s}";
     return new Value<>(
-        (from, key, otherwise) -> from.numbers(key, List.of(lengths)),
+        node -> node.numbers(List.of(lengths)),
         value -> {
           JsonArray array = new JsonArray();
           Arrays.stream(value).forEach(array::add);
@@ -145,10 +149,7 @@ record Value<T>(Reader<T> reader, Function<T, JsonElement> writer, String schema
 
   /** Returns values with readers and writers of their own. */
   static Value<JsonNode> other(String schema) {
-    return new Value<>(
-        (from, key, otherwise) -> from.find(key).orElse(otherwise),
-        value -> JsonNull.INSTANCE,
-        schema);
+    return new Value<>(Optional::of, value -> JsonNull.INSTANCE, schema);
   }
 
   private static JsonObject numbers(Object... keysAndNumbers) {

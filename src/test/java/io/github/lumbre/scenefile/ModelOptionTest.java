@@ -283,7 +283,7 @@ class ModelOptionTest {
 
   private static JsonObject object(JsonObject model) {
     JsonObject options = model.deepCopy();
-    options.keySet().retainAll(ModelKeys.NAMES);
+    options.keySet().retainAll(Key.names(ModelKeys.ALL));
     return options;
   }
 

@@ -65,7 +65,7 @@ class ObjectTreeTest {
         objects(
             "{'id': 1, 'children': [{'id': 2, 'children': [{'id': 3}]}, {'id': 4}]}, {'id': 5}");
     assertThat(found)
-        .extracting(p -> p.node().id("id").orElseThrow())
+        .extracting(p -> p.stated(ObjectKeys.ID).orElseThrow())
         .containsExactly(1, 2, 3, 4, 5);
   }
 

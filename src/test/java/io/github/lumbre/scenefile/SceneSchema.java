@@ -7,13 +7,7 @@ import com.google.gson.JsonParser;
 import com.google.gson.JsonPrimitive;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.internal.CssColor;
-import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.internal.OptionTypes.NamedType;
-import io.github.lumbre.model.internal.OptionTypes.PoseType;
-import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scene.SettingType;
-import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -95,7 +89,9 @@ final class SceneSchema {
                 "'model': {'required': ['file'], "
                     + closed(
                         known(ObjectKeys.OF_EMITTERS),
-                        properties(ObjectKeys.OF_MODELS, ObjectKeys.FILE) + ", " + options())
+                        properties(ObjectKeys.OF_MODELS, ObjectKeys.FILE)
+                            + ", "
+                            + properties(ModelKeys.ALL))
                     + "}",
                 "'none': {" + closed(known(ObjectKeys.ALL), "") + "}",
                 "'object': {'type': 'object', 'properties': {"
@@ -114,51 +110,6 @@ final class SceneSchema {
                     + "}}"),
             "")
         + "\n";
-  }
-
-  /** Returns the options of a model; those of poses have two keys. */
-  private static String options() {
-    return ModelOption.all().stream()
-        .filter(ModelOption::isInScenes)
-        .map(
-            option ->
-                quoted(option.name())
-                    + ": {"
-                    + values(option.type())
-                    + ", 'description': "
-                    + quoted(option.help())
-                    + "}"
-                    + (option.type() instanceof PoseType
-                        ? ", 'seconds': {"
-                            + values(PoseType.SECONDS)
-                            + ", 'default': 0, 'description': 'Time in the animation.'}"
-                        : ""))
-        .collect(joined());
-  }
-
-  private static String values(SettingType<?> type) {
-    if (type instanceof NumberType number) {
-      String low = number.openLow() ? "exclusiveMinimum" : "minimum";
-      String high = number.openHigh() ? "exclusiveMaximum" : "maximum";
-      return "'type': ['number', 'null'], '"
-          + low
-          + "': "
-          + PrintableText.number(number.low())
-          + (number.high() == Double.MAX_VALUE
-              ? ""
-              : ", '" + high + "': " + PrintableText.number(number.high()));
-    }
-    if (type instanceof NamedType<?> named) {
-      String names =
-          named.choices().keySet().stream()
-              .sorted()
-              .map(name -> quoted(name) + ", ")
-              .collect(Collectors.joining());
-      return "'enum': [" + names + "null]";
-    }
-    return type instanceof TextsType
-        ? "'type': ['array', 'null'], 'items': {'type': 'string'}"
-        : "'type': ['string', 'null']";
   }
 
   private static Collector<CharSequence, ?, String> joined() {
