@@ -178,7 +178,7 @@ final class DiffCommand extends Subcommand {
 
   private ModelDifference.Side read(Path path, Stage stage) throws TaskException, IOException {
     String name = path.getFileName().toString();
-    ModelOptions options = stage.options().lenient(true);
+    ModelOptions options = stage.options().mayLackFiles(true);
     try {
       byte[] content = Files.readAllBytes(path);
       ModelFolder folder =

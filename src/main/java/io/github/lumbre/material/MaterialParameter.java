@@ -237,7 +237,7 @@ public final class MaterialParameter {
 
   private final Kind kind;
   private final String key;
-  private final Rgb missing;
+  private final Rgb defaultValue;
   private String meaning = "";
   private double least;
   private double most = 1;
@@ -259,19 +259,19 @@ public final class MaterialParameter {
     NORMALS
   }
 
-  private MaterialParameter(Kind kind, String key, Rgb missing) {
+  private MaterialParameter(Kind kind, String key, Rgb defaultValue) {
     this.kind = kind;
     this.key = key;
-    this.missing = missing;
+    this.defaultValue = defaultValue;
     ALL.add(this);
   }
 
-  private static MaterialParameter color(String key, Rgb missing) {
-    return new MaterialParameter(Kind.COLOR, key, missing);
+  private static MaterialParameter color(String key, Rgb defaultValue) {
+    return new MaterialParameter(Kind.COLOR, key, defaultValue);
   }
 
-  private static MaterialParameter number(String key, double missing) {
-    return new MaterialParameter(Kind.NUMBER, key, Rgb.gray(missing));
+  private static MaterialParameter number(String key, double defaultValue) {
+    return new MaterialParameter(Kind.NUMBER, key, Rgb.gray(defaultValue));
   }
 
   private static MaterialParameter normals(String key) {
@@ -340,8 +340,8 @@ public final class MaterialParameter {
   }
 
   /** Returns the default: three equal components of a number. */
-  public Rgb missing() {
-    return missing;
+  public Rgb defaultValue() {
+    return defaultValue;
   }
 
   /** Returns a description for the schema of scene files, without range and default. */

@@ -214,7 +214,7 @@ public final class MetallicRoughness implements Material {
 
     private Channel value(MaterialParameter parameter) {
       Channel value = stated.get(parameter);
-      return value == null ? parameter.constant(parameter.missing()) : value;
+      return value == null ? parameter.constant(parameter.defaultValue()) : value;
     }
 
     ColorChannel color(MaterialParameter parameter) {

@@ -23,7 +23,7 @@ import java.util.Optional;
  * @param name is the key of model objects if {@code isInScenes}
  * @param type defines the allowed values and their text form
  * @param help what it does, for help texts; {@code {default}} stands for the default
- * @param missing the default; empty if it depends on the file or on other options
+ * @param defaultValue empty if it depends on the file or on other options
  * @param isInScenes whether model objects of scenes have it
  * @param flag of the command line; an empty text if there is none
  * @param label stands for the flag's value in help texts; empty for a flag without a value
@@ -35,7 +35,7 @@ public record ModelOption<T>(
     String name,
     SettingType<T> type,
     String help,
-    Optional<T> missing,
+    Optional<T> defaultValue,
     boolean isInScenes,
     String flag,
     String label,
@@ -196,7 +196,7 @@ public record ModelOption<T>(
 
   private ModelOption<T> inScenes() {
     return new ModelOption<>(
-        name, type, help, missing, true, flag, label, tool, toolHelp, toolValue);
+        name, type, help, defaultValue, true, flag, label, tool, toolHelp, toolValue);
   }
 
   /** Returns this option with a flag, whose name is given without hyphens before it. */
@@ -205,7 +205,7 @@ public record ModelOption<T>(
         name,
         type,
         help,
-        missing,
+        defaultValue,
         isInScenes,
         "--" + newFlag,
         newLabel,
@@ -221,7 +221,7 @@ public record ModelOption<T>(
 
   private ModelOption<T> inTools(String newTool, String newHelp, Optional<T> ifTrue) {
     return new ModelOption<>(
-        name, type, help, missing, isInScenes, flag, label, newTool, newHelp, ifTrue);
+        name, type, help, defaultValue, isInScenes, flag, label, newTool, newHelp, ifTrue);
   }
 
   /** Returns the options of this class, in the order of scene files. */

@@ -72,12 +72,12 @@ public final class ModelOptions {
 
   private final OptionValues values;
   private final Limits limits;
-  private final boolean lenient;
+  private final boolean mayLackFiles;
 
-  private ModelOptions(OptionValues values, Limits limits, boolean lenient) {
+  private ModelOptions(OptionValues values, Limits limits, boolean mayLackFiles) {
     this.values = values;
     this.limits = Objects.requireNonNull(limits, "limits");
-    this.lenient = lenient;
+    this.mayLackFiles = mayLackFiles;
   }
 
   /** Creates options without limits of their own, which correct what a file states. */
@@ -98,12 +98,12 @@ public final class ModelOptions {
    * @throws IllegalArgumentException if it is out of range; the message names the option
    */
   public <T> ModelOptions with(ModelOption<T> option, T value) {
-    return new ModelOptions(values.with(option, value), limits, lenient);
+    return new ModelOptions(values.with(option, value), limits, mayLackFiles);
   }
 
   /** Returns these options with another value; with the default if it is empty. */
   public <T> ModelOptions with(ModelOption<T> option, Optional<T> value) {
-    return new ModelOptions(values.with(option, value), limits, lenient);
+    return new ModelOptions(values.with(option, value), limits, mayLackFiles);
   }
 
   /** Returns the value of an option, or its default; empty if it has none. */
@@ -126,8 +126,8 @@ public final class ModelOptions {
    * a warning, instead of an error; missing pictures of OBJ files always are, and missing pictures
    * of a model that is rendered by itself.
    */
-  public boolean lenient() {
-    return lenient;
+  public boolean mayLackFiles() {
+    return mayLackFiles;
   }
 
   /** Returns these options with the motion of their pose by the shutter and poses of settings. */
@@ -146,12 +146,12 @@ public final class ModelOptions {
 
   /** Returns these options with limits. */
   public ModelOptions limitedTo(Limits newLimits) {
-    return new ModelOptions(values, newLimits, lenient);
+    return new ModelOptions(values, newLimits, mayLackFiles);
   }
 
-  /** Returns these options, lenient or not. */
-  public ModelOptions lenient(boolean isLenient) {
-    return new ModelOptions(values, limits, isLenient);
+  /** Returns these options, which may lack files or not. */
+  public ModelOptions mayLackFiles(boolean mayLack) {
+    return new ModelOptions(values, limits, mayLack);
   }
 
   @Override
@@ -159,17 +159,17 @@ public final class ModelOptions {
     return other instanceof ModelOptions that
         && values.equals(that.values)
         && limits.equals(that.limits)
-        && lenient == that.lenient;
+        && mayLackFiles == that.mayLackFiles;
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(values, limits, lenient);
+    return Objects.hash(values, limits, mayLackFiles);
   }
 
   @Override
   public String toString() {
-    return "ModelOptions" + values + (lenient ? ", lenient" : "");
+    return "ModelOptions" + values + (mayLackFiles ? ", may lack files" : "");
   }
 
   /** Returns the map from the space of a file that states no axes and units to +Y up. */

@@ -72,7 +72,7 @@ public final class RenderSettings {
 
   /** Returns whether the value of a setting differs from its default. */
   public boolean isSet(Setting<?> setting) {
-    return !get(setting).equals(setting.missing());
+    return !get(setting).equals(setting.defaultValue());
   }
 
   /** Returns the value of a setting as text, which {@link SettingType#parse} accepts. */
@@ -363,7 +363,7 @@ public final class RenderSettings {
 
     /** Creates a builder with the defaults. */
     public Builder() {
-      values = Setting.all().stream().map(Setting::missing).toArray();
+      values = Setting.all().stream().map(Setting::defaultValue).toArray();
       crop = Optional.empty();
     }
 

@@ -301,7 +301,7 @@ public final class Setting<T> {
   private final String name;
   private final Group group;
   private final SettingType<T> type;
-  private final T missing;
+  private final T defaultValue;
   private final String meaning;
   private boolean inScenes;
   private Optional<T> inModels = Optional.empty();
@@ -323,11 +323,11 @@ public final class Setting<T> {
     EXECUTION
   }
 
-  private Setting(String name, Group group, SettingType<T> type, T missing, String meaning) {
+  private Setting(String name, Group group, SettingType<T> type, T defaultValue, String meaning) {
     this.name = name;
     this.group = group;
     this.type = type;
-    this.missing = missing;
+    this.defaultValue = defaultValue;
     this.meaning = meaning;
     index = ALL.size();
     ALL.add(this);
@@ -380,8 +380,8 @@ public final class Setting<T> {
   }
 
   /** Returns the default value. */
-  public T missing() {
-    return missing;
+  public T defaultValue() {
+    return defaultValue;
   }
 
   /** Returns a description for help texts, without the default value. */

@@ -40,7 +40,7 @@ final class AssetData {
   static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
 
   private final Path sceneFile;
-  private final SceneHash hash;
+  private final ContentHash hash;
   private final Allowance allowance;
   private final Map<String, String> hashes = new TreeMap<>();
 
@@ -58,7 +58,7 @@ final class AssetData {
    */
   AssetData(
       Path sceneFile,
-      SceneHash hash,
+      ContentHash hash,
       Allowance allowance,
       Map<String, byte[]> inMemory,
       List<Path> modelAssets) {
@@ -80,13 +80,13 @@ final class AssetData {
   }
 
   /** The bytes of an asset, and the place at which their problems are reported. */
-  record Content(Spot spot, byte[] bytes) {
+  record Content(ProblemPlace place, byte[] bytes) {
     void error(Kind kind, String message) {
-      spot.error(kind, message);
+      place.error(kind, message);
     }
 
     void warn(String message) {
-      spot.warn(message);
+      place.warn(message);
     }
   }
 
@@ -102,13 +102,13 @@ final class AssetData {
       }
       return ObjectKeys.FILE
           .stated(asset)
-          .flatMap(name -> file(asset.spot(ObjectKeys.FILE.name()), name));
+          .flatMap(name -> file(asset.problemPlace(ObjectKeys.FILE.name()), name));
     }
     if (!base64.isIn(asset)) {
       base64.error(asset, "expected " + base64.name() + " or file, found neither");
       return Optional.empty();
     }
-    return base64.stated(asset).flatMap(text -> decoded(asset.spot(base64.name()), text));
+    return base64.stated(asset).flatMap(text -> decoded(asset.problemPlace(base64.name()), text));
   }
 
   /**
@@ -231,7 +231,7 @@ final class AssetData {
             model.getFileName().toString(),
             Files.readAllBytes(model),
             recording.searchedBy(new FileSearch(folder)::of),
-            ModelOptions.DEFAULT.lenient(true));
+            ModelOptions.DEFAULT.mayLackFiles(true));
       } catch (ModelFormatException e) {
         // Reading the scene reports the error.
         continue;
@@ -257,17 +257,17 @@ final class AssetData {
     return Map.copyOf(hashes);
   }
 
-  private static Optional<Content> decoded(Spot spot, String text) {
+  private static Optional<Content> decoded(ProblemPlace place, String text) {
     byte[] letters = withoutLineBreaks(text);
     // The decoder itself accepts truncated text.
     if (letters.length == 0 || letters.length % 4 != 0) {
-      spot.error(Kind.ASSET, "expected base64, found truncated text");
+      place.error(Kind.ASSET, "expected base64, found truncated text");
       return Optional.empty();
     }
     try {
-      return Optional.of(new Content(spot, Base64.getDecoder().decode(letters)));
+      return Optional.of(new Content(place, Base64.getDecoder().decode(letters)));
     } catch (IllegalArgumentException e) {
-      spot.error(Kind.ASSET, "expected base64, found invalid characters");
+      place.error(Kind.ASSET, "expected base64, found invalid characters");
       return Optional.empty();
     }
   }
@@ -316,11 +316,11 @@ final class AssetData {
   }
 
   /** Returns the bytes of a file; empty, with an error added at a place, if it cannot be read. */
-  Optional<Content> file(Spot spot, String name) {
+  Optional<Content> file(ProblemPlace place, String name) {
     try {
-      return Optional.of(new Content(spot, bytes(name)));
+      return Optional.of(new Content(place, bytes(name)));
     } catch (Unusable e) {
-      spot.error(e.kind, e.getMessage());
+      place.error(e.kind, e.getMessage());
       return Optional.empty();
     }
   }

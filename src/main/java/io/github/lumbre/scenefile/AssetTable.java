@@ -41,7 +41,7 @@ final class AssetTable {
       used.put(type, new HashSet<>());
     }
     Map<Integer, JsonNode> all = new HashMap<>();
-    for (JsonNode asset : root.objects(SceneKeys.ASSETS.name())) {
+    for (JsonNode asset : root.objects(RootKeys.ASSETS.name())) {
       add(asset, all);
     }
   }

@@ -87,14 +87,14 @@ final class CameraKinds {
         .with(mask, (lens, textures) -> mask(lens.aperture(), textures));
   }
 
-  private static int mask(Aperture aperture, WrittenTextures textures) {
+  private static int mask(Aperture aperture, TextureWriter textures) {
     if (aperture instanceof BokehCache mask) {
       return textures.mask(mask);
     }
     if (aperture == Aperture.DISK) {
       return AssetTable.NONE;
     }
-    throw new Unwritable("aperture: a disk or a mask", Written.name(aperture));
+    throw new Unwritable("aperture: a disk or a mask", Unwritable.name(aperture));
   }
 
   /**

@@ -108,7 +108,7 @@ final class Family<F> {
    * @return the kind
    * @throws Unwritable if there is none
    */
-  Kind<F, ?> write(Object object, JsonObject to, WrittenTextures textures) {
+  Kind<F, ?> write(Object object, JsonObject to, TextureWriter textures) {
     Kind<F, ?> kind =
         kinds.stream()
             .filter(each -> each.type().isInstance(object))
@@ -122,11 +122,11 @@ final class Family<F> {
     String type = object.getClass().getSimpleName();
     return refusals.containsKey(type)
         ? refusals.get(type).get()
-        : new Unwritable(thing + " of the format", Written.name(object));
+        : new Unwritable(thing + " of the format", Unwritable.name(object));
   }
 
   /** Writes an object as a kind. */
-  void write(Kind<?, ?> kind, Object object, JsonObject to, WrittenTextures textures) {
+  void write(Kind<?, ?> kind, Object object, JsonObject to, TextureWriter textures) {
     to.addProperty(typeKey.name(), kind.name());
     kind.write(object, to, textures);
   }

@@ -69,10 +69,10 @@ final class InputFile {
       throw problems.exception();
     }
     AssetData data =
-        new AssetData(file, new SceneHash(), Allowance.unlimited(), Map.of(), List.of());
+        new AssetData(file, new ContentHash(), Allowance.unlimited(), Map.of(), List.of());
     Set<Path> files =
         new LinkedHashSet<>(
-            data.files(root.objects(SceneKeys.ASSETS.name()), ObjectKeys.FILE));
+            data.files(root.objects(RootKeys.ASSETS.name()), ObjectKeys.FILE));
     ObjectTree tree = ObjectTree.of(root);
     files.addAll(data.modelFiles(tree.nodes(ObjectTree.Type.MODEL)));
     files.addAll(data.files(tree.nodes(ObjectTree.Type.LIGHT), LightKinds.PROFILE));

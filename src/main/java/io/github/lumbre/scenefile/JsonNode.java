@@ -100,13 +100,13 @@ record JsonNode(JsonValue value, Problems problems) {
   }
 
   /** Returns the place of this value. */
-  Spot spot() {
-    return new Spot(problems, this::path);
+  ProblemPlace problemPlace() {
+    return new ProblemPlace(problems, this::path);
   }
 
   /** Returns the place of the value of a key. */
-  Spot spot(String childKey) {
-    return new Spot(problems, () -> path(childKey));
+  ProblemPlace problemPlace(String childKey) {
+    return new ProblemPlace(problems, () -> path(childKey));
   }
 
   void error(String message) {

@@ -21,7 +21,7 @@ import java.util.function.Function;
 final class Kind<F, O> {
   /** Writes a part of an object. */
   interface Part<O> {
-    void write(O object, JsonObject to, WrittenTextures textures);
+    void write(O object, JsonObject to, TextureWriter textures);
   }
 
   private final String name;
@@ -68,7 +68,7 @@ final class Kind<F, O> {
     return with(key).writing((object, to, textures) -> key.put(to, getter.apply(object)));
   }
 
-  <T> Kind<F, O> with(Key<T> key, BiFunction<O, WrittenTextures, T> getter) {
+  <T> Kind<F, O> with(Key<T> key, BiFunction<O, TextureWriter, T> getter) {
     return with(key).writing((object, to, textures) -> key.put(to, getter.apply(object, textures)));
   }
 
@@ -98,7 +98,7 @@ final class Kind<F, O> {
     return this;
   }
 
-  void write(Object object, JsonObject to, WrittenTextures textures) {
+  void write(Object object, JsonObject to, TextureWriter textures) {
     parts.forEach(part -> part.write(type.cast(object), to, textures));
   }
 }

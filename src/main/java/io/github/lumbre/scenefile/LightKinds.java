@@ -191,7 +191,7 @@ final class LightKinds {
     LocalTransform.matrix(to, Directions.pointing(position, direction));
   }
 
-  private static void dome(EnvironmentLight sky, JsonObject to, WrittenTextures textures) {
+  private static void dome(EnvironmentLight sky, JsonObject to, TextureWriter textures) {
     boolean isUniform = sky.grid().isEmpty();
     if (!isUniform && sky.choiceShare() != 1) {
       throw new Unwritable("an environment light without besideSun", "one with it");

@@ -27,7 +27,8 @@ final class LightProfiles {
   }
 
   private Optional<LightProfile> read(JsonNode light, String name) {
-    Optional<AssetData.Content> content = data.file(light.spot(LightKinds.PROFILE.name()), name);
+    Optional<AssetData.Content> content =
+        data.file(light.problemPlace(LightKinds.PROFILE.name()), name);
     if (content.isEmpty()) {
       return Optional.empty();
     }

@@ -123,7 +123,7 @@ final class LightReader {
      */
     Consumer<SceneAssembly> lamp(Shape shape, double localArea) {
       double perUnit = radiance(shape, localArea);
-      boolean isMeasurable = ShapeReader.isMeasurable(at.node().spot(), shape.bounds());
+      boolean isMeasurable = ShapeReader.isMeasurable(at.node().problemPlace(), shape.bounds());
       Rgb radiance = isMeasurable ? strength.times(perUnit) : Rgb.BLACK;
       if (!radiance.isFinite()) {
         LightKinds.INTENSITY.error(

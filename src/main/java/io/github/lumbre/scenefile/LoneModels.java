@@ -33,8 +33,8 @@ record LoneModels(SceneParser parser) implements ModelParser {
   }
 
   @Override
-  public RenderSettings missing() {
-    return parser.settings().missing();
+  public RenderSettings defaults() {
+    return parser.settings().defaults();
   }
 
   @Override

@@ -226,11 +226,11 @@ final class MaterialKinds {
     String name = parameter.key();
     String meaning = parameter.meaning();
     return switch (parameter.kind()) {
-      case COLOR -> varied(parameter, Key.of(name, Value.COLOR, parameter.missing(), meaning));
+      case COLOR -> varied(parameter, Key.of(name, Value.COLOR, parameter.defaultValue(), meaning));
       case NORMALS -> Key.normals(name, meaning);
       case NUMBER ->
           varied(
-              parameter, Key.number(name, range(parameter), parameter.missing().r(), meaning));
+              parameter, Key.number(name, range(parameter), parameter.defaultValue().r(), meaning));
     };
   }
 
@@ -256,7 +256,7 @@ final class MaterialKinds {
   }
 
   @SuppressWarnings("unchecked") // The key has the kind of the parameter.
-  private static void put(JsonObject to, Key<?> key, Channel value, WrittenTextures textures) {
+  private static void put(JsonObject to, Key<?> key, Channel value, TextureWriter textures) {
     if (value instanceof ColorChannel.Textured color && color.uvSet() == 0) {
       textures.color(to, (Key<Rgb>) key, color.texture());
     } else if (value instanceof ScalarChannel.Textured number && number.uvSet() == 0) {
@@ -265,7 +265,7 @@ final class MaterialKinds {
       textures.normalMap(to, (Key<Double>) key, normals.map());
     } else {
       throw new Unwritable(
-          key.stem() + ": a texture with the first texture coordinates", Written.name(value));
+          key.stem() + ": a texture with the first texture coordinates", Unwritable.name(value));
     }
   }
 }

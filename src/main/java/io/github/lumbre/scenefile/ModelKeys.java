@@ -42,8 +42,7 @@ final class ModelKeys {
     Optional<Pose> pose = options.find(ModelOption.POSE);
     return pose.isEmpty()
         ? options
-        : options.with(
-            ModelOption.POSE, new Pose(pose.get().animation(), SECONDS.in(node)));
+        : options.with(ModelOption.POSE, new Pose(pose.get().animation(), SECONDS.in(node)));
   }
 
   private static <T> ModelOptions read(ModelOption<T> option, JsonNode node, ModelOptions to) {
@@ -56,7 +55,8 @@ final class ModelKeys {
   }
 
   private static <T> void write(ModelOption<T> option, ModelOptions options, JsonObject object) {
-    Optional<T> value = options.find(option).filter(v -> !Optional.of(v).equals(option.missing()));
+    Optional<T> value =
+        options.find(option).filter(v -> !Optional.of(v).equals(option.defaultValue()));
     value.ifPresent(stated -> key(option).put(object, stated));
     if (value.isPresent() && value.get() instanceof Pose pose) {
       SECONDS.put(object, pose.seconds());

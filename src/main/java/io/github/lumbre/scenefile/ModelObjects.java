@@ -23,8 +23,8 @@ import java.util.Set;
  * @param settings of the scene: they have the time of the shutter
  * @param sceneName name of the scene file; places of a model with this name are in the model alone:
  *     the scene stands for the model
- * @param lenient whether a missing picture of a model is a warning instead of an error; it always
- *     is if the scene stands for the model
+ * @param mayLackFiles whether a missing picture of a model is a warning instead of an error; it
+ *     always is if the scene stands for the model
  */
 record ModelObjects(
     AssetData data,
@@ -32,7 +32,7 @@ record ModelObjects(
     ModelParts parts,
     RenderSettings settings,
     String sceneName,
-    boolean lenient) {
+    boolean mayLackFiles) {
   private static final Set<String> KEYS =
       Key.names(ObjectKeys.OF_EMITTERS, ModelKeys.ALL, ObjectKeys.OF_MODELS);
 
@@ -47,7 +47,7 @@ record ModelObjects(
       }
       return;
     }
-    data.file(node.spot(ObjectKeys.FILE.name()), name.get())
+    data.file(node.problemPlace(ObjectKeys.FILE.name()), name.get())
         .ifPresent(content -> read(object, name.get(), content.bytes()));
   }
 
@@ -58,7 +58,7 @@ record ModelObjects(
         isTheScene
             ? new ModelPlace.OfFile(node.problems())
             : new ModelPlace.OfObject(node, ObjectKeys.FILE.name(), name);
-    ModelOptions options = options(node, lenient || isTheScene);
+    ModelOptions options = options(node, mayLackFiles || isTheScene);
     ModelFolder files =
         isTheScene
             ? data.ownFolderOf(name, options.with(ModelOption.ASSETS, data.modelAssets()))
@@ -85,22 +85,21 @@ record ModelObjects(
     }
   }
 
-  private ModelOptions options(JsonNode node, boolean mayLackPictures) {
+  private ModelOptions options(JsonNode node, boolean mayLack) {
     return ModelKeys.read(node)
         .limitedTo(data.allowance().left())
-        .lenient(mayLackPictures)
+        .mayLackFiles(mayLack)
         .during(settings);
   }
 
   /** Returns the surfaces that replace materials of the model, by the names of these. */
   private Map<String, Surface> overrides(JsonNode node) {
     Map<String, Surface> all = new LinkedHashMap<>();
-    node.object(ObjectKeys.MATERIALS.name())
-        .ifPresent(
-            named ->
-                named
-                    .keys()
-                    .forEach(key -> materials.named(named, Key.id(key)).ifPresent(s -> all.put(key, s))));
+    for (JsonNode named : node.object(ObjectKeys.MATERIALS.name()).stream().toList()) {
+      for (String key : named.keys()) {
+        materials.named(named, Key.id(key)).ifPresent(surface -> all.put(key, surface));
+      }
+    }
     return all;
   }
 }

@@ -25,7 +25,7 @@ import java.util.Set;
 
 /** Adds models to the parts of a scene, and counts what the models have. */
 final class ModelParts {
-  private final SceneParts parts;
+  private final PlacedParts parts;
   private final Allowance allowance;
   private final Kernel kernel;
   private final DecodedPictures decoded;
@@ -43,7 +43,7 @@ final class ModelParts {
    * @param kernel traversal kernel of shared meshes
    * @param decoded the pictures of models that were read before
    */
-  ModelParts(SceneParts parts, Allowance allowance, Kernel kernel, DecodedPictures decoded) {
+  ModelParts(PlacedParts parts, Allowance allowance, Kernel kernel, DecodedPictures decoded) {
     this.parts = parts;
     this.allowance = allowance;
     this.kernel = kernel;
@@ -151,9 +151,9 @@ final class ModelParts {
 
   private void addPoses(Model model, ModelScene scene, Placement placement)
       throws ModelFormatException {
-    List<SceneParts> all = new ArrayList<>();
+    List<PlacedParts> all = new ArrayList<>();
     for (Model pose : model.poses()) {
-      SceneParts own = new SceneParts();
+      PlacedParts own = new PlacedParts();
       boolean isMiddle = all.size() == model.poses().size() / 2;
       add(scene.posed(pose), placement, own, isMiddle);
       all.add(own);
@@ -166,7 +166,7 @@ final class ModelParts {
    *
    * @param isCounted whether its surfaces and lights are counted; others are other poses of them
    */
-  private void add(ModelScene scene, Placement placement, SceneParts target, boolean isCounted)
+  private void add(ModelScene scene, Placement placement, PlacedParts target, boolean isCounted)
       throws ModelFormatException {
     for (ModelSurface surface : scene.surfaces()) {
       if (isCounted) {
@@ -200,12 +200,12 @@ final class ModelParts {
   }
 
   private void add(
-      ModelSurface surface, Placement placement, SceneParts target, boolean isCounted) {
+      ModelSurface surface, Placement placement, PlacedParts target, boolean isCounted) {
     ModelPart part = surface.part();
     ModelMaterial material = part.material();
     Optional<Surface> other = Optional.ofNullable(placement.overrides.get(material.name()));
     PartSurface shown = PartSurface.of(part);
-    if (ShapeReader.isMeasurable(placement.place.spot(), surface.shape().bounds())) {
+    if (ShapeReader.isMeasurable(placement.place.problemPlace(), surface.shape().bounds())) {
       target.add(
           placement.place.origin(part.location(), part.name()),
           placement.place.origin(material.location(), material.name()),

@@ -8,7 +8,7 @@ import io.github.lumbre.scenefile.internal.Origin;
 /** Where a model stands: its problems are reported there, and its parts have their places there. */
 interface ModelPlace {
   /** Returns the place of problems that concern the whole model. */
-  Spot spot();
+  ProblemPlace problemPlace();
 
   /**
    * Returns the place of a part or material.
@@ -35,8 +35,8 @@ interface ModelPlace {
   /** A model that is rendered by itself: all places are in its own file. */
   record OfFile(Problems problems) implements ModelPlace {
     @Override
-    public Spot spot() {
-      return new Spot(problems, () -> "");
+    public ProblemPlace problemPlace() {
+      return new ProblemPlace(problems, () -> "");
     }
 
     @Override
@@ -46,7 +46,7 @@ interface ModelPlace {
 
     @Override
     public void warn(String warning) {
-      spot().warn(warning);
+      problemPlace().warn(warning);
     }
 
     @Override
@@ -65,8 +65,8 @@ interface ModelPlace {
    */
   record OfObject(JsonNode object, String key, String file) implements ModelPlace {
     @Override
-    public Spot spot() {
-      return object.spot();
+    public ProblemPlace problemPlace() {
+      return object.problemPlace();
     }
 
     @Override

@@ -80,7 +80,7 @@ final class ObjectTree {
   /** Returns the tree of all objects: parents before children, in the order of the file. */
   static ObjectTree of(JsonNode root) {
     ObjectTree tree = new ObjectTree();
-    tree.push(root.objects(SceneKeys.OBJECTS.name()), 1, Transform.IDENTITY, Transform.IDENTITY);
+    tree.push(root.objects(RootKeys.OBJECTS.name()), 1, Transform.IDENTITY, Transform.IDENTITY);
     while (!tree.stack.isEmpty()) {
       tree.visit(tree.stack.pop());
     }

@@ -61,7 +61,7 @@ final class ReadModel implements LoneModel {
   private final SceneParser parser;
   private final Source source;
   private final Problems problems;
-  private final SceneHash hash = new SceneHash();
+  private final ContentHash hash = new ContentHash();
   private final AssetData data;
   private final ModelPlace place;
   private final Model model;
@@ -151,7 +151,7 @@ final class ReadModel implements LoneModel {
     RenderSettings settings = parser.settings().changed(around.settings(), "size", problems);
     byte[] text = text(around);
     hash.text(text);
-    SceneParts parts = new SceneParts();
+    PlacedParts parts = new PlacedParts();
     if (around.hasGround()) {
       addGround(around, parts);
     }
@@ -170,7 +170,7 @@ final class ReadModel implements LoneModel {
             parser.kernel(),
             Optional.empty());
     SceneChecks.requireNumbers(scene, settings, problems);
-    SceneChecks.warnOfLines(scene, settings, new Spot(problems, () -> "lines"));
+    SceneChecks.warnOfLines(scene, settings, new ProblemPlace(problems, () -> "lines"));
     return new ParsedScene(
         scene,
         settings,
@@ -211,7 +211,7 @@ final class ReadModel implements LoneModel {
     return hash.over(text);
   }
 
-  private static void addGround(Surroundings around, SceneParts parts) {
+  private static void addGround(Surroundings around, PlacedParts parts) {
     Vec3 place = new Vec3(0, around.box().min().y(), 0);
     Plane plane = new Plane(Transform.translation(place), false);
     Material material = groundMaterial(around);
@@ -225,10 +225,10 @@ final class ReadModel implements LoneModel {
     return around.settings().transparent() ? new ShadowCatcher(gray) : new Matte(gray);
   }
 
-  private void addSky(Surroundings.Sky sky, SceneParts parts) {
-    Spot spot = new Spot(problems, () -> SKY);
+  private void addSky(Surroundings.Sky sky, PlacedParts parts) {
+    ProblemPlace place = new ProblemPlace(problems, () -> SKY);
     if (sky.intensity() == 0) {
-      spot.warn("the light emits nothing");
+      place.warn("the light emits nothing");
     }
     Rgb radiance = Rgb.gray(sky.intensity());
     Frame axes = new CameraPose(Vec3.ZERO, new Vec3(0, sky.rotation(), 0)).axes();
@@ -240,7 +240,7 @@ final class ReadModel implements LoneModel {
     }
     Optional<EnvironmentLight> light =
         sky.picture().isPresent()
-            ? picture(spot, sky.picture().get())
+            ? picture(place, sky.picture().get())
                 .map(picture -> parser.textures().dome(axes, radiance, picture))
             : Optional.of(
                 sky.name().equals("studio")
@@ -249,15 +249,15 @@ final class ReadModel implements LoneModel {
     light.ifPresent(made -> add(SKY, made, parts));
   }
 
-  private static void add(String name, EnvironmentLight light, SceneParts parts) {
+  private static void add(String name, EnvironmentLight light, PlacedParts parts) {
     parts.add(new Origin(name, name), Origin.NONE, "", scene -> scene.add(light));
   }
 
-  private Optional<Picture> picture(Spot spot, Path picture) {
+  private Optional<Picture> picture(ProblemPlace place, Path picture) {
     PictureDecoder decoder = new PictureDecoder(data.allowance(), parser.isLenient());
     String name = AssetData.slashed(source.folder().relativize(picture));
     Filter filter = parser.textures().filter(Filter.BILINEAR);
-    return data.file(spot, name).flatMap(content -> decoder.read(content, filter));
+    return data.file(place, name).flatMap(content -> decoder.read(content, filter));
   }
 
   private static SceneContents contents(Surroundings around, ModelParts models) {

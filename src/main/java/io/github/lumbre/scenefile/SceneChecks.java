@@ -17,12 +17,12 @@ final class SceneChecks {
   private SceneChecks() {}
 
   /** Warns of lines that settings ask for and a scene lacks. Infinite planes need none. */
-  static void warnOfLines(Scene scene, RenderSettings settings, Spot spot) {
+  static void warnOfLines(Scene scene, RenderSettings settings, ProblemPlace place) {
     if (settings.get(Setting.LINE_WIDTH) == 0) {
       return;
     }
     if (Projection.of(scene.camera(), settings.width(), settings.height()).isEmpty()) {
-      spot.warn("draws no lines, because the camera bends straight lines");
+      place.warn("draws no lines, because the camera bends straight lines");
       return;
     }
     long others =
@@ -31,7 +31,7 @@ final class SceneChecks {
             .filter(shape -> !(shape instanceof Plane) && MeshEdges.meshOf(shape).isEmpty())
             .count();
     if (others > 0) {
-      spot.warn(
+      place.warn(
           "%s of %s shapes have no lines, because only meshes have edges"
               .formatted(others, scene.primitives().size()));
     }

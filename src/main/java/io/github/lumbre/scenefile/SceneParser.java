@@ -265,11 +265,11 @@ public final class SceneParser {
     if (root.asObject().isEmpty()) {
       throw problems.exception();
     }
-    root.warnUnknown(Key.names(SceneKeys.ALL));
-    Optional<JsonNode> options = root.object(SceneKeys.OPTIONS.name());
+    root.warnUnknown(Key.names(RootKeys.ALL));
+    Optional<JsonNode> options = root.object(RootKeys.OPTIONS.name());
     RenderSettings used = settings.read(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
-    SceneHash hash = new SceneHash();
+    ContentHash hash = new ContentHash();
     hash.text(text);
     AssetTable table = new AssetTable(root, lenient);
     AssetData data = new AssetData(file, hash, allowance, files, assets);
@@ -280,7 +280,7 @@ public final class SceneParser {
     problems.throwIfAny();
     Scene scene = world.scene(known);
     SceneChecks.requireNumbers(scene, used, problems);
-    SceneChecks.warnOfLines(scene, used, new Spot(problems, () -> "$.renderOptions.lineWidth"));
+    SceneChecks.warnOfLines(scene, used, new ProblemPlace(problems, () -> "$.renderOptions.lineWidth"));
     return new ParsedScene(
         scene,
         used,

@@ -22,7 +22,7 @@ import java.util.TreeSet;
 
 /** Reads the objects of a scene, the assets they use, and the main camera. Not reusable. */
 final class SceneReader {
-  private static final String MAIN_CAMERA = SceneKeys.MAIN_CAMERA.name();
+  private static final String MAIN_CAMERA = RootKeys.MAIN_CAMERA.name();
 
   private final JsonNode root;
   private final RenderSettings settings;
@@ -33,7 +33,7 @@ final class SceneReader {
   private final MaterialReader materials;
   private final ShapeReader shapes;
   private final ModelObjects models;
-  private final SceneParts parts = new SceneParts();
+  private final PlacedParts parts = new PlacedParts();
   private final ModelParts modelParts;
   private final LightProfiles profiles;
   private Optional<Camera> camera = Optional.empty();
@@ -89,13 +89,13 @@ final class SceneReader {
     objects(ObjectTree.Type.MODEL).forEach(this::readModel);
     readLights(background);
     backplate =
-        SceneKeys.OPTIONS.find(root).filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
+        RootKeys.OPTIONS.find(root).filter(JsonNode::isObject).flatMap(SettingsReader::backplate);
   }
 
   private void readCamera(double aspect) {
     List<Placed> all = objects(ObjectTree.Type.CAMERA);
     all.forEach(each -> each.node().warnUnknown(CameraKinds.FAMILY.keys()));
-    Optional<Integer> wanted = SceneKeys.MAIN_CAMERA.stated(root);
+    Optional<Integer> wanted = RootKeys.MAIN_CAMERA.stated(root);
     Optional<Placed> main =
         all.stream()
             .filter(c -> wanted.isPresent() && wanted.equals(idOf(c)))
@@ -163,9 +163,9 @@ final class SceneReader {
     }
     lightCount = lights.count();
     if (background.isPresent() && lights.hasDome()) {
-      root.object(SceneKeys.OPTIONS.name())
+      root.object(RootKeys.OPTIONS.name())
           .ifPresent(
-              o -> SceneKeys.BACKGROUND.warn(o, "is ignored, because the scene has a Dome"));
+              o -> RootKeys.BACKGROUND.warn(o, "is ignored, because the scene has a Dome"));
     } else {
       background.ifPresent(
           radiance ->
@@ -178,8 +178,8 @@ final class SceneReader {
   }
 
   private JsonNode backgroundNode() {
-    return root.object(SceneKeys.OPTIONS.name())
-        .flatMap(SceneKeys.BACKGROUND::find)
+    return root.object(RootKeys.OPTIONS.name())
+        .flatMap(RootKeys.BACKGROUND::find)
         .orElse(root);
   }
 
@@ -195,7 +195,7 @@ final class SceneReader {
             ? List.of(camera.orElseThrow())
             : PlacedCamera.placed(ofModel, settings.aspect());
     if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
-      root.object(SceneKeys.OPTIONS.name())
+      root.object(RootKeys.OPTIONS.name())
           .ifPresent(
               o -> o.warn(Setting.SHUTTER.name(), "changes nothing, because no model has a pose"));
     }

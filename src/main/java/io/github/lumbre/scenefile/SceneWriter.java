@@ -139,8 +139,8 @@ public final class SceneWriter {
         inside
             .description()
             .orElseThrow(() -> new Unwritable("a scene that was built in code", "one from a file"));
-    WrittenAssets assets = new WrittenAssets();
-    WrittenObjects objects = new WrittenObjects(assets, inside.names());
+    AssetWriter assets = new AssetWriter();
+    ObjectWriter objects = new ObjectWriter(assets, inside.names());
     JsonArray all = objects.all(description.nodes());
     all.add(
         objects.camera(
@@ -150,12 +150,12 @@ public final class SceneWriter {
     String text =
         "{\n\"%s\": 1,\n\"%s\": %s,\n\"%s\": %s,\n\"%s\": %s\n}\n"
             .formatted(
-                SceneKeys.MAIN_CAMERA.name(),
-                SceneKeys.OPTIONS.name(),
+                RootKeys.MAIN_CAMERA.name(),
+                RootKeys.OPTIONS.name(),
                 GSON.toJson(options(description, settings)),
-                SceneKeys.ASSETS.name(),
+                RootKeys.ASSETS.name(),
                 lines(assets.assets()),
-                SceneKeys.OBJECTS.name(),
+                RootKeys.OBJECTS.name(),
                 lines(all.asList()));
     return new Parts(text.getBytes(StandardCharsets.UTF_8), assets.files());
   }
@@ -187,11 +187,11 @@ public final class SceneWriter {
           color -> {
             throw new Unwritable("a background color or a transparent background", "both");
           });
-      options.addProperty(SceneKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
+      options.addProperty(RootKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
     } else {
       background.ifPresent(
           color ->
-              options.add(SceneKeys.BACKGROUND.name(), Value.COLOR.writer().apply(color)));
+              options.add(RootKeys.BACKGROUND.name(), Value.COLOR.writer().apply(color)));
     }
     return options;
   }
@@ -200,8 +200,8 @@ public final class SceneWriter {
   private static void antialiasing(JsonObject to, int samples) {
     int exponent = Integer.numberOfTrailingZeros(samples);
     boolean isPower = Integer.bitCount(samples) == 1 && exponent % 2 == 0;
-    if (isPower && exponent <= SceneKeys.MAX_ANTIALIASING) {
-      SceneKeys.ANTIALIASING.put(to, exponent);
+    if (isPower && exponent <= RootKeys.MAX_ANTIALIASING) {
+      RootKeys.ANTIALIASING.put(to, exponent);
     }
   }
 

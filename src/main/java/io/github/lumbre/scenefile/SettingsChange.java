@@ -36,14 +36,15 @@ record SettingsChange(
   }
 
   /** Returns the settings of a scene that states none. */
-  RenderSettings missing() {
-    return SettingsReader.missing(mode);
+  RenderSettings defaults() {
+    return SettingsReader.defaults(mode);
   }
 
   /** Returns the settings; the caller's changes apply only if the file's settings are valid. */
   RenderSettings read(Optional<JsonNode> options, Problems problems) {
     boolean hadErrors = problems.hasErrors();
-    RenderSettings inFile = options.map(o -> SettingsReader.read(o, mode)).orElseGet(this::missing);
+    RenderSettings inFile =
+        options.map(o -> SettingsReader.read(o, mode)).orElseGet(this::defaults);
     if (problems.hasErrors() && !hadErrors) {
       return inFile;
     }

@@ -39,7 +39,7 @@ final class SettingsReader {
 
   static final Set<String> KEYS =
       Stream.concat(
-              SceneKeys.OF_OPTIONS.stream().map(Key::name),
+              RootKeys.OF_OPTIONS.stream().map(Key::name),
               Setting.all().stream().filter(Setting::isInScenes).map(Setting::name))
           .collect(Collectors.toUnmodifiableSet());
 
@@ -65,9 +65,9 @@ final class SettingsReader {
   }
 
   /** Returns the settings of a scene without {@code renderOptions}. */
-  static RenderSettings missing(Optional<Mode> mode) {
+  static RenderSettings defaults(Optional<Mode> mode) {
     Mode used = mode.orElse(DEFAULT.mode());
-    int samples = used == Mode.RAY ? raySamples(SceneKeys.DEFAULT_ANTIALIASING) : DEFAULT.samples();
+    int samples = used == Mode.RAY ? raySamples(RootKeys.DEFAULT_ANTIALIASING) : DEFAULT.samples();
     return DEFAULT.toBuilder().mode(used).samples(samples).build();
   }
 
@@ -78,7 +78,7 @@ final class SettingsReader {
 
   /** Returns the key of a setting. */
   static <T> Key<T> key(Setting<T> setting) {
-    return Key.of(setting.name(), value(setting.type()), setting.missing(), setting.meaning());
+    return Key.of(setting.name(), value(setting.type()), setting.defaultValue(), setting.meaning());
   }
 
   /** Returns the values of a setting, or of an option of a model. */
@@ -190,8 +190,8 @@ final class SettingsReader {
   }
 
   private static int raySamples(JsonNode options) {
-    int n = SceneKeys.ANTIALIASING.in(options);
-    return raySamples(n == -1 ? SceneKeys.DEFAULT_ANTIALIASING : n);
+    int n = RootKeys.ANTIALIASING.in(options);
+    return raySamples(n == -1 ? RootKeys.DEFAULT_ANTIALIASING : n);
   }
 
   private static Optional<Exposure> exposure(JsonNode node) {
@@ -223,7 +223,7 @@ final class SettingsReader {
   }
 
   private static boolean isTransparent(JsonNode options) {
-    return SceneKeys.BACKGROUND.find(options).filter(n -> n.isText(TRANSPARENT)).isPresent();
+    return RootKeys.BACKGROUND.find(options).filter(n -> n.isText(TRANSPARENT)).isPresent();
   }
 
   /** Returns the light that the camera sees instead of environment lights; empty for none. */
@@ -236,7 +236,7 @@ final class SettingsReader {
 
   /** Returns the radiance of the background; empty if the scene names none. */
   static Optional<Rgb> background(JsonNode options) {
-    Optional<JsonNode> node = SceneKeys.BACKGROUND.find(options);
+    Optional<JsonNode> node = RootKeys.BACKGROUND.find(options);
     if (node.isEmpty() || isTransparent(options)) {
       return Optional.empty();
     }

@@ -73,19 +73,19 @@ final class ShapeReader {
     return ShapeKinds.FAMILY
         .choose(node)
         .flatMap(reader -> reader.apply(object, this))
-        .filter(shape -> shape instanceof Plane || isMeasurable(node.spot(), shape.bounds()));
+        .filter(s -> s instanceof Plane || isMeasurable(node.problemPlace(), s.bounds()));
   }
 
   /**
    * Returns whether a box lies within 1e150 of the origin, so that areas do not overflow; adds an
    * error if it does not.
    */
-  static boolean isMeasurable(Spot spot, Bounds3 bounds) {
+  static boolean isMeasurable(ProblemPlace place, Bounds3 bounds) {
     double reach = Math.max(bounds.min().maxAbs(), bounds.max().maxAbs());
     if (reach <= MAX_REACH) {
       return true;
     }
-    spot.error(
+    place.error(
         Kind.INVALID, "expected a shape within 1e150 of the origin, found one that extends beyond");
     return false;
   }

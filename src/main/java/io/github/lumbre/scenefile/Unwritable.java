@@ -12,6 +12,12 @@ final class Unwritable extends IllegalArgumentException {
     super(message, cause);
   }
 
+  /** Returns the name of the class of a thing that the format does not have. */
+  static String name(Object thing) {
+    String name = thing.getClass().getSimpleName();
+    return name.isEmpty() || thing.getClass().isSynthetic() ? "one that code computes" : name;
+  }
+
   /** Returns this problem with the place where it is. */
   Unwritable at(String place) {
     return new Unwritable(place + ": " + getMessage(), this);

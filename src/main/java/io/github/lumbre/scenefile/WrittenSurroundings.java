@@ -26,8 +26,8 @@ record WrittenSurroundings(Surroundings around, Path folder) {
    */
   JsonObject scene(Path model) {
     JsonObject scene = new JsonObject();
-    SceneKeys.MAIN_CAMERA.put(scene, 1);
-    scene.add(SceneKeys.OPTIONS.name(), renderOptions(around.settings()));
+    RootKeys.MAIN_CAMERA.put(scene, 1);
+    scene.add(RootKeys.OPTIONS.name(), renderOptions(around.settings()));
     JsonArray assets = new JsonArray();
     JsonArray objects = new JsonArray();
     objects.add(cameraObject());
@@ -42,8 +42,8 @@ record WrittenSurroundings(Surroundings around, Path folder) {
       assets.add(groundMaterial());
       objects.add(groundPlane());
     }
-    scene.add(SceneKeys.ASSETS.name(), assets);
-    scene.add(SceneKeys.OBJECTS.name(), objects);
+    scene.add(RootKeys.ASSETS.name(), assets);
+    scene.add(RootKeys.OBJECTS.name(), objects);
     return scene;
   }
 
@@ -59,7 +59,7 @@ record WrittenSurroundings(Surroundings around, Path folder) {
       }
     }
     if (settings.transparent()) {
-      render.addProperty(SceneKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
+      render.addProperty(RootKeys.BACKGROUND.name(), SettingsReader.TRANSPARENT);
     }
     settings
         .get(Setting.BACKPLATE)
@@ -69,20 +69,20 @@ record WrittenSurroundings(Surroundings around, Path folder) {
   }
 
   private JsonObject cameraObject() {
-    JsonObject object = WrittenObjects.object("Camera", "");
+    JsonObject object = ObjectWriter.object("Camera", "");
     ObjectKeys.ID.put(object, 1);
     PlacedCamera camera = around.camera();
     if (!camera.name().isEmpty()) {
       object.addProperty(ObjectKeys.NAME.name(), camera.name());
     }
-    CameraKinds.FAMILY.write(camera.lens(), object, new WrittenTextures(new WrittenAssets()));
+    CameraKinds.FAMILY.write(camera.lens(), object, new TextureWriter(new AssetWriter()));
     ObjectKeys.POSITION.put(object, camera.pose().position());
     ObjectKeys.ROTATION.put(object, camera.pose().rotation());
     return object;
   }
 
   private JsonObject dome(String name) {
-    JsonObject dome = WrittenObjects.object("Light", name);
+    JsonObject dome = ObjectWriter.object("Light", name);
     LightKinds.FAMILY.typeKey().put(dome, LightKinds.DOME);
     LightKinds.INTENSITY.put(dome, around.sky().intensity());
     ObjectKeys.ROTATION.put(dome, new Vec3(0, around.sky().rotation(), 0));
@@ -119,7 +119,7 @@ record WrittenSurroundings(Surroundings around, Path folder) {
   }
 
   private JsonObject modelObject(String name) {
-    JsonObject object = WrittenObjects.object("Model", "");
+    JsonObject object = ObjectWriter.object("Model", "");
     ObjectKeys.FILE.put(object, name);
     ModelKeys.write(around.options(), object);
     around.moving().ifPresent(own -> ObjectKeys.USE_CAMERA.put(object, own));
@@ -132,12 +132,12 @@ record WrittenSurroundings(Surroundings around, Path folder) {
     ObjectKeys.ID.put(material, 2);
     material.addProperty(ObjectKeys.NAME.name(), ReadModel.GROUND);
     Material ground = ReadModel.groundMaterial(around);
-    MaterialKinds.FAMILY.write(ground, material, new WrittenTextures(new WrittenAssets()));
+    MaterialKinds.FAMILY.write(ground, material, new TextureWriter(new AssetWriter()));
     return material;
   }
 
   private JsonObject groundPlane() {
-    JsonObject plane = WrittenObjects.object("Shape", ReadModel.GROUND);
+    JsonObject plane = ObjectWriter.object("Shape", ReadModel.GROUND);
     ShapeKinds.FAMILY.typeKey().put(plane, ShapeKinds.PLANE);
     ShapeKinds.MATERIAL.put(plane, 2);
     ObjectKeys.POSITION.put(plane, new Vec3(0, around.box().min().y(), 0));

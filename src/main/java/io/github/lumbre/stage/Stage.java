@@ -3,6 +3,7 @@ package io.github.lumbre.stage;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.OptionTypes;
@@ -63,7 +64,7 @@ public final class Stage {
   public static final ModelOption<Double> FOV =
       new ModelOption<>(
               "fov",
-              new NumberType(0, true, 180, true),
+              new NumberType(Range.open(0, 180)),
               "Vertical angle of view with " + VIEW.flag() + " ({default}).")
           .withDefault(35.)
           .withFlag("fov", "DEGREES");
@@ -148,7 +149,7 @@ public final class Stage {
   public static final ModelOption<Double> LINE_WIDTH =
       new ModelOption<>(
               "lineWidth",
-              new NumberType(0, true, 100, false),
+              new NumberType(Range.above(0, 100)),
               "Width of the lines (" + Look.LINE_WIDTH + ").")
           .withFlag("line-width", "PIXELS");
 
@@ -158,7 +159,7 @@ public final class Stage {
               "creaseAngle",
               Setting.CREASE_ANGLE.type(),
               "Angle between two faces from which on a line is drawn between them ({default}).")
-          .withDefault(Setting.CREASE_ANGLE.missing())
+          .withDefault(Setting.CREASE_ANGLE.defaultValue())
           .withFlag("crease", "DEGREES");
 
   /** What is drawn on finished pictures: {@code all}, or some of {@link #LABELS}. */

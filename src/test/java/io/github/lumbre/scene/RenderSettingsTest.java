@@ -102,7 +102,7 @@ class RenderSettingsTest {
   void withoutChangesAllHaveTheirDefaults() {
     for (Setting<?> setting : Setting.all()) {
       assertThat(RenderSettings.DEFAULT.isSet(setting)).as("%s", setting).isFalse();
-      assertThat(RenderSettings.DEFAULT.get(setting)).isEqualTo(setting.missing());
+      assertThat(RenderSettings.DEFAULT.get(setting)).isEqualTo(setting.defaultValue());
       assertThat(all().isSet(setting)).as("%s", setting).isTrue();
     }
     assertThat(RenderSettings.DEFAULT.transparent()).isFalse();

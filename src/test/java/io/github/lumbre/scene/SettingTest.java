@@ -32,7 +32,7 @@ class SettingTest {
   }
 
   private static <T> void assertDefaultIsRead(Setting<T> setting) {
-    T value = setting.missing();
+    T value = setting.defaultValue();
     assertThat(setting.require(value)).isEqualTo(value);
     assertThat(setting.type().parse(setting.type().format(value))).isEqualTo(value);
   }

@@ -68,7 +68,8 @@ class JsonNodeTest {
   @ParameterizedTest
   @ValueSource(strings = {"8", "8.0", "0.8e1", "80e-1"})
   void integersMayBeWrittenInAnyWay(String written) {
-    assertThat(root("{\"n\": " + written + "}").find("n").orElseThrow().integer(1, 10)).contains(8L);
+    Key<Integer> key = Key.integer("n", 1, 10, 1, "");
+    assertThat(key.in(root("{\"n\": " + written + "}"))).isEqualTo(8);
     assertThat(problems.hasErrors()).isFalse();
   }
 

@@ -143,8 +143,8 @@ class KindsTest {
     FAMILIES.forEach(family -> keys.addAll(family.keys()));
     for (List<Key<?>> each :
         List.of(
-            SceneKeys.ALL,
-            SceneKeys.OF_OPTIONS,
+            RootKeys.ALL,
+            RootKeys.OF_OPTIONS,
             ObjectKeys.OF_EMITTERS,
             ObjectKeys.OF_MESHES,
             ObjectKeys.OF_MODELS)) {

@@ -11,6 +11,7 @@ import io.github.lumbre.cli.mcp.Mcp;
 import io.github.lumbre.cli.mcp.McpClient;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
@@ -158,9 +159,10 @@ class ModelOptionTest {
   }
 
   private static Object value(SettingType<?> type, Random random) {
-    if (type instanceof NumberType range) {
+    if (type instanceof NumberType numbers) {
+      Range range = numbers.range();
       double number = random.nextInt(1000) / 8.;
-      return range.accepts(number) ? number : Math.max(range.low(), range.high() / 2);
+      return range.contains(number) ? number : Math.max(range.low(), range.high() / 2);
     }
     if (type instanceof FlagType) {
       return true;
@@ -305,11 +307,12 @@ class ModelOptionTest {
 
   /** Returns JSON values that a type refuses; none if it accepts all of them. */
   private static List<String> wrong(SettingType<?> type) {
-    if (type instanceof NumberType range) {
+    if (type instanceof NumberType numbers) {
+      Range range = numbers.range();
       List<String> wrong = new ArrayList<>();
       Stream.of(range.low(), range.high())
           .flatMap(bound -> Stream.of(bound - 1, bound, bound + 1, 2 * bound))
-          .filter(number -> Double.isFinite(number) && !range.accepts(number))
+          .filter(number -> Double.isFinite(number) && !range.contains(number))
           .forEach(number -> wrong.add(String.valueOf(number)));
       return wrong;
     }

@@ -62,7 +62,7 @@ final class SceneSchema {
             .filter(Setting::isInScenes)
             .map(SettingsReader::key)
             .collect(Collectors.toList());
-    settings.addAll(SceneKeys.OF_OPTIONS);
+    settings.addAll(RootKeys.OF_OPTIONS);
     List<Key<?>> assets = ObjectKeys.OF_ASSETS;
     String colors = CssColor.known().stream().map(SceneSchema::quoted).collect(joined());
     String definitions =
@@ -100,7 +100,7 @@ final class SceneSchema {
                     + choices(ObjectKeys.TYPE, "None", "Camera", "Shape", "Light", "Model")
                     + "}")
             .collect(joined());
-    String properties = properties(SceneKeys.ALL, SceneKeys.MAIN_CAMERA);
+    String properties = properties(RootKeys.ALL, RootKeys.MAIN_CAMERA);
     return printed(
             JsonParser.parseString(
                 START

@@ -33,8 +33,8 @@ class SettingsReaderTest {
   @Test
   void nothingMeansTheDefaults() {
     assertThat(read("{}")).isEqualTo(RenderSettings.DEFAULT);
-    assertThat(SettingsReader.missing(Optional.empty())).isEqualTo(RenderSettings.DEFAULT);
-    assertThat(SettingsReader.missing(Optional.of(Mode.RAY)).samples()).isEqualTo(4);
+    assertThat(SettingsReader.defaults(Optional.empty())).isEqualTo(RenderSettings.DEFAULT);
+    assertThat(SettingsReader.defaults(Optional.of(Mode.RAY)).samples()).isEqualTo(4);
   }
 
   @Test

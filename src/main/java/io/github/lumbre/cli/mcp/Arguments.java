@@ -33,8 +33,8 @@ final class Arguments {
   }
 
   private static Object value(Input<?> input, Optional<JsonValue> given) throws ToolException {
-    if (given.isEmpty() && input.missing().isPresent()) {
-      return input.missing().get();
+    if (given.isEmpty() && input.defaultValue().isPresent()) {
+      return input.defaultValue().get();
     }
     if (given.isEmpty()) {
       throw new ToolException(input.expected() + ", found none");
@@ -49,6 +49,6 @@ final class Arguments {
   /** Returns the value of an argument; of one that the tool does not take, the default. */
   @SuppressWarnings("unchecked") // The constructor puts values of this type.
   <T> T get(Input<T> input) {
-    return values.containsKey(input) ? (T) values.get(input) : input.missing().orElseThrow();
+    return values.containsKey(input) ? (T) values.get(input) : input.defaultValue().orElseThrow();
   }
 }

@@ -12,9 +12,10 @@ import java.util.Optional;
  *
  * @param schema in JSON Schema 2020-12
  * @param reader turns JSON into a value
- * @param missing the value of a missing argument; empty if the argument is required
+ * @param defaultValue the value of a missing argument; empty if the argument is required
  */
-record Input<T>(String name, Map<String, Object> schema, Reader<T> reader, Optional<T> missing) {
+record Input<T>(
+    String name, Map<String, Object> schema, Reader<T> reader, Optional<T> defaultValue) {
   private static final int MOST_TEXT = 4096;
   private static final int MOST_ELEMENTS = 64;
 
@@ -47,12 +48,13 @@ record Input<T>(String name, Map<String, Object> schema, Reader<T> reader, Optio
     return new Input<>(name, schema, Input::texts, Optional.of(List.of()));
   }
 
-  static Input<Integer> integer(String name, int least, int most, int missing, String description) {
+  static Input<Integer> integer(
+      String name, int least, int most, int defaultValue, String description) {
     return new Input<>(
         name,
-        bounds(schema("integer", description), least, most, missing),
+        bounds(schema("integer", description), least, most, defaultValue),
         value -> value.exactLong().filter(n -> n >= least && n <= most).map(n -> (int) (long) n),
-        Optional.of(missing));
+        Optional.of(defaultValue));
   }
 
   /** Returns an integer that must be given. */
@@ -81,10 +83,10 @@ record Input<T>(String name, Map<String, Object> schema, Reader<T> reader, Optio
   }
 
   private static Map<String, Object> bounds(
-      Map<String, Object> schema, int least, int most, int missing) {
+      Map<String, Object> schema, int least, int most, int defaultValue) {
     schema.put("minimum", least);
     schema.put("maximum", most);
-    schema.put("default", missing);
+    schema.put("default", defaultValue);
     return schema;
   }
 
@@ -106,7 +108,7 @@ record Input<T>(String name, Map<String, Object> schema, Reader<T> reader, Optio
   }
 
   boolean isRequired() {
-    return missing.isEmpty();
+    return defaultValue.isEmpty();
   }
 
   /** Returns what is expected, for messages. */

@@ -96,9 +96,9 @@ public final class SettingFlags {
     if (!unlessGiven.isEmpty()) {
       return setting.meaning() + " Default: " + unlessGiven + ".";
     }
-    String text = setting.type().format(setting.missing());
+    String text = setting.type().format(setting.defaultValue());
     boolean isNone =
-        text.isEmpty() || Double.valueOf(Double.POSITIVE_INFINITY).equals(setting.missing());
+        text.isEmpty() || Double.valueOf(Double.POSITIVE_INFINITY).equals(setting.defaultValue());
     String missing = isNone ? "none" : text;
     String from = setting.isInScenes() ? "scene or " + missing : missing;
     String inModels =

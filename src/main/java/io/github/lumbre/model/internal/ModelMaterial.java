@@ -110,7 +110,7 @@ public record ModelMaterial(
 
   /** Returns the value of a parameter; its default if the model does not state it. */
   public MaterialInput input(MaterialParameter parameter) {
-    return inputs.getOrDefault(parameter, MaterialInput.of(parameter.missing()));
+    return inputs.getOrDefault(parameter, MaterialInput.of(parameter.defaultValue()));
   }
 
   /**
@@ -122,7 +122,7 @@ public record ModelMaterial(
   }
 
   private boolean isOff(MaterialParameter strength) {
-    return strength.missing().isBlack() && input(strength).factor().isBlack();
+    return strength.defaultValue().isBlack() && input(strength).factor().isBlack();
   }
 
   /** Builds a {@link ModelMaterial}. Mutable. */

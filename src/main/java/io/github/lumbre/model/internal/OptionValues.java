@@ -22,7 +22,7 @@ public record OptionValues(Map<ModelOption<?>, Object> given) {
   /** Returns the value of an option, or its default; empty if it has none. */
   @SuppressWarnings("unchecked") // Method with puts values of this type.
   public <T> Optional<T> find(ModelOption<T> option) {
-    return Optional.ofNullable((T) given.get(option)).or(option::missing);
+    return Optional.ofNullable((T) given.get(option)).or(option::defaultValue);
   }
 
   /**
@@ -40,7 +40,7 @@ public record OptionValues(Map<ModelOption<?>, Object> given) {
     all.remove(option);
     value
         .map(v -> option.type().require(option.name(), v))
-        .filter(v -> !option.missing().equals(Optional.of(v)))
+        .filter(v -> !option.defaultValue().equals(Optional.of(v)))
         .ifPresent(v -> all.put(option, v instanceof List<?> list ? List.copyOf(list) : v));
     return new OptionValues(all);
   }

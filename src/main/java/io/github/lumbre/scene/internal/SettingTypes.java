@@ -1,6 +1,5 @@
 package io.github.lumbre.scene.internal;
 
-import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
@@ -91,17 +90,11 @@ public final class SettingTypes {
     }
   }
 
-  /**
-   * Numbers in a range.
-   *
-   * @param openLow whether {@code low} itself is excluded
-   * @param openHigh whether {@code high} itself is excluded
-   */
-  public record NumberType(double low, boolean openLow, double high, boolean openHigh)
-      implements SettingType<Double> {
+  /** Numbers in a range. */
+  public record NumberType(Range range) implements SettingType<Double> {
     /** Creates a range with both ends included. */
     public NumberType(double low, double high) {
-      this(low, false, high, false);
+      this(Range.closed(low, high));
     }
 
     @Override
@@ -111,26 +104,12 @@ public final class SettingTypes {
 
     @Override
     public boolean accepts(Double value) {
-      return (openLow ? value > low : value >= low) && (openHigh ? value < high : value <= high);
+      return range.contains(value);
     }
 
-    /** Returns the numbers of this type. */
-    public Range range() {
-      return new Range(low, high, this::accepts, expected(), expected());
-    }
-
-    /** Returns the range; bounds of the largest doubles are not mentioned. */
     @Override
     public String expected() {
-      if (high == Double.MAX_VALUE) {
-        String above = (openLow ? " > " : " >= ") + PrintableText.number(low);
-        return "a finite number" + (low == -high ? "" : above);
-      }
-      String both = PrintableText.number(low) + (openLow || openHigh ? ", " : " to ");
-      String range = both + PrintableText.number(high);
-      return openLow || openHigh
-          ? "a number in " + (openLow ? "(" : "[") + range + (openHigh ? ")" : "]")
-          : "a number from " + range;
+      return range.ifLow();
     }
   }
 

@@ -49,7 +49,7 @@ public interface ModelParser {
   LoneModel read(Source source) throws SceneFormatException, IOException;
 
   /** Returns the settings of a scene that states none. */
-  RenderSettings missing();
+  RenderSettings defaults();
 
   /** Returns settings with the changes that the parser's caller makes. */
   RenderSettings changed(RenderSettings inFile);

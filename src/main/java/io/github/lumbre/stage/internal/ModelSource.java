@@ -55,7 +55,7 @@ public record ModelSource(
    * @param isFrame whether it may have nothing to show, in one frame of an animation
    */
   public Staging read(Stage stage, boolean isFrame) throws SceneFormatException, IOException {
-    Stage lenient = stage.reading(stage.options().lenient(true));
+    Stage lenient = stage.reading(stage.options().mayLackFiles(true));
     return read(lenient, folder(stage), isFrame);
   }
 

@@ -234,7 +234,7 @@ public final class Staging {
   private RenderSettings settings(Stage of, PlacedCamera camera) {
     double ratio = camera.aspect().orElse((double) Stage.DEFAULT_WIDTH / Stage.DEFAULT_HEIGHT);
     double side = Stage.DEFAULT_WIDTH;
-    return parser.missing().toBuilder()
+    return parser.defaults().toBuilder()
         .size(
             (int) Math.max(1, Math.round(side * Math.min(1, ratio))),
             (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
@@ -242,7 +242,7 @@ public final class Staging {
         .toneCurve(
             of.options().find(ModelOption.LOOK).isEmpty()
                 ? Setting.TONE_MAP.inModels().orElseThrow()
-                : Setting.TONE_MAP.missing())
+                : Setting.TONE_MAP.defaultValue())
         .set(Setting.LINE_WIDTH, of.lineWidth())
         .set(Setting.CREASE_ANGLE, of.creaseDegrees())
         .transparent(of.transparent())

@@ -132,7 +132,8 @@ class MaterialParameterTest {
   private static MetallicRoughness.Builder everything() {
     MetallicRoughness.Builder builder = MetallicRoughness.builder();
     for (MaterialParameter parameter : all()) {
-      boolean isLayer = parameter.missing().isBlack() || parameter == MaterialParameter.METALLIC;
+      boolean isLayer =
+          parameter.defaultValue().isBlack() || parameter == MaterialParameter.METALLIC;
       if (parameter.kind() == Kind.COLOR && parameter != MaterialParameter.ATTENUATION_COLOR) {
         builder.set(parameter, Rgb.gray(.5));
       } else if (parameter.kind() == Kind.NUMBER && isLayer) {

@@ -228,7 +228,7 @@ final class GltfMaterials {
 
   private double number(GltfJson json, MaterialParameter parameter) {
     String member = parameter.gltfFactor();
-    double missing = parameter.missing().r();
+    double missing = parameter.defaultValue().r();
     if (parameter == MaterialParameter.OPACITY) {
       return opacity(json, member, values.numbers(json, member, 1, 1, 1, 1));
     }
@@ -254,7 +254,7 @@ final class GltfMaterials {
   }
 
   private Rgb rgb(GltfJson json, MaterialParameter parameter) {
-    Rgb missing = parameter.missing();
+    Rgb missing = parameter.defaultValue();
     double[] fallback =
         parameter == MaterialParameter.BASE_COLOR
             ? new double[] {1, 1, 1, 1}

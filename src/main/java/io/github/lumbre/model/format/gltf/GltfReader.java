@@ -50,7 +50,7 @@ public final class GltfReader {
   private final GltfNodes nodes;
   private final GltfInstances instances;
   private final Optional<ModelOptions.Pose> motion;
-  private final boolean lenient;
+  private final boolean mayLackFiles;
   private GltfPose pose = new GltfPose();
   private Optional<ModelFormatException> unreadable = Optional.empty();
   private final Map<Integer, GltfSkin> skins = new HashMap<>();
@@ -64,14 +64,14 @@ public final class GltfReader {
   private GltfReader(GltfDocument document, GltfBuffers buffers, ModelOptions options)
       throws ModelFormatException, IOException {
     this.document = document;
-    lenient = options.lenient();
+    mayLackFiles = options.mayLackFiles();
     accessors = new GltfAccessors(document, buffers);
     GltfAttributes attributes = new GltfAttributes(document, accessors);
     influences = new GltfInfluences(document, accessors, attributes);
     GltfDraco draco = new GltfDraco(document, accessors, buffers);
     fronts = new GltfFronts(document);
     meshes = new GltfMeshes(document, accessors, attributes, draco);
-    GltfTextures textures = new GltfTextures(document, buffers, options.lenient());
+    GltfTextures textures = new GltfTextures(document, buffers, options.mayLackFiles());
     materials = new GltfMaterials(document, textures);
     variants = new GltfVariants(document, options.find(ModelOption.VARIANT));
     animations = new GltfAnimations(document, accessors);
@@ -259,7 +259,7 @@ public final class GltfReader {
       try {
         addPrimitive(placement, primitives.get(i), location);
       } catch (ModelFormatException e) {
-        if (!lenient || e.kind() != Kind.ASSET) {
+        if (!mayLackFiles || e.kind() != Kind.ASSET) {
           throw e;
         }
         unreadable = unreadable.or(() -> Optional.of(e));

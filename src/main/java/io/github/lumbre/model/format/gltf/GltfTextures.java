@@ -32,17 +32,17 @@ final class GltfTextures {
 
   private final GltfDocument document;
   private final GltfBuffers buffers;
-  private final boolean lenient;
+  private final boolean mayLackFiles;
   private final GltfValues values;
   private final Map<Integer, Optional<ModelImage>> images = new HashMap<>();
 
   /**
-   * @param lenient whether a texture whose image cannot be read is left out with a warning
+   * @param mayLackFiles whether a texture whose image cannot be read is left out with a warning
    */
-  GltfTextures(GltfDocument document, GltfBuffers buffers, boolean lenient) {
+  GltfTextures(GltfDocument document, GltfBuffers buffers, boolean mayLackFiles) {
     this.document = document;
     this.buffers = buffers;
-    this.lenient = lenient;
+    this.mayLackFiles = mayLackFiles;
     values = new GltfValues(document.warnings(), "texture");
   }
 
@@ -199,7 +199,7 @@ final class GltfTextures {
     try {
       return Optional.of(new ModelImage(json.location(), encoded(json)));
     } catch (ModelFormatException e) {
-      if (!lenient || e.kind() != Kind.ASSET) {
+      if (!mayLackFiles || e.kind() != Kind.ASSET) {
         throw e;
       }
       document

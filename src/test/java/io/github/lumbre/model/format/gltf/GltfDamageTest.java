@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is damaged in a glTF file is left out with a warning if the rest can be shown. */
 class GltfDamageTest {
-  private static final ModelOptions LENIENT = ModelOptions.DEFAULT.lenient(true);
+  private static final ModelOptions LENIENT = ModelOptions.DEFAULT.mayLackFiles(true);
   private static final String LOST = "left out faces with a vertex that is not a finite number: ";
 
   private final GltfFile file = new GltfFile();

@@ -84,7 +84,7 @@ class GltfMutationTest {
 
   private static Ending ending(byte[] file, long seed) throws IOException {
     try {
-      ModelOptions options = (seed % 4 < 2 ? OPTIONS : MOVING).lenient(seed % 2 == 0);
+      ModelOptions options = (seed % 4 < 2 ? OPTIONS : MOVING).mayLackFiles(seed % 2 == 0);
       check(
           GltfReader.read(
               file, GltfFile.EMPTY, options, new GltfBudget(Limits.NONE.withMemory(MAX_BYTES))));

@@ -20,7 +20,7 @@ import java.util.function.Consumer;
  * The parts of a scene in their order, with their places in the file; those that move have parts of
  * their own in each pose. Not reusable.
  */
-final class SceneParts {
+final class PlacedParts {
   private final List<Entry> entries = new ArrayList<>();
   private final List<Origin> primitives = new ArrayList<>();
   private final List<Origin> materials = new ArrayList<>();
@@ -50,7 +50,7 @@ final class SceneParts {
    *
    * @param poses the parts in each pose, without parts that move themselves
    */
-  void addPoses(List<SceneParts> poses) {
+  void addPoses(List<PlacedParts> poses) {
     entries.add(
         new Entry(
             poses.stream()

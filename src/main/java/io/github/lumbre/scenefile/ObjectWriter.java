@@ -19,19 +19,19 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /** Writes the tree of objects. Not reusable: it counts the surfaces. */
-final class WrittenObjects {
-  private final WrittenAssets assets;
-  private final WrittenTextures textures;
+final class ObjectWriter {
+  private final AssetWriter assets;
+  private final TextureWriter textures;
   private final SurfaceNames names;
   private int surfaces;
 
   /**
    * @param names of the objects and materials; surfaces come first and in the order of the nodes
    */
-  WrittenObjects(WrittenAssets assets, SurfaceNames names) {
+  ObjectWriter(AssetWriter assets, SurfaceNames names) {
     this.assets = assets;
     this.names = names;
-    textures = new WrittenTextures(assets);
+    textures = new TextureWriter(assets);
   }
 
   /** Returns the objects of nodes; backgrounds are none. */
@@ -147,7 +147,7 @@ final class WrittenObjects {
 
   private JsonObject part(SceneNode.Part part) {
     if (!(part.content() instanceof ModelFile model)) {
-      throw new Unwritable("a model of Models.read", Written.name(part.content()));
+      throw new Unwritable("a model of Models.read", Unwritable.name(part.content()));
     }
     JsonObject object = object("Model", part.name());
     LocalTransform.place(object, part.transform());
@@ -166,7 +166,7 @@ final class WrittenObjects {
     Map<String, byte[]> others = model.files();
     others.forEach((name, bytes) -> all.append(name).append(Sha256.of(bytes)));
     byte[] key = all.toString().getBytes(StandardCharsets.UTF_8);
-    String folder = WrittenAssets.FOLDER + "model-" + WrittenAssets.shortHash(key) + "/";
+    String folder = AssetWriter.FOLDER + "model-" + AssetWriter.shortHash(key) + "/";
     assets.file(folder + model.name(), content);
     others.forEach((name, bytes) -> assets.file(folder + name, bytes));
     return folder + model.name();

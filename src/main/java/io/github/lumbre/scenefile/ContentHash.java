@@ -11,7 +11,7 @@ import java.util.List;
  * The SHA-256 over a scene's text and then each file that is read for it. The text may be known
  * after some of the files, and there may be several texts. Mutable.
  */
-final class SceneHash {
+final class ContentHash {
   /** Bytes between two checks for an interrupt; a power of two, so that sums do not overflow. */
   private static final int BLOCK = 1 << 24;
 

@@ -8,7 +8,7 @@ import java.util.function.Supplier;
  *
  * @param path as in {@link Problem#path}
  */
-record Spot(Problems problems, Supplier<String> path) {
+record ProblemPlace(Problems problems, Supplier<String> path) {
   void error(Kind kind, String message) {
     problems.error(kind, path, message);
   }

@@ -4,7 +4,7 @@ import io.github.lumbre.scenefile.internal.CameraKeys;
 import java.util.List;
 
 /** The keys of a scene itself; {@code $schema} names the schema for editors. */
-final class SceneKeys {
+final class RootKeys {
   static final Key<Integer> MAIN_CAMERA =
       Key.of(CameraKeys.MAIN_CAMERA, Value.ID, "The id of the camera that the scene is seen by.");
   static final Key<JsonNode> OPTIONS =
@@ -43,5 +43,5 @@ final class SceneKeys {
   /** The keys of render options that are not settings. */
   static final List<Key<?>> OF_OPTIONS = List.of(ANTIALIASING, BACKGROUND, ObjectKeys.NAME);
 
-  private SceneKeys() {}
+  private RootKeys() {}
 }

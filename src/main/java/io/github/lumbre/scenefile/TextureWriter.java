@@ -26,7 +26,7 @@ import io.github.lumbre.texture.internal.TintedTexture;
 import java.util.function.Consumer;
 
 /** Writes textures, and the channels of materials that use them. */
-record WrittenTextures(WrittenAssets assets) {
+record TextureWriter(AssetWriter assets) {
   /**
    * A texture as the format has it: a constant times a picture, read at mapped coordinates.
    *
@@ -75,7 +75,7 @@ record WrittenTextures(WrittenAssets assets) {
     if (!(texture instanceof RedChannel red) || red.min() != low || red.max() != high) {
       throw new Unwritable(
           key.stem() + ": a constant, or a RedChannel from " + low + " to " + high,
-          Written.name(texture));
+          Unwritable.name(texture));
     }
     Parts parts = parts(red.texture());
     if (!parts.tint().equals(Rgb.WHITE) || parts.picture() instanceof Constant) {
@@ -148,7 +148,7 @@ record WrittenTextures(WrittenAssets assets) {
       return asset(linear.image(), "", to -> linear(to, linear.image()));
     }
     if (role == Role.NORMAL) {
-      throw new Unwritable("a normal map that is a picture", Written.name(picture));
+      throw new Unwritable("a normal map that is a picture", Unwritable.name(picture));
     }
     if (picture instanceof BilinearTexture smooth) {
       return asset(
@@ -157,7 +157,8 @@ record WrittenTextures(WrittenAssets assets) {
     if (picture instanceof TexelTexture texels) {
       return asset(texels, "", to -> texels(to, texels, Filter.NEAREST));
     }
-    throw new Unwritable("a constant, a picture or a texture of the format", Written.name(picture));
+    throw new Unwritable(
+        "a constant, a picture or a texture of the format", Unwritable.name(picture));
   }
 
   private void image(JsonObject to, Pixels pixels, Filter filter) {

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
  * The assets of a scene that is written, and their files. The names of the files contain the hashes
  * of their content, so that scenes in one folder share them. Mutable.
  */
-final class WrittenAssets {
+final class AssetWriter {
   /** The folder of the files, beside the scene. */
   static final String FOLDER = "assets/";
 
