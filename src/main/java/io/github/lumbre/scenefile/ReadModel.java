@@ -73,7 +73,7 @@ final class ReadModel implements LoneModel {
     place = new ModelPlace.OfFile(problems);
     Allowance allowance = new Allowance(parser.settings().limits());
     byte[] content = source.content();
-    allowance.addBytes(content.length).ifPresent(e -> place.spot().error(Kind.LIMIT, e));
+    allowance.addBytes(content.length).ifPresent(e -> place.problemPlace().error(Kind.LIMIT, e));
     problems.throwIfAny();
     data = new AssetData(textPath(), hash, allowance, Map.of(), List.of());
     data.note(name(), content);
@@ -124,7 +124,7 @@ final class ReadModel implements LoneModel {
 
   @Override
   public void requireMeasurable(Bounds3 box) throws SceneFormatException {
-    ShapeReader.isMeasurable(place.spot(), box);
+    ShapeReader.isMeasurable(place.problemPlace(), box);
     problems.throwIfAny();
   }
 
