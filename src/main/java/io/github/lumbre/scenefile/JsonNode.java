@@ -92,7 +92,7 @@ record JsonNode(JsonValue value, Problems problems) {
   /** Returns the place of the object or asset that this node describes. */
   Origin origin() {
     Optional<String> name = ObjectKeys.NAME.find(this).flatMap(JsonNode::text);
-    return new Origin(PrintableText.path(path()), name.map(PrintableText::shortened).orElse(""));
+    return problems.origin(path(), name.map(PrintableText::shortened).orElse(""));
   }
 
   private String path(String childKey) {

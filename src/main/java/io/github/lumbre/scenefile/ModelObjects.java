@@ -4,6 +4,7 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scene.RenderSettings;
@@ -25,6 +26,7 @@ import java.util.Set;
  *     the scene stands for the model
  * @param mayLackFiles whether a missing picture of a model is a warning instead of an error; it
  *     always is if the scene stands for the model
+ * @param known the model that the scene is made around, if it has been read
  */
 record ModelObjects(
     AssetData data,
@@ -32,7 +34,13 @@ record ModelObjects(
     ModelParts parts,
     RenderSettings settings,
     String sceneName,
-    boolean mayLackFiles) {
+    boolean mayLackFiles,
+    Optional<Known> known) {
+  /** A model that has been read: the only one of its scene, and the place of its problems. */
+  record Known(Model model, ModelPlace place, DecodedPictures decoded) {}
+
+  private static final String NOTHING = "nothing of the model is visible in this frame";
+
   private static final Set<String> KEYS =
       Key.names(ObjectKeys.OF_EMITTERS, ModelKeys.ALL, ObjectKeys.OF_MODELS);
 
@@ -45,6 +53,10 @@ record ModelObjects(
       if (!ObjectKeys.FILE.isIn(node)) {
         ObjectKeys.FILE.error(node, "expected the name of a model file, found nothing");
       }
+      return;
+    }
+    if (known.isPresent()) {
+      add(object, known.get().model, known.get().place);
       return;
     }
     data.file(node.problemPlace(ObjectKeys.FILE.name()), name.get())
@@ -64,7 +76,17 @@ record ModelObjects(
             ? data.ownFolderOf(name, options.with(ModelOption.ASSETS, data.modelAssets()))
             : data.folderOf(name);
     try {
-      Model model = ModelReader.read(name, content, files, options);
+      add(object, ModelReader.read(name, content, files, options), place);
+    } catch (ModelFormatException e) {
+      place.error(e);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void add(Placed object, Model model, ModelPlace place) {
+    JsonNode node = object.node();
+    try {
       Optional<String> camera = object.stated(ObjectKeys.USE_CAMERA);
       if (camera.isPresent()) {
         parts.seenBy(PlacedCamera.inPoses(model, camera.get(), object.toWorld()));
@@ -78,10 +100,11 @@ record ModelObjects(
               overrides(node),
               object.get(ObjectKeys.USE_LIGHTS),
               object.lightGroup()));
+      if (known.isPresent() && !model.hasSurface()) {
+        place.warn(NOTHING);
+      }
     } catch (ModelFormatException e) {
       place.error(e);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 

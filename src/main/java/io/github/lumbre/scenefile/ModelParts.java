@@ -68,12 +68,7 @@ final class ModelParts {
       boolean isShared,
       Map<String, Surface> overrides,
       boolean useLights,
-      String lightGroup) {
-    /** Returns the placement of a model that is rendered by itself. */
-    static Placement alone(ModelPlace place) {
-      return new Placement(place, Transform.IDENTITY, false, Map.of(), true, "");
-    }
-  }
+      String lightGroup) {  }
 
   /** Sets the camera of a model, in each pose, as the camera of the scene. */
   void seenBy(List<PlacedCamera> camera) {

@@ -2,6 +2,7 @@ package io.github.lumbre.scenefile;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.scenefile.internal.Origin;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,7 +15,7 @@ final class Problems {
   static final int MAX_WARNINGS = 1000;
 
   private final String file;
-  private final boolean isModel;
+  private final Optional<String> aroundModel;
   private final List<Problem> errors = new ArrayList<>();
   private final List<Problem> warnings = new ArrayList<>();
   private Optional<SceneFormatException.Kind> kind = Optional.empty();
@@ -33,8 +34,17 @@ final class Problems {
    *     path in the scene around it, which no file contains
    */
   Problems(String file, boolean isModel) {
+    this(file, isModel ? Optional.of("") : Optional.empty());
+  }
+
+  /**
+   * @param file name of the scene file for messages
+   * @param aroundModel instead of paths in the scene around a model, which no file contains; empty
+   *     for other scenes
+   */
+  Problems(String file, Optional<String> aroundModel) {
     this.file = PrintableText.escaped(file);
-    this.isModel = isModel;
+    this.aroundModel = aroundModel;
   }
 
   /** Adds an error; beyond {@link #MAX_ERRORS}, errors are dropped. */
@@ -47,17 +57,29 @@ final class Problems {
     }
   }
 
-  /** Adds a warning; beyond {@link #MAX_WARNINGS}, only counts it and computes no text. */
+  /**
+   * Adds a warning that is not the same as the last one; beyond {@link #MAX_WARNINGS}, only counts
+   * it and computes no text.
+   */
   void warn(Supplier<String> path, Supplier<String> message) {
     if (warnings.size() < MAX_WARNINGS) {
-      warnings.add(new Problem(file, place(path.get()), message.get()));
+      Problem found = new Problem(file, place(path.get()), message.get());
+      if (warnings.isEmpty() || !found.equals(warnings.get(warnings.size() - 1))) {
+        warnings.add(found);
+      }
     } else {
       unsaidWarnings++;
     }
   }
 
   private String place(String path) {
-    return PrintableText.path(isModel && path.startsWith("$") ? "" : path);
+    return PrintableText.path(path.startsWith("$") ? aroundModel.orElse(path) : path);
+  }
+
+  /** Returns the place of an object or asset; around a model, its name is its place. */
+  Origin origin(String path, String name) {
+    boolean isNamed = aroundModel.filter(place -> !place.isEmpty()).isPresent();
+    return new Origin(isNamed ? name : PrintableText.path(path), name);
   }
 
   boolean hasErrors() {

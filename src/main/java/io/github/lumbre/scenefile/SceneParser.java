@@ -275,7 +275,14 @@ public final class SceneParser {
     AssetData data = new AssetData(file, hash, allowance, files, assets);
     SceneReader world =
         new SceneReader(
-            root, table, data, used, textures, kernel(), String.valueOf(file.getFileName()));
+            root,
+            table,
+            data,
+            used,
+            textures,
+            kernel(),
+            String.valueOf(file.getFileName()),
+            Optional.empty());
     world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);

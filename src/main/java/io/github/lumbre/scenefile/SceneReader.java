@@ -12,10 +12,12 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.AssetTable.Type;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import io.github.lumbre.scenefile.internal.Origin;
+import io.github.lumbre.scenefile.internal.PartSurface;
 import io.github.lumbre.scenefile.internal.PlacedCamera;
 import io.github.lumbre.scenefile.internal.SceneContents;
 import io.github.lumbre.scenefile.internal.SceneOrigins;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -46,6 +48,7 @@ final class SceneReader {
    * @param change overrides for all textures
    * @param kernel traversal kernel of the bounding volume hierarchies
    * @param sceneName name of the scene file
+   * @param known the model that the scene is made around, if it has been read
    */
   SceneReader(
       JsonNode root,
@@ -54,7 +57,8 @@ final class SceneReader {
       RenderSettings settings,
       TextureChange change,
       Kernel kernel,
-      String sceneName) {
+      String sceneName,
+      Optional<ModelObjects.Known> known) {
     this.root = root;
     this.settings = settings;
     this.kernel = kernel;
@@ -64,8 +68,12 @@ final class SceneReader {
     materials = new MaterialReader(assets, textures);
     shapes = new ShapeReader(assets, data, objects(ObjectTree.Type.SHAPE), kernel);
     profiles = new LightProfiles(data);
-    modelParts = new ModelParts(parts, data.allowance(), kernel, new DecodedPictures());
-    models = new ModelObjects(data, materials, modelParts, settings, sceneName, assets.isLenient());
+    DecodedPictures decoded =
+        known.map(ModelObjects.Known::decoded).orElseGet(DecodedPictures::new);
+    modelParts = new ModelParts(parts, data.allowance(), kernel, decoded);
+    models =
+        new ModelObjects(
+            data, materials, modelParts, settings, sceneName, assets.isLenient(), known);
   }
 
   private List<Placed> objects(ObjectTree.Type type) {
@@ -194,12 +202,20 @@ final class SceneReader {
         ofModel.isEmpty()
             ? List.of(camera.orElseThrow())
             : PlacedCamera.placed(ofModel, settings.aspect());
-    if (settings.poses() > 1 && !parts.areMoving() && cameras.size() == 1) {
+    if (settings.poses() > 1
+        && !parts.areMoving()
+        && cameras.size() == 1
+        && models.known().isEmpty()) {
       root.object(RootKeys.OPTIONS.name())
           .ifPresent(
               o -> o.warn(Setting.SHUTTER.name(), "changes nothing, because no model has a pose"));
     }
     return parts.scene(cameras, settings.poses(), backplate, kernel, known);
+  }
+
+  /** Returns the surfaces of models, by the numbers of their primitives, after {@link #scene}. */
+  Map<Integer, PartSurface> surfaces() {
+    return modelParts.surfaces();
   }
 
   /** Returns the places of objects and assets; requires an earlier call of {@link #scene}. */

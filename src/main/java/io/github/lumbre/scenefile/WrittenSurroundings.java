@@ -2,13 +2,17 @@ package io.github.lumbre.scenefile;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.internal.PlacedCamera;
 import io.github.lumbre.scenefile.internal.Surroundings;
+import io.github.lumbre.texture.Texture;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,6 +23,13 @@ import java.util.List;
  * @param folder where asset paths start
  */
 record WrittenSurroundings(Surroundings around, Path folder) {
+  /** The name of the sky. */
+  static final String SKY = "sky";
+
+  private static final String SUN = "sun";
+  private static final String GROUND = "ground";
+  private static final double GROUND_GRAY = .6;
+
   /**
    * Returns the scene.
    *
@@ -32,8 +43,8 @@ record WrittenSurroundings(Surroundings around, Path folder) {
     JsonArray objects = new JsonArray();
     objects.add(cameraObject());
     if (around.sky().hasSun()) {
-      objects.add(ofSun(ReadModel.SKY, LightKinds.Sky.CLEAR));
-      objects.add(ofSun(ReadModel.SUN, LightKinds.Sky.SUN));
+      objects.add(ofSun(SKY, LightKinds.Sky.CLEAR));
+      objects.add(ofSun(SUN, LightKinds.Sky.SUN));
     } else {
       objects.add(dome(assets));
     }
@@ -98,7 +109,7 @@ record WrittenSurroundings(Surroundings around, Path folder) {
   }
 
   private JsonObject dome(JsonArray assets) {
-    JsonObject dome = dome(ReadModel.SKY);
+    JsonObject dome = dome(SKY);
     if (around.sky().name().equals("studio")) {
       LightKinds.SKY.put(dome, LightKinds.Sky.STUDIO);
     }
@@ -130,14 +141,15 @@ record WrittenSurroundings(Surroundings around, Path folder) {
     JsonObject material = new JsonObject();
     ObjectKeys.ASSET_TYPE.put(material, AssetTable.Type.MATERIAL);
     ObjectKeys.ID.put(material, 2);
-    material.addProperty(ObjectKeys.NAME.name(), ReadModel.GROUND);
-    Material ground = ReadModel.groundMaterial(around);
+    material.addProperty(ObjectKeys.NAME.name(), GROUND);
+    Texture<Rgb> gray = Texture.constant(Rgb.gray(GROUND_GRAY));
+    Material ground = around.settings().transparent() ? new ShadowCatcher(gray) : new Matte(gray);
     MaterialKinds.FAMILY.write(ground, material, new TextureWriter(new AssetWriter()));
     return material;
   }
 
   private JsonObject groundPlane() {
-    JsonObject plane = ObjectWriter.object("Shape", ReadModel.GROUND);
+    JsonObject plane = ObjectWriter.object("Shape", GROUND);
     ShapeKinds.FAMILY.typeKey().put(plane, ShapeKinds.PLANE);
     ShapeKinds.MATERIAL.put(plane, 2);
     ObjectKeys.POSITION.put(plane, new Vec3(0, around.box().min().y(), 0));

@@ -4,7 +4,6 @@ import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
@@ -12,7 +11,6 @@ import java.util.Set;
  * What is around a model that is rendered by itself, and how it was read.
  *
  * @param camera of the scene, in the middle of its motion
- * @param cameras in each pose; a single one stands still
  * @param moving name of the model's camera that moves with the pose; empty if it stands still
  * @param hasGround whether the model stands on an infinite floor
  * @param box around what the camera has in its frame, on whose lowest point the floor is
@@ -23,7 +21,6 @@ import java.util.Set;
  */
 public record Surroundings(
     PlacedCamera camera,
-    List<PlacedCamera> cameras,
     Optional<String> moving,
     Sky sky,
     boolean hasGround,

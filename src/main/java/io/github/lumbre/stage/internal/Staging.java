@@ -112,13 +112,10 @@ public final class Staging {
   private Surroundings around(Stage of) throws SceneFormatException {
     try {
       PlacedCamera camera = StageCamera.of(of, model, framing, frameAspect());
-      List<PlacedCamera> poses = inPoses(of);
-      boolean isMoving = poses.stream().distinct().count() > 1;
       Stage.Sky sky = of.sky();
       return new Surroundings(
           camera,
-          isMoving ? poses : List.of(camera),
-          isMoving ? StageCamera.own(of, model).map(this::nameOf) : Optional.empty(),
+          movingCamera(of),
           new Surroundings.Sky(
               sky.name(),
               sky.picture(),
@@ -137,16 +134,16 @@ public final class Staging {
     }
   }
 
-  /** Returns the model's own camera in each pose; empty if the whole model is framed. */
-  private List<PlacedCamera> inPoses(Stage of) throws ModelFormatException {
+  /** Returns the name of the model's camera that moves; empty if the camera stands still. */
+  private Optional<String> movingCamera(Stage of) throws ModelFormatException {
     Optional<ModelCamera> own = StageCamera.own(of, model);
-    return own.isPresent()
-        ? PlacedCamera.inPoses(model, nameOf(own.get()), Transform.IDENTITY)
-        : List.of();
-  }
-
-  private String nameOf(ModelCamera camera) {
-    return ModelContents.cameraNames(model).get(model.cameras().indexOf(camera));
+    if (own.isEmpty()) {
+      return Optional.empty();
+    }
+    String name = ModelContents.cameraNames(model).get(model.cameras().indexOf(own.get()));
+    boolean isMoving =
+        PlacedCamera.inPoses(model, name, Transform.IDENTITY).stream().distinct().count() > 1;
+    return isMoving ? Optional.of(name) : Optional.empty();
   }
 
   /** Returns the text of the scene on another stage, whose model has the same pose. */
