@@ -204,7 +204,7 @@ final class DiffCommand extends Subcommand {
       throws SceneFormatException, TaskException, IOException, InterruptedException {
     StagedModel before = views(old, ofOld);
     StagedModel after = views(now, ofNew);
-    View view = ofNew.view().orElse(View.DEFAULT);
+    View view = ofNew.find(Stage.VIEW).orElse(View.DEFAULT);
     RenderSettings shown = size.map(s -> s.over(USUAL)).orElse(USUAL);
     return ChangePage.of(
         side(old, before.seenBeside(after, view, shown.width(), shown.height())),
@@ -217,7 +217,7 @@ final class DiffCommand extends Subcommand {
 
   private static StagedModel views(Path model, Stage stage)
       throws SceneFormatException, IOException {
-    View view = stage.view().orElse(View.DEFAULT);
+    View view = stage.find(Stage.VIEW).orElse(View.DEFAULT);
     SceneParser parser =
         new SceneParser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build());
     return StagedModel.read(model, stage.seenFrom(view), parser);

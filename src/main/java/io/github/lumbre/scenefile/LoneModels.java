@@ -1,6 +1,5 @@
 package io.github.lumbre.scenefile;
 
-import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.internal.LoneModel;
 import io.github.lumbre.scenefile.internal.ModelParser;
@@ -13,18 +12,14 @@ record LoneModels(SceneParser parser) implements ModelParser {
     return new Problems(String.valueOf(model.getFileName()), true);
   }
 
-  private Limits limits() {
-    return parser.settings().limits();
+  /** Returns the content of a model's file. */
+  static byte[] content(Path file, long most) throws SceneFormatException, IOException {
+    return InputFile.read(file, problemsOf(file), "model", "bytes in all files", most);
   }
 
   @Override
   public <T> T timed(Path model, Step<T> step) throws SceneFormatException, IOException {
-    return TimedReading.of(limits(), problemsOf(model), step::read);
-  }
-
-  @Override
-  public byte[] content(Path file) throws SceneFormatException, IOException {
-    return InputFile.read(file, problemsOf(file), "model", "bytes in all files", limits().bytes());
+    return TimedReading.of(parser.settings().limits(), problemsOf(model), step::read);
   }
 
   @Override

@@ -35,6 +35,7 @@ final class ReadModel implements LoneModel {
   private final AssetData data;
   private final ModelPlace place;
   private final Model model;
+  private final byte[] content;
 
   ReadModel(SceneParser parser, Source source) throws SceneFormatException, IOException {
     this.parser = parser;
@@ -45,7 +46,10 @@ final class ReadModel implements LoneModel {
             Optional.of(WrittenSurroundings.SKY)); // Nothing else around it can be wrong.
     place = new ModelPlace.OfFile(problems);
     Allowance allowance = new Allowance(parser.settings().limits());
-    byte[] content = source.content();
+    content =
+        source.content().isPresent()
+            ? source.content().get()
+            : LoneModels.content(source.file(), parser.settings().limits().bytes());
     allowance.addBytes(content.length).ifPresent(e -> place.problemPlace().error(Kind.LIMIT, e));
     problems.throwIfAny();
     data = new AssetData(textPath(), hash, allowance, Map.of(), List.of());
@@ -70,7 +74,7 @@ final class ReadModel implements LoneModel {
             .orElseGet(() -> data.ownFolderOf(name(), options));
     try {
       ModelOptions uncut = options.with(ModelOption.SECTION, List.of());
-      Model read = ModelReader.readPose(name(), source.content(), others, uncut);
+      Model read = ModelReader.readPose(name(), content, others, uncut);
       if (!source.isFrame()) {
         read.requireSurface();
       }
@@ -153,7 +157,7 @@ final class ReadModel implements LoneModel {
   }
 
   @Override
-  public ParsedScene seenIn(Surroundings around, ParsedScene built) {
+  public ParsedScene seenIn(Model shown, Surroundings around, ParsedScene built) {
     byte[] text = text(around);
     return new ParsedScene(
         built.scene().seenBy(around.camera().placed(built.settings().aspect())),
@@ -164,7 +168,7 @@ final class ReadModel implements LoneModel {
         built.contents(),
         built.origins(),
         Optional.of(new SceneText(text, textPath())),
-        built.model().map(contents -> contents.titled(around.title())));
+        built.model().map(same -> ModelContents.of(shown, same.surfaces(), around)));
   }
 
   @Override

@@ -369,38 +369,19 @@ public final class Stage {
     return OWN.contains(option) ? values.find(option) : options.find(option);
   }
 
-  private <T> T get(ModelOption<T> option) {
-    return values.find(option).orElseThrow();
+  /** Returns the value of an option that has a default. */
+  public <T> T get(ModelOption<T> option) {
+    return find(option).orElseThrow();
   }
 
   private static Look look(OptionValues values) {
     return Look.of(values.find(LOOK));
   }
 
-  /** Returns the name of a camera in the model; empty for {@link #view}. */
-  public Optional<String> camera() {
-    return values.find(CAMERA);
-  }
-
-  /** Returns the direction to look from; empty for the model's first camera. */
-  public Optional<View> view() {
-    return values.find(VIEW);
-  }
-
-  /** Returns the vertical angle of view in degrees. */
-  public double fov() {
-    return get(FOV);
-  }
-
   /** Returns the environment light. */
   public Sky sky() {
     String name = values.find(SKY).orElse(look(values).sky());
     return new Sky(name, get(SKY_INTENSITY), get(SKY_ROTATION), get(SUN));
-  }
-
-  /** Returns whether there is a floor. */
-  public boolean ground() {
-    return get(GROUND);
   }
 
   /** Returns the linear color that pictures show instead of the sky; empty for the sky. */
@@ -417,11 +398,6 @@ public final class Stage {
   /** Returns the width of lines in pixels; 0 for no lines. */
   public double lineWidth() {
     return values.find(LINE_WIDTH).orElse(look(values).lineWidth());
-  }
-
-  /** Returns the angle between two triangles from which on their edge is a crease, in degrees. */
-  public double creaseDegrees() {
-    return get(CREASE);
   }
 
   /** Returns what is drawn on finished pictures: some of {@link #LABELS}. */
@@ -447,16 +423,6 @@ public final class Stage {
         .with(SUN, newSky.sun());
   }
 
-  /** Returns this stage with a floor that the model stands on. */
-  public Stage onGround() {
-    return with(GROUND, true);
-  }
-
-  /** Returns this stage with a transparent background. */
-  public Stage onTransparentBackground() {
-    return with(BACKGROUND, BackgroundType.TRANSPARENT);
-  }
-
   /**
    * Returns this stage before a color of the screen, which finished pictures show behind the model.
    *
@@ -473,20 +439,6 @@ public final class Stage {
   /** Returns this stage with other options for reading the model. */
   public Stage reading(ModelOptions newOptions) {
     return new Stage(values, newOptions);
-  }
-
-  /**
-   * Returns this stage with lines on silhouettes, creases and borders.
-   *
-   * @param width in pixels, more than 0, at most 100
-   */
-  public Stage withLines(double width) {
-    return with(LINE_WIDTH, width);
-  }
-
-  /** Returns this stage with labels: some of {@link #LABELS}. */
-  public Stage labeled(Set<String> newLabels) {
-    return with(LABEL, newLabels.stream().sorted().toList());
   }
 
   /**

@@ -17,7 +17,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Set;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -147,7 +147,8 @@ class LabelCommandsTest extends CommandFixture {
   @Test
   void libraryDrawsTheLabelsOfTheStage() throws Exception {
     runs("render T/a.obj -o T/a.pfm --view iso --size 240x180 --labels size -s 1");
-    Stage stage = Stage.DEFAULT.seenFrom(Stage.View.of("iso")).labeled(Set.of("size"));
+    Stage.View iso = Stage.View.of("iso");
+    Stage stage = Stage.DEFAULT.seenFrom(iso).with(Stage.LABEL, List.of("size"));
     SceneParser parser =
         new SceneParser().overriding(s -> s.toBuilder().size(240, 180).samples(1).build());
     SceneFile file = StagedModel.read(directory.resolve("a.obj"), stage, parser).scene();

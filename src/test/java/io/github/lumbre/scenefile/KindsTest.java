@@ -68,12 +68,7 @@ class KindsTest {
   /** Literals that are equal to a key of kinds and are none: of options of models and stages. */
   private static final Set<String> NO_KEYS =
       Set.of(
-          "Problem.java file",
-          "Stage.java background",
-          "Stage.java intensity",
-          "Stage.java name",
-          "Stage.java sky",
-          "StagedModel.java sky");
+          "Problem.java file", "WrittenSurroundings.java sky");
 
   @TempDir private Path folder;
 

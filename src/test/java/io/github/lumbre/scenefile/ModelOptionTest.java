@@ -231,14 +231,14 @@ class ModelOptionTest {
         stage = with(option, values, stage);
       }
       Stage shown = stageOf(text(stage));
-      assertThat(shown.view()).isEqualTo(stage.view());
-      assertThat(shown.fov()).isEqualTo(stage.fov());
+      assertThat(shown.find(Stage.VIEW)).isEqualTo(stage.find(Stage.VIEW));
+      assertThat(shown.get(Stage.FOV)).isEqualTo(stage.get(Stage.FOV));
       assertThat(shown.sky()).isEqualTo(stage.sky());
-      assertThat(shown.ground()).isEqualTo(stage.ground());
+      assertThat(shown.get(Stage.GROUND)).isEqualTo(stage.get(Stage.GROUND));
       assertThat(shown.background()).isEqualTo(stage.background());
       assertThat(shown.transparent()).isEqualTo(stage.transparent());
       assertThat(shown.lineWidth()).isEqualTo(stage.lineWidth());
-      assertThat(shown.creaseDegrees()).isEqualTo(stage.creaseDegrees());
+      assertThat(shown.get(Stage.CREASE)).isEqualTo(stage.get(Stage.CREASE));
       assertThat(shown.options()).isEqualTo(stage.options());
     }
   }
@@ -262,7 +262,7 @@ class ModelOptionTest {
       stage = stage.with(Stage.BACKGROUND, settings.get(key).getAsString());
     }
     if (settings.has("lineWidth")) {
-      stage = stage.withLines(settings.get("lineWidth").getAsDouble());
+      stage = stage.with(Stage.LINE_WIDTH, settings.get("lineWidth").getAsDouble());
     }
     if (settings.has("creaseAngle")) {
       stage = stage.with(Stage.CREASE, settings.get("creaseAngle").getAsDouble());
@@ -276,7 +276,7 @@ class ModelOptionTest {
           stage = stage.seenFrom(view).with(Stage.FOV, number(object, "fieldOfView"));
         }
         case "Light" -> stage = stage.under(sky(object));
-        case "Shape" -> stage = stage.onGround();
+        case "Shape" -> stage = stage.with(Stage.GROUND, true);
         default -> stage = stage.reading(read(object(object)));
       }
     }

@@ -78,7 +78,7 @@ class StagedModelTest {
   @Test
   void viewsOfOneRunHaveTheBitsOfSingleRenders() throws Exception {
     Path part = part();
-    for (Stage stage : List.of(Stage.DEFAULT, Stage.DEFAULT.onGround())) {
+    for (Stage stage : List.of(Stage.DEFAULT, Stage.DEFAULT.with(Stage.GROUND, true))) {
       List<View> views = List.copyOf(View.standard().values());
       StagedModel all = StagedModel.read(part, stage.seenFrom(views.get(0)), parser());
       List<Scene> scenes = all.seenFrom(views);
@@ -100,7 +100,7 @@ class StagedModelTest {
    */
   @Test
   void standardViewsAreStableOverReleases() throws Exception {
-    Stage stage = Stage.DEFAULT.onGround().seenFrom(View.of("front"));
+    Stage stage = Stage.DEFAULT.with(Stage.GROUND, true).seenFrom(View.of("front"));
     StagedModel all = StagedModel.read(part(), stage, parser());
     List<Scene> scenes = all.seenFrom(List.copyOf(View.standard().values()));
     Map<String, String> found = new LinkedHashMap<>();

@@ -126,6 +126,6 @@ public final class RenderedSceneExtension implements ParameterResolver {
     if (!wanted.view().isEmpty()) {
       stage = stage.seenFrom(Stage.View.of(wanted.view()));
     }
-    return wanted.ground() ? stage.onGround() : stage;
+    return stage.with(Stage.GROUND, wanted.ground());
   }
 }

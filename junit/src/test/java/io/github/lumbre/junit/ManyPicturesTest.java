@@ -62,7 +62,8 @@ class ManyPicturesTest {
                         .bucketSize(8)
                         .threads(threads)
                         .build());
-    Stage stage = Stage.DEFAULT.seenFrom(new Stage.View(37 * number % 360, number % 60)).onGround();
+    Stage.View view = new Stage.View(37 * number % 360, number % 60);
+    Stage stage = Stage.DEFAULT.with(Stage.GROUND, true).seenFrom(view);
     byte[] obj = obj(new Random(number));
     SceneFile file =
         StagedModel.read("model.obj", obj, ModelFolder.NONE, stage, parser).scene();

@@ -15,7 +15,7 @@ public interface LoneModel {
   /** Returns what is left of the limits. */
   Limits left();
 
-  /** Returns about how many bytes of memory the model and its scene take. */
+  /** Returns about how many bytes the model and its scene take. */
   long memory();
 
   /** Requires that a box around the model has a finite size. */
@@ -24,7 +24,6 @@ public interface LoneModel {
   /** Returns the exception for the model, which cannot be used. */
   SceneFormatException failure(SceneFormatException.Kind kind, String place, String message);
 
-  /** Returns the exception for the model, which cannot be used. */
   SceneFormatException failure(ModelFormatException e);
 
   /** Keeps the files in memory, for {@link #hashOf} and {@link #seenIn}. */
@@ -43,7 +42,7 @@ public interface LoneModel {
    * Returns the scene that differs from one that was built in its camera and title alone, if the
    * files were kept. The scenes share everything else.
    */
-  ParsedScene seenIn(Surroundings around, ParsedScene built);
+  ParsedScene seenIn(Model shown, Surroundings around, ParsedScene built);
 
   /** Returns the text of a scene: one line, which the header of a checkpoint file can hold. */
   byte[] text(Surroundings around);

@@ -76,22 +76,6 @@ public record ModelContents(
         new Vec3(high.x(), high.y(), 0 - low.z()));
   }
 
-  /** Returns these contents with another name of the view. */
-  public ModelContents titled(String newTitle) {
-    return new ModelContents(
-        cameras,
-        animations,
-        variants,
-        materials,
-        unit,
-        surfaces,
-        labels,
-        newTitle,
-        fromFile,
-        min,
-        max);
-  }
-
   /** Returns the parts of the model; finding connected pieces takes time. */
   public PartTable parts(Scene scene) {
     return PartTable.of(scene, surfaces);

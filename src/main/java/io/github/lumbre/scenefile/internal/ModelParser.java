@@ -15,7 +15,7 @@ public interface ModelParser {
    *
    * @param folder where asset paths start; contains the model and the sky's picture
    * @param file absolute path of the model
-   * @param content of the file
+   * @param content of the file; empty to read it
    * @param others has the files that the model names; empty for those in its own folder and in
    *     those of its options
    * @param isFrame whether the model may have nothing to show, in one frame of an animation
@@ -23,7 +23,7 @@ public interface ModelParser {
   record Source(
       Path folder,
       Path file,
-      byte[] content,
+      Optional<byte[]> content,
       Optional<ModelFolder> others,
       ModelOptions options,
       boolean isFrame) {}
@@ -36,9 +36,6 @@ public interface ModelParser {
 
   /** Reads within the time limit; what went wrong is a problem of the model. */
   <T> T timed(Path model, Step<T> step) throws SceneFormatException, IOException;
-
-  /** Returns the content of a model's file. */
-  byte[] content(Path file) throws SceneFormatException, IOException;
 
   /**
    * Reads a model.

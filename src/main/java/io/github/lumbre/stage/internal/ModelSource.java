@@ -80,11 +80,10 @@ public record ModelSource(
 
   private Staging read(Stage stage, Path folder, boolean isFrame)
       throws SceneFormatException, IOException {
-    byte[] bytes = content.isPresent() ? content.get() : parser.content(file);
     return new Staging(
         parser,
         stage,
-        new ModelParser.Source(folder, file, bytes, files, stage.options(), isFrame));
+        new ModelParser.Source(folder, file, content, files, stage.options(), isFrame));
   }
 
   /** Returns a stage with the motion of the model's pose, if the parser's caller wants one. */

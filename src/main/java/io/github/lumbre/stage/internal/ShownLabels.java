@@ -32,13 +32,13 @@ public final class ShownLabels {
 
   /** Returns the name of the view of a stage. */
   public static String title(Stage stage, Model model) {
-    Optional<String> camera =
-        stage.view().isPresent()
-            ? Optional.empty()
-            : stage.camera().or(() -> ModelContents.cameraNames(model).stream().findFirst());
-    return camera
+    Optional<View> view = stage.find(Stage.VIEW);
+    return stage
+        .find(Stage.CAMERA)
+        .or(() -> ModelContents.cameraNames(model).stream().findFirst())
+        .filter(name -> view.isEmpty())
         .map(name -> "camera " + name)
-        .orElseGet(() -> title(stage.view().orElse(View.DEFAULT)));
+        .orElseGet(() -> title(view.orElse(View.DEFAULT)));
   }
 
   private static String title(View view) {

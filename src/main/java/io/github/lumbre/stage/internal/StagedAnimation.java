@@ -62,7 +62,7 @@ final class StagedAnimation extends StagedFrames {
     count = frames(atStart);
     shown = shown(atStart);
     hasOwnCamera = atStart.hasOwnCamera();
-    isFramed = stage.ground() || !stage.labels().isEmpty() || !hasOwnCamera;
+    isFramed = stage.get(Stage.GROUND) || !stage.labels().isEmpty() || !hasOwnCamera;
   }
 
   /**

@@ -33,7 +33,8 @@ final class StagedTurntable extends StagedFrames {
 
   @Override
   Stage stage(int index) {
-    return stage.seenFrom(stage.view().orElse(View.DEFAULT).turned(TURN_DEGREES * index / count));
+    View first = stage.find(Stage.VIEW).orElse(View.DEFAULT);
+    return stage.seenFrom(first.turned(TURN_DEGREES * index / count));
   }
 
   @Override

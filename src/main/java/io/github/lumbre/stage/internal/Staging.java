@@ -1,13 +1,16 @@
 package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.math.Transform;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
+import io.github.lumbre.model.internal.ModelNames;
 import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -15,6 +18,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
+import io.github.lumbre.scenefile.internal.CameraPose;
 import io.github.lumbre.scenefile.internal.LoneModel;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ModelParser;
@@ -27,6 +31,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * A model on its stage: the scene around it is built of the model that was read, once. Mutable;
@@ -43,12 +48,6 @@ public final class Staging {
   /** Of the whole model, so that a cut one is seen from the same place, or of an animation. */
   private Framing framing;
 
-  /**
-   * Reads a model.
-   *
-   * @throws SceneFormatException if the model cannot be used
-   * @throws IOException if the thread is interrupted
-   */
   Staging(ModelParser parser, Stage stage, ModelParser.Source source)
       throws SceneFormatException, IOException {
     this.stage = stage;
@@ -78,7 +77,6 @@ public final class Staging {
     }
   }
 
-  /** Returns whether the model has a surface to show. */
   boolean hasSurface() {
     return model.hasSurface();
   }
@@ -100,18 +98,14 @@ public final class Staging {
     return scene(new DecodedPictures());
   }
 
-  /**
-   * Returns the scene. Call it once.
-   *
-   * @param decoded the pictures of other poses of the model
-   */
+  /** Returns the scene, with decoded pictures of other poses of the model. Call it once. */
   ParsedScene scene(DecodedPictures decoded) throws SceneFormatException {
     return read.scene(model, around(stage), decoded);
   }
 
   private Surroundings around(Stage of) throws SceneFormatException {
     try {
-      PlacedCamera camera = StageCamera.of(of, model, framing, frameAspect());
+      PlacedCamera camera = camera(of, framing, frameAspect());
       Stage.Sky sky = of.sky();
       return new Surroundings(
           camera,
@@ -123,7 +117,7 @@ public final class Staging {
               sky.rotation(),
               sky.sun().azimuth(),
               sky.sun().elevation()),
-          of.ground(),
+          of.get(Stage.GROUND),
           framing.box(),
           of.options(),
           settings(of, camera),
@@ -134,9 +128,37 @@ public final class Staging {
     }
   }
 
+  /**
+   * Returns the camera of the model that a stage names, or its first; a camera that has something
+   * in its frame if the stage names a view or the model has no camera.
+   */
+  private PlacedCamera camera(Stage of, Framing framed, double frameAspect)
+      throws ModelFormatException {
+    Optional<ModelCamera> own = own(of);
+    if (own.isPresent()) {
+      return PlacedCamera.of(own.get(), Transform.IDENTITY);
+    }
+    View from = of.find(Stage.VIEW).orElse(View.DEFAULT);
+    double fov = of.get(Stage.FOV);
+    Vec3 eye = framed.eye(from, fov, frameAspect, of.labels());
+    CameraPose pose = new CameraPose(eye, new Vec3(from.elevation(), -from.azimuth(), 0));
+    return new PlacedCamera("", Lens.pinhole(fov), pose, OptionalDouble.empty());
+  }
+
+  /** Returns the camera of the model that a stage uses; empty if the whole model is framed. */
+  private Optional<ModelCamera> own(Stage of) throws ModelFormatException {
+    Optional<String> name = of.find(Stage.CAMERA);
+    if (name.isEmpty()) {
+      return model.cameras().stream().findFirst().filter(c -> of.find(Stage.VIEW).isEmpty());
+    }
+    List<String> names = ModelContents.cameraNames(model);
+    int index = ModelNames.index("cameras", "a camera", names, name.get());
+    return Optional.of(model.cameras().get(index));
+  }
+
   /** Returns the name of the model's camera that moves; empty if the camera stands still. */
   private Optional<String> movingCamera(Stage of) throws ModelFormatException {
-    Optional<ModelCamera> own = StageCamera.own(of, model);
+    Optional<ModelCamera> own = own(of);
     if (own.isEmpty()) {
       return Optional.empty();
     }
@@ -165,7 +187,7 @@ public final class Staging {
    * files kept. The scenes share everything but the camera.
    */
   ParsedScene seenFrom(Stage of, ParsedScene built) throws SceneFormatException {
-    return read.seenIn(around(of), built);
+    return read.seenIn(model, around(of), built);
   }
 
   /** Returns the scene, as it is seen from another direction. */
@@ -181,17 +203,13 @@ public final class Staging {
   public Scene seenFrom(View view, SceneFile scene, double frameAspect, Framing of)
       throws SceneFormatException {
     try {
-      return scene
-          .scene()
-          .seenBy(
-              StageCamera.of(stage.seenFrom(view), model, of, frameAspect)
-                  .placed(scene.settings().aspect()));
+      PlacedCamera camera = camera(stage.seenFrom(view), of, frameAspect);
+      return scene.scene().seenBy(camera.placed(scene.settings().aspect()));
     } catch (ModelFormatException e) {
       throw read.failure(e);
     }
   }
 
-  /** Returns about how many bytes of memory the model and its scene take. */
   public long memory() {
     return read.memory();
   }
@@ -204,18 +222,16 @@ public final class Staging {
   /** Returns whether the camera is one of the model's, so that it needs no framing. */
   boolean hasOwnCamera() throws SceneFormatException {
     try {
-      return StageCamera.own(stage, model).isPresent();
+      return own(stage).isPresent();
     } catch (ModelFormatException e) {
       throw read.failure(e);
     }
   }
 
-  /** Returns the animations of the model. */
   List<ModelAnimation> animations() {
     return model.animations();
   }
 
-  /** Returns the exception for the model, which cannot be used. */
   SceneFormatException failure(Kind kind, String place, String message) {
     return read.failure(kind, place, message);
   }
@@ -241,7 +257,7 @@ public final class Staging {
                 ? Setting.TONE_MAP.inModels().orElseThrow()
                 : Setting.TONE_MAP.defaultValue())
         .set(Setting.LINE_WIDTH, of.lineWidth())
-        .set(Setting.CREASE_ANGLE, of.creaseDegrees())
+        .set(Setting.CREASE_ANGLE, of.get(Stage.CREASE))
         .transparent(of.transparent())
         .set(Setting.BACKPLATE, of.background())
         .build();

@@ -78,7 +78,8 @@ class LaterStepsTest {
   }
 
   private SceneFile scene() throws Exception {
-    Stage stage = Stage.DEFAULT.withLines(1.5).labeled(Set.of("axes"));
+    Stage stage =
+        Stage.DEFAULT.with(Stage.LINE_WIDTH, 1.5).with(Stage.LABEL, List.of("axes"));
     SceneParser parser =
         new SceneParser()
             .overriding(
