@@ -65,10 +65,9 @@ class KindsTest {
           SunDisk.class,
           TintedTexture.class);
 
-  /** Literals that are equal to a key of kinds and are none: of options of models and stages. */
+  /** Literals that are equal to a key of kinds and are none: a word, and the name of a light. */
   private static final Set<String> NO_KEYS =
-      Set.of(
-          "Problem.java file", "WrittenSurroundings.java sky");
+      Set.of("Problem.java file", "WrittenSurroundings.java sky");
 
   @TempDir private Path folder;
 

@@ -201,4 +201,13 @@ class SunAndSkyTest {
     String warnings = fixture.parse(SceneFixture.scene(light, "")).warnings().toString();
     assertThat(warnings.contains("is ignored, because only clear and sun")).isEqualTo(isIgnored);
   }
+
+  /** The sky and the sun are two lights of the scene, and one sky of the stage. */
+  @Test
+  void aDarkSkyIsReportedOnce() throws Exception {
+    Stage dark = Stage.DEFAULT.under(new Sky("sun", 0, 0, PLACE));
+    assertThat(StagedModel.read(MODEL, dark, new SceneParser()).scene().warnings())
+        .extracting(Problem::path)
+        .containsExactly("sky");
+  }
 }
