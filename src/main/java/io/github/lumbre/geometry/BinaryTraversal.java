@@ -85,7 +85,7 @@ final class BinaryTraversal implements Traversal {
     }
     boolean found = false;
     int best = rank(nearest.t);
-    int passed = rank(nearest.passedT);
+    int passed = rank(nearest.passed.t);
     int node = root;
     while (true) {
       if (node >= 0) {

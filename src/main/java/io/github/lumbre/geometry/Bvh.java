@@ -131,7 +131,7 @@ public final class Bvh {
    * @return whether there is a hit
    */
   public boolean intersect(NearestHit nearest) {
-    return nearest.hasPassedMany() && nearest.moveToCoinciding(this) || search(nearest);
+    return nearest.moveToCoinciding(this) || search(nearest);
   }
 
   /**

@@ -82,7 +82,7 @@ final class CountingTraversal implements Traversal {
      * NaN if it misses the box or has left it before.
      */
     private double entry(double[] box) {
-      double in = nearest.passedT;
+      double in = nearest.passed.t;
       double out = Double.POSITIVE_INFINITY;
       for (int axis = 0; axis < 3; axis++) {
         double low = (box[2 * axis] - margin - origin[axis]) / direction[axis];

@@ -36,7 +36,7 @@ record LeafShapes(Shape[] shapes, int[] numbers) {
       nearest.t = Math.nextUp(best);
     }
     boolean found =
-        nearest.passedShape == NearestHit.NONE
+        nearest.passed.shape == PassedHit.NONE
             ? shape.intersect(nearest)
             : intersectBehind(shape, number, nearest);
     if (found) {
@@ -49,20 +49,21 @@ record LeafShapes(Shape[] shapes, int[] numbers) {
 
   /** Tests one shape with a ray that has passed some hit. */
   private static boolean intersectBehind(Shape shape, int number, NearestHit nearest) {
-    int passedShape = nearest.passedShape;
-    int passedElement = nearest.passedElement;
-    nearest.passedShape = NearestHit.passedRelativeTo(number, passedShape);
-    nearest.testedShape = number;
+    PassedHit passed = nearest.passed;
+    int passedShape = passed.shape;
+    int passedElement = passed.element;
+    passed.shape = passed.relativeTo(number);
+    passed.testedShape = number;
     boolean found = shape.intersect(nearest);
-    while (found && nearest.isCollecting) {
+    while (found && passed.isCollecting) {
       nearest.collect(number, nearest.element, 0, 0);
-      nearest.passedShape = 0;
-      nearest.passedElement = nearest.element;
-      nearest.t = Math.nextUp(nearest.passedT);
+      passed.shape = 0;
+      passed.element = nearest.element;
+      nearest.t = Math.nextUp(passed.t);
       found = shape.intersect(nearest);
     }
-    nearest.passedShape = passedShape;
-    nearest.passedElement = passedElement;
+    passed.shape = passedShape;
+    passed.element = passedElement;
     return found;
   }
 }

@@ -13,12 +13,6 @@ public final class NearestHit {
   /** The maximum stack depth of one traversal: seven entries for each level of eight-wide nodes. */
   private static final int STACK = 7 * BvhBuilder.MAX_DEPTH + 2;
 
-  /** The number of passed hits at the same t from which on all others there are collected. */
-  private static final int MANY = 16;
-
-  /** A shape's number beyond all others: no hit at the same t comes after it. */
-  static final int NONE = Integer.MAX_VALUE;
-
   /**
    * The ray's origin, which is excluded, and its direction. The direction is not zero, and its
    * length is the unit of t.
@@ -46,27 +40,8 @@ public final class NearestHit {
   /** The ray's end, excluded. */
   private double end;
 
-  /** The t of the hit that the ray has passed, or 0. Searches skip all boxes that end before it. */
-  double passedT;
-
-  /**
-   * The shape of that hit; {@link #NONE} if the ray has passed nothing. During the test of a shape,
-   * it is relative to the shape: see {@link #passedRelativeTo}.
-   */
-  int passedShape;
-
-  int passedElement;
-
-  /** The number of hits at the same t that the ray has passed before that hit. */
-  private int passedAtT;
-
-  /** Whether the search collects all further hits at the passed t and stores none. */
-  boolean isCollecting;
-
-  /** The number of the shape under test, for hits of its parts; set while the search collects. */
-  int testedShape;
-
-  private final CoincidingHits coinciding = new CoincidingHits();
+  /** The hit that the ray has passed; searches find the first one after it. */
+  final PassedHit passed = new PassedHit();
 
   /** The barycentric weights of a triangle's second and third vertex. */
   double b1;
@@ -130,9 +105,7 @@ public final class NearestHit {
     directionZ = dz;
     t = tMax;
     end = tMax;
-    passedT = 0;
-    passedShape = NONE;
-    passedAtT = 0;
+    passed.clear();
     shape = -1;
     stackTop = 0;
     any = false;
@@ -145,60 +118,29 @@ public final class NearestHit {
    * each surface once, also where several surfaces coincide.
    */
   public void pass() {
-    passedAtT = t == passedT ? passedAtT + 1 : 0;
-    passedT = t;
-    passedShape = shape;
-    passedElement = element;
+    passed.moveTo(t, shape, element);
     t = end;
     shape = -1;
   }
 
-  /**
-   * Returns whether the ray has passed so many hits at the same t that the others are collected.
-   */
-  boolean hasPassedMany() {
-    return passedAtT >= MANY;
-  }
-
-  /**
-   * Moves to the next hit at the passed t; returns whether there is one. All of them are collected
-   * by one search: in a stack of n surfaces at one place, n searches would take n² tests.
-   *
-   * @param search the hierarchy that finds them
-   */
+  /** Moves to the next hit at the passed t, if there are many; returns whether there is one. */
   boolean moveToCoinciding(Bvh search) {
-    if (passedAtT == MANY) {
-      coinciding.clear();
-      isCollecting = true;
-      t = Math.nextUp(passedT);
-      search.search(this);
-      isCollecting = false;
-      t = end;
-      coinciding.sort();
-    }
-    return coinciding.moveToNext(this);
+    return passed.isOneOfMany() && passed.moveToCollected(search, this, end);
   }
 
   /** Collects a hit of a shape, or of a part of the shape under test. */
   void collect(int hitShape, int hitElement, double hitB1, double hitB2) {
-    coinciding.add(inPart ? testedShape : hitShape, hitElement, hitB1, hitB2);
+    passed.collect(inPart ? passed.testedShape : hitShape, hitElement, hitB1, hitB2);
   }
 
   /** Returns whether a hit comes after the one that the ray has passed. */
   boolean isAfterPassed(double newT, int newShape, int newElement) {
-    return newT > passedT
-        || newT == passedT
-            && (newShape > passedShape || newShape == passedShape && newElement > passedElement);
+    return passed.isBefore(newT, newShape, newElement);
   }
 
   /** Returns whether a hit of a shape under test comes after the one that the ray has passed. */
   boolean isAfterPassed(double newT, int newElement) {
-    return isAfterPassed(newT, 0, newElement);
-  }
-
-  /** Returns {@link #passedShape} as if the shape with a number had the number 0. */
-  static int passedRelativeTo(int number, int passedShape) {
-    return passedShape < number ? -1 : passedShape == number ? 0 : NONE;
+    return passed.isBefore(newT, 0, newElement);
   }
 
   /** Returns the ray of the current traversal; the scalar kernel uses only its inherited fields. */

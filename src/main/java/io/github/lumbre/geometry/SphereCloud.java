@@ -107,9 +107,10 @@ final class SphereCloud implements Shape {
     double dx = nearest.directionX;
     double dy = nearest.directionY;
     double dz = nearest.directionZ;
-    int passedShape = nearest.passedShape;
-    int passedElement = nearest.passedElement;
-    boolean isCollecting = nearest.isCollecting;
+    PassedHit passed = nearest.passed;
+    int passedShape = passed.shape;
+    int passedElement = passed.element;
+    boolean isCollecting = passed.isCollecting;
     nearest.originX = toWorld.inversePointX(ox, oy, oz);
     nearest.originY = toWorld.inversePointY(ox, oy, oz);
     nearest.originZ = toWorld.inversePointZ(ox, oy, oz);
@@ -117,11 +118,11 @@ final class SphereCloud implements Shape {
     nearest.directionY = toWorld.inverseVectorY(dx, dy, dz);
     nearest.directionZ = toWorld.inverseVectorZ(dx, dy, dz);
     if (passedShape == 0) {
-      nearest.passedShape = passedElement >> 1;
-      nearest.passedElement = passedElement & 1;
+      passed.shape = passedElement >> 1;
+      passed.element = passedElement & 1;
     }
     // The caller collects the hits of this shape.
-    nearest.isCollecting = false;
+    passed.isCollecting = false;
     boolean found =
         bvh.intersectPart(
             nearest.originX,
@@ -131,9 +132,9 @@ final class SphereCloud implements Shape {
             nearest.directionY,
             nearest.directionZ,
             nearest);
-    nearest.isCollecting = isCollecting;
-    nearest.passedShape = passedShape;
-    nearest.passedElement = passedElement;
+    passed.isCollecting = isCollecting;
+    passed.shape = passedShape;
+    passed.element = passedElement;
     nearest.originX = ox;
     nearest.originY = oy;
     nearest.originZ = oz;

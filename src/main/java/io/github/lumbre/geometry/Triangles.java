@@ -178,7 +178,7 @@ final class Triangles {
         || !nearest.isAfterPassed(t, shape[i], element[i])) {
       return false;
     }
-    if (nearest.isCollecting) {
+    if (nearest.passed.isCollecting) {
       nearest.collect(shape[i], element[i], b1, b2);
       return false;
     }

@@ -65,7 +65,7 @@ final class VectorTraversal implements Traversal {
       return false;
     }
     ray.endAt(nearest.t);
-    ray.beginAt(nearest.passedT);
+    ray.beginAt(nearest.passed.t);
     int bottom = nearest.stackTop;
     nearest.stack[bottom] = NONE;
     nearest.entries[bottom] = (long) Integer.MIN_VALUE << 32 | NONE & LOW_HALF;
