@@ -16,11 +16,11 @@ import io.github.lumbre.scene.Scene;
  *
  * <p>It selects one of a few candidate light samples in proportion to the light that each would
  * give without blockers (resampled importance sampling: Talbot, Cline, Egbert 2005), and traces its
- * shadow ray. The probability is exact in the limit of many candidates, or if their sum does not
- * vary. They lie on a rank-1 lattice that is shifted at random, so that it varies little.
+ * shadow ray. The probability is exact in the limit of many candidates, or if the sum of their
+ * weights is constant. They lie on a randomly shifted rank-1 lattice, so that it varies little.
  */
 final class CaughtShadows {
-  /** Number of candidates; with the next number, the last of the Fibonacci numbers up to 34. */
+  /** Number of candidates. Consecutive Fibonacci numbers make a well distributed lattice. */
   private static final int CANDIDATES = 34;
 
   private static final int GENERATOR = 21;

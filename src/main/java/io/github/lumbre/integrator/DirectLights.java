@@ -12,8 +12,8 @@ import io.github.lumbre.math.sampling.Sampler;
 
 /**
  * The lights that surfaces see directly: next-event estimation (Kajiya 1986; PBRT 4e, sec. 13.4).
- * It notes whether the light that it sampled did not arrive, so that other techniques can look for
- * another way from the same point. Immutable.
+ * It stores in the context whether the sampled light is blocked or reflects nothing, so that a
+ * technique for light through glass samples from the same point. Immutable.
  */
 final class DirectLights implements LightTechnique {
   private final LightSampling shared;
@@ -41,7 +41,7 @@ final class DirectLights implements LightTechnique {
     int dimension = Sampler.vertex(depth);
     vertex.receiveFrom(choice);
     shared.select(isRandom ? sampler.get1d(dimension + Sampler.LIGHT_CHOICE) : 0, choice);
-    // A listener also hears of light that does not arrive.
+    // Recorded paths contain light that does not arrive, too.
     if (facings[choice.emitter()].isAway(choice) && !context.isRecorded()) {
       return;
     }

@@ -8,16 +8,16 @@ import java.util.function.DoubleSupplier;
 /**
  * Changes the kernel of a scene when it pays, in a thread beside the passes of a render. Compiling
  * the vector kernel takes about two seconds of processor time, and it then saves 10&nbsp;% to
- * 40&nbsp;% of the time of a render: short renders are over sooner without.
+ * 40&nbsp;% of the time of a render: short renders are faster without it.
  *
  * <p>The thread ends soon after the last pass. What it has compiled stays, and later renders start
  * it again when they have taken four times as long as it took.
  */
 final class KernelUpgrade {
-  /** Processor seconds before which the time left cannot be told, as the JIT still compiles. */
+  /** Processor seconds before which the time left is unknown, because the JIT still compiles. */
   private static final double LEAST_SPENT = 3;
 
-  /** It pays from this many processor seconds on, either still to come or already spent. */
+  /** The change saves time if this many processor seconds are still to come or already spent. */
   private static final double PAYS_FROM = 8;
 
   /**

@@ -8,7 +8,7 @@ import io.github.lumbre.math.Vec3;
 /**
  * The BSDF of smooth glass whose reflectance depends on the color, because it has a thin film or an
  * index of refraction for each color. All colors are reflected in one direction. With different
- * indices, red, green and blue are refracted in three: a sample follows one, with its color alone.
+ * indices, each color is refracted in its own direction, and a sample carries one color.
  *
  * <p>What it samples depends on the colors that the path carries. A path that was refracted once
  * keeps its color at all further surfaces (hero wavelength sampling: Wilkie et al. 2014).
@@ -78,7 +78,7 @@ public record ChromaticGlass(Rgb tint, Rgb iors, ThinFilm film, Rgb carried)
     } else if (below.b() > 0) {
       result.setSpecular(ofIndex(iors.b()).refract(wo), new Rgb(0, 0, all / carried.b()));
     } else {
-      // Rounding made the largest random number select what has no probability.
+      // Rounding made the largest random number select a color of probability 0.
       result.absorb();
     }
   }

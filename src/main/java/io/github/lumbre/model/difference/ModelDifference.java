@@ -175,7 +175,7 @@ public final class ModelDifference {
             List.of()));
   }
 
-  /** Returns whether two parts are a pair, and notes what happened to them if so. */
+  /** Returns whether two parts are a pair, and adds the change between them to the result. */
   private interface Rule extends BiPredicate<PartShape, PartShape> {}
 
   private Collection<PartShape> namesakes(PartShape part) {

@@ -31,12 +31,12 @@ public final class XmlReader {
 
   private int attributes;
 
-  /** The names of the open elements, from the outside in; empty elements are not among them. */
+  /** The names of the open elements, from the root on, without an empty one. */
   private final List<String> open = new ArrayList<>();
 
   private final XmlNamespaces namespaces = new XmlNamespaces();
 
-  /** Whether the current element ends with its tag. */
+  /** Whether the current element is an empty one, such as {@code <a/>}. */
   private boolean isClosed;
 
   public XmlReader(ZipInput in) {
@@ -44,7 +44,7 @@ public final class XmlReader {
     tag = tags.tag();
   }
 
-  /** Returns how many elements the current one is within, and itself. */
+  /** Returns the depth of the current element: 1 for the root. */
   public int depth() {
     return open.size() + (isClosed ? 1 : 0);
   }

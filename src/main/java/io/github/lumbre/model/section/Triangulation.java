@@ -140,7 +140,7 @@ final class Triangulation {
     return corner[3 * triangle + number % 3];
   }
 
-  /** Returns the half-edge on the other side of an edge; -1 outside. */
+  /** Returns the half-edge of the neighboring triangle at the same edge; -1 at the border. */
   int twin(int halfEdge) {
     return twin[halfEdge];
   }
@@ -205,7 +205,7 @@ final class Triangulation {
     return p;
   }
 
-  /** Returns the triangle around a point by a walk whose order is random, so that it ends. */
+  /** Returns the triangle around a point, by a walk. Its random choices rule out cycles. */
   private int locate(int px, int py) {
     int t = last;
     int outside = 0;
@@ -283,7 +283,7 @@ final class Triangulation {
     return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1;
   }
 
-  /** Lets a half-edge take over the twin of another one, and its delta. */
+  /** Gives the twin and the delta of a half-edge to another one. */
   private void move(int source, int target) {
     attach(target, twin[source], delta[source]);
   }
