@@ -4,6 +4,7 @@ import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
@@ -113,7 +114,12 @@ final class CompareCommand extends Subcommand {
     }
     PictureError error = PictureError.of(a, b);
     if (errorMap.isPresent()) {
-      write(ErrorMap.of(a, b), errorMap.get());
+      Image map = ErrorMap.of(a, b);
+      Failures.written(
+          () -> {
+            ImageWriter.write(map, errorMap.get());
+            return map;
+          });
     }
     Messages out = out();
     List<String> beyond = beyond(error);
@@ -170,14 +176,6 @@ final class CompareCommand extends Subcommand {
       return finite(LinearReader.open(file).light(), file);
     } catch (IOException e) {
       throw LayerInput.failure(file, e);
-    }
-  }
-
-  private static void write(Image map, Path file) throws TaskException {
-    try {
-      ImageWriter.write(map, file);
-    } catch (IOException e) {
-      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.DevelopFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
@@ -42,7 +41,7 @@ final class DevelopCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws TaskException {
+  ExitCode run() throws Exception {
     flags.validate();
     checks().requirePicture(output);
     overwrite.guard().readsFilm(film).writes("-o", output, OutputContent.PICTURE).check();

@@ -9,12 +9,12 @@ import io.github.lumbre.cli.diff.ChangePage;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonText;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
-import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
@@ -33,7 +33,6 @@ import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.internal.FrameSize;
-import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
@@ -187,14 +186,7 @@ final class DiffCommand extends Subcommand {
       Model model = ModelReader.read(name, content, folder, options);
       return new ModelDifference.Side(model, ModelReader.motions(name, content, folder, options));
     } catch (ModelFormatException e) {
-      ExitCode code =
-          switch (e.kind()) {
-            case TOO_LARGE -> ExitCode.LIMIT;
-            case ASSET -> ExitCode.ASSET;
-            default -> ExitCode.SCENE;
-          };
-      Problem problem = new Problem(path.toString(), e.location(), e.detail());
-      throw code.failure(ProblemText.of(problem), e);
+      throw Failures.ofModel(path, e);
     } catch (IOException e) {
       throw FileFailure.named(path, e);
     }

@@ -20,6 +20,10 @@ final class LabJar {
   private static final Set<String> COMMANDS =
       Set.of("benchmark", "bench", "coverage", "perf", "selftest", "trade");
 
+  private static final String MISSING =
+      "lumbre: %s: needs %s, which is missing; put it there: each release and package has it beside"
+          + " the program, and './mvnw package' builds it in target%n";
+
   private static final String A_CLASS = "io/github/lumbre/lab/Trial.class";
 
   private LabJar() {}
@@ -40,7 +44,7 @@ final class LabJar {
           Path.of(LabJar.class.getProtectionDomain().getCodeSource().getLocation().toURI());
       Path lab = beside(program);
       if (!Files.isRegularFile(lab)) {
-        System.err.println("lumbre: " + command.get() + ": needs " + lab + ", which is missing");
+        System.err.printf(MISSING, command.get(), lab);
         System.exit(ExitCode.INTERNAL.number());
       }
       URL[] places = {program.toUri().toURL(), lab.toUri().toURL()};

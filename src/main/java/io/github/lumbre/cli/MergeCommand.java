@@ -70,7 +70,7 @@ final class MergeCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
-  ExitCode run() throws TaskException {
+  ExitCode run() throws TaskException, FilmMismatchException {
     flags.validate();
     boolean isPicture = ImageFormat.of(output).isPresent();
     OutputGuard guard = overwrite.guard();
@@ -92,7 +92,7 @@ final class MergeCommand extends Subcommand {
     return ExitCode.OK;
   }
 
-  private void writeFilm() throws TaskException {
+  private void writeFilm() throws TaskException, FilmMismatchException {
     try (CheckpointFile target = CheckpointFile.reserve(output)) {
       FilmFile merged = merged();
       requireNothingLost(merged.header());
@@ -125,7 +125,7 @@ final class MergeCommand extends Subcommand {
             .formatted(output, why));
   }
 
-  private FilmFile merged() throws TaskException {
+  private FilmFile merged() throws TaskException, FilmMismatchException {
     Messages messages = errors();
     List<FilmMerge.Named> named = new ArrayList<>();
     for (Path film : films) {
@@ -133,10 +133,6 @@ final class MergeCommand extends Subcommand {
       FilmInput.requireNoChoice(film, file.header());
       named.add(new FilmMerge.Named(film.toString(), file));
     }
-    try {
-      return FilmMerge.of(named);
-    } catch (FilmMismatchException e) {
-      throw ExitCode.SCENE.failure(e.getMessage(), e);
-    }
+    return FilmMerge.of(named);
   }
 }

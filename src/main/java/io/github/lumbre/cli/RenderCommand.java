@@ -31,16 +31,12 @@ import io.github.lumbre.render.checkpoint.RecordedLayers;
 import io.github.lumbre.render.denoise.BuiltInDenoiser;
 import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.SceneFormatException;
-import io.github.lumbre.scenefile.internal.ParsedScene;
-import io.github.lumbre.scenefile.internal.PartTable;
-import io.github.lumbre.stage.internal.ViewNumbers;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -113,36 +109,37 @@ final class RenderCommand extends Subcommand {
     List<Path> targets = options.to.targets(scenes);
     options.validate(scenes);
     try (Interruption interruption = Interruption.listen()) {
-      Course course = new Course(start, startup, deadline, interruption, scenes);
+      Invocation invocation = new Invocation(start, startup, deadline, interruption, scenes);
       if (!dryRun && (options.sequence.areGiven() || options.to.animation().isPresent())) {
-        return new RenderSequence(options, engine, this::frame, course, targets.get(0)).run();
+        return new RenderSequence(options, engine, this::frame, invocation, targets.get(0)).run();
       }
       if (options.to.animation().isPresent()) {
         targets = List.of(JoinedFrames.picture(targets.get(0)));
       }
       try (Frames frames = new Frames(targets, interruption, deadline)) {
         return others.isEmpty()
-            ? frame(course, frames, PictureExposure.ofEach())
-            : batch(course, frames);
+            ? frame(invocation, frames, PictureExposure.ofEach())
+            : batch(invocation, frames);
       }
     }
   }
 
-  private ExitCode frame(Course course, Frames frames, PictureExposure exposing) throws Exception {
+  private ExitCode frame(Invocation invocation, Frames frames, PictureExposure exposing)
+      throws Exception {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
-    Run border = options.run.border(course.interruption, Optional.of(frames));
-    return border.of(report, () -> run(report, course, frames, exposing));
+    Run border = options.run.border(invocation.interruption, Optional.of(frames));
+    return border.of(report, () -> run(report, invocation, frames, exposing));
   }
 
   /** Renders several scenes, and returns the highest of their exit codes. */
-  private ExitCode batch(Course course, Frames frames) throws Exception {
+  private ExitCode batch(Invocation invocation, Frames frames) throws Exception {
     RunFlags run = options.run;
     ExitCode code = ExitCode.OK;
-    for (Path scene : course.scenes()) {
+    for (Path scene : invocation.scenes()) {
       options.scene.choose(scene);
       run.about(frames, scene);
       try {
-        code = code.or(frame(course, frames, PictureExposure.ofEach()));
+        code = code.or(frame(invocation, frames, PictureExposure.ofEach()));
       } catch (Exception | Error e) {
         ExitCode failure = Failures.exitCode(e);
         if (!frames.areReserved() || frames.haveEnded() && failure.or(code) == failure) {
@@ -155,7 +152,7 @@ final class RenderCommand extends Subcommand {
         frames.fail(scene);
       }
     }
-    run.summarize(frames.summary(), Duration.between(course.start(), Instant.now()));
+    run.summarize(frames.summary(), Duration.between(invocation.start(), Instant.now()));
     return code;
   }
 
@@ -164,7 +161,7 @@ final class RenderCommand extends Subcommand {
    *
    * @param startup time between the start and the first line of the command
    */
-  record Course(
+  record Invocation(
       Instant start,
       Duration startup,
       Deadline deadline,
@@ -172,22 +169,20 @@ final class RenderCommand extends Subcommand {
       List<Path> scenes) {}
 
   /** Renders one frame. */
-  private ExitCode run(JsonSummary report, Course course, Frames frames, PictureExposure exposing)
-      throws SceneFormatException, TaskException, IOException, InterruptedException {
+  private ExitCode run(
+      JsonSummary report, Invocation invocation, Frames frames, PictureExposure exposing)
+      throws Exception {
     Optional<Denoising> denoising = options.denoising(frames.targets().get(0), engine);
     if (!frames.areReserved()) {
-      options.reserve(course.scenes, frames);
+      options.reserve(invocation.scenes, frames);
     }
-    Instant begin = frames.isSingle() ? course.start : Instant.now();
+    Instant begin = frames.isSingle() ? invocation.start : Instant.now();
     Messages messages = options.run.errors();
     SceneOptions scene = options.scene;
     try (FilmKeeper keeper = options.checkpoints.newKeeper(options.checkpoint(), messages);
-        RenderMonitor monitor = options.run.monitor(course.interruption, course.deadline)) {
-      SceneFile file;
-      Interruption.Wait reading = monitor.reading(scene.scene());
-      try (reading) {
-        file = scene.load(options.parser(), messages);
-      }
+        RenderMonitor monitor = options.run.monitor(invocation.interruption, invocation.deadline)) {
+      SceneFile file =
+          monitor.reading(scene.scene(), () -> scene.load(options.parser(), messages));
       if (dryRun) {
         return estimate(file, denoising, report);
       }
@@ -198,40 +193,18 @@ final class RenderCommand extends Subcommand {
       RunBudget budget =
           options.budgets.since(
               from,
-              course.startup,
-              options.budgets.share(course.start, from, frames.left()),
+              invocation.startup,
+              options.budgets.share(invocation.start, from, frames.left()),
               file.settings(),
               options.quality.targetError(),
               Budget.CONFIDENCE);
-      RenderJob.How how = how(denoising).exposedBy(exposing);
-      RenderJob job = job(file, frames, keeper, monitor, budget, how, report);
-      course.interruption.requireRender();
+      RenderJob job = job(file, frames, keeper, monitor, budget, denoising, exposing, report);
+      invocation.interruption.requireRender();
       ExitCode code = job.run(options.flags.samples().first());
       if (options.run.isJson()) {
-        report(file, frames.picture().target(), report);
+        report.putPictures(Map.of(frames.picture().target(), file));
       }
       return code;
-    }
-  }
-
-  private RenderJob.How how(Optional<Denoising> denoising) {
-    return options.run.how(
-        options.bits(),
-        options.stored.jpegQuality(),
-        options.scene.isStrict(),
-        denoising,
-        options.flags.layers());
-  }
-
-  /** Adds what the picture of a model shows. */
-  private static void report(SceneFile file, Path picture, JsonSummary report) {
-    ParsedScene parsed = file.parsed();
-    if (parsed.model().isPresent()) {
-      PartTable parts = parsed.model().get().parts(parsed.scene());
-      report.putContents(parsed.contents());
-      report.putModel(parsed.model().get(), parts);
-      ViewNumbers numbers = ViewNumbers.of(parsed.scene(), parsed.settings(), parts);
-      report.putView("file", picture, parsed.settings(), numbers, parts);
     }
   }
 
@@ -241,7 +214,8 @@ final class RenderCommand extends Subcommand {
       FilmKeeper keeper,
       RenderMonitor monitor,
       RunBudget budget,
-      RenderJob.How how,
+      Optional<Denoising> denoising,
+      PictureExposure exposing,
       JsonSummary report) {
     Path scene = options.scene.scene();
     PictureOutput picture = frames.picture();
@@ -252,8 +226,18 @@ final class RenderCommand extends Subcommand {
             scene, file, picture.target(), options.bits(), options.scene.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
+    RenderJob.Options jobOptions =
+        options.run.jobOptions(
+            options.bits(),
+            options.stored.jpegQuality(),
+            options.scene.isStrict(),
+            denoising,
+            options.flags.layers(),
+            exposing,
+            drawn -> {});
+    Messages messages = options.run.errors();
     return new RenderJob(
-        scene, file, picture, keeper, monitor, options.run.errors(), report, budget, how, engine);
+        scene, file, picture, keeper, monitor, messages, report, budget, jobOptions, engine);
   }
 
   private ExitCode estimate(SceneFile file, Optional<Denoising> denoising, JsonSummary report)

@@ -3,13 +3,13 @@ package io.github.lumbre.cli;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.text.Numbers;
-import io.github.lumbre.cli.RenderCommand.Course;
+import io.github.lumbre.cli.RenderCommand.Invocation;
+import io.github.lumbre.cli.option.SequenceFlags;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FinishedFrames;
 import io.github.lumbre.cli.run.Frames;
-import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderMonitor;
@@ -40,7 +40,7 @@ final class RenderSequence {
   private final RenderOptions options;
   private final Engine engine;
   private final FrameRender render;
-  private final Course course;
+  private final Invocation invocation;
 
   /** The path of the one file, or of the pictures without their numbers. */
   private final Path target;
@@ -58,18 +58,18 @@ final class RenderSequence {
 
   /** Renders the current frame and returns its exit code. */
   interface FrameRender {
-    ExitCode run(Course course, Frames frames, PictureExposure exposing) throws Exception;
+    ExitCode run(Invocation invocation, Frames frames, PictureExposure exposing) throws Exception;
   }
 
   /**
    * @param target path of the one file, or of the pictures without their numbers
    */
   RenderSequence(
-      RenderOptions options, Engine engine, FrameRender render, Course course, Path target) {
+      RenderOptions options, Engine engine, FrameRender render, Invocation shared, Path target) {
     this.options = options;
     this.engine = engine;
     this.render = render;
-    this.course = course;
+    invocation = shared;
     this.target = target;
     isJoined = options.to.animation().isPresent();
     Set<String> keywords = PictureMetadata.identifying();
@@ -86,7 +86,7 @@ final class RenderSequence {
    */
   ExitCode run() throws Exception {
     JsonSummary report = new JsonSummary("render", options.scene.scene());
-    Run border = options.run.border(course.interruption(), Optional.empty());
+    Run border = options.run.border(invocation.interruption(), Optional.empty());
     border.failing(report, this::plan);
     if (!isJoined || options.sequence.havePart()) {
       ExitCode code = render();
@@ -97,7 +97,7 @@ final class RenderSequence {
   }
 
   private Duration sinceStart() {
-    return Duration.between(course.start(), Instant.now());
+    return Duration.between(invocation.start(), Instant.now());
   }
 
   private ExitCode render() throws Exception {
@@ -107,13 +107,15 @@ final class RenderSequence {
     }
     PictureExposure exposing = PictureExposure.ofAll(finished.exposure());
     List<Path> targets = missing.stream().map(all::get).toList();
-    try (Frames frames = new Frames(targets, course.interruption(), course.deadline())) {
+    try (Frames frames = new Frames(targets, invocation.interruption(), invocation.deadline())) {
       frames.checkedBy(this::requireFits);
-      for (int i = 0; i < missing.size() && !code.isFailure(); i++) {
-        choose(missing.get(i));
-        options.run.about(frames);
-        code = code.or(render(frames, exposing));
-      }
+      code =
+          frames.each(
+              index -> {
+                choose(missing.get(index));
+                options.run.about(frames);
+                return render(frames, exposing);
+              });
       written = missing.size() - frames.left();
       partial = frames.partial();
     }
@@ -122,7 +124,7 @@ final class RenderSequence {
 
   private ExitCode render(Frames frames, PictureExposure exposing) throws Exception {
     try {
-      return render.run(course, frames, exposing);
+      return render.run(invocation, frames, exposing);
     } catch (TaskException e) {
       throw frames.haveEnded() && isJoined
           ? new TaskException(e.code(), e.getMessage() + GO_ON, e)
@@ -157,7 +159,7 @@ final class RenderSequence {
         if (code.isFailure()) {
           return code;
         }
-        throw joined.incomplete(course.deadline());
+        throw joined.incomplete(invocation.deadline());
       }
       options.run.aboutAll();
       try (RenderMonitor monitor = monitor()) {
@@ -184,12 +186,11 @@ final class RenderSequence {
     }
   }
 
-  private JoinedFrames reserved() throws TaskException, InterruptedException {
+  private JoinedFrames reserved() throws Exception {
     try (RenderMonitor monitor = monitor()) {
-      Interruption.Wait reading = monitor.reading(target);
-      try (reading) {
-        return JoinedFrames.reserve(target, options.sequence.rate(), options.sequence.ffmpeg());
-      }
+      SequenceFlags flags = options.sequence;
+      return monitor.reading(
+          target, () -> JoinedFrames.reserve(target, flags.rate(), flags.ffmpeg()));
     }
   }
 
@@ -218,7 +219,7 @@ final class RenderSequence {
   }
 
   private RenderMonitor monitor() {
-    return options.run.monitor(course.interruption(), course.deadline());
+    return options.run.monitor(invocation.interruption(), invocation.deadline());
   }
 
   /** Chooses the scene of a frame. */
@@ -226,16 +227,16 @@ final class RenderSequence {
     if (options.sequence.areGiven()) {
       options.scene.choose(index);
     } else {
-      options.scene.choose(course.scenes().get(index));
+      options.scene.choose(invocation.scenes().get(index));
     }
   }
 
   /** Finds out which frames there are, and which of them are complete. */
-  private ExitCode plan() throws SceneFormatException, TaskException, IOException {
+  private ExitCode plan() throws Exception {
     Path pictures = isJoined ? JoinedFrames.picture(target) : target;
     isDenoised = options.denoising(pictures, engine).isPresent();
     if (isJoined) {
-      options.checkOutputs(course.scenes(), List.of());
+      options.checkOutputs(invocation.scenes(), List.of());
       requireNoFrames();
     }
     try (RenderMonitor monitor = monitor()) {
@@ -243,7 +244,7 @@ final class RenderSequence {
       part = options.sequence.part(all.size());
       if (options.sequence.areContinued()) {
         requireMetadata(pictures);
-        find(monitor);
+        monitor.reading(options.scene.scene(), this::find);
       }
     }
     requireExposure();
@@ -251,19 +252,16 @@ final class RenderSequence {
     return ExitCode.OK;
   }
 
-  private int count(RenderMonitor monitor)
-      throws SceneFormatException, TaskException, IOException {
+  private int count(RenderMonitor monitor) throws Exception {
     if (!options.sequence.areGiven()) {
-      return course.scenes().size();
+      return invocation.scenes().size();
     }
     int turns = options.sequence.motion().orElseThrow().turns();
     if (turns > 0) {
       return turns;
     }
-    Interruption.Wait reading = monitor.reading(options.scene.scene());
-    try (reading) {
-      return options.scene.sequence(options.parser()).count();
-    }
+    return monitor.reading(
+        options.scene.scene(), () -> options.scene.sequence(options.parser()).count());
   }
 
   /** Requires that there are no frames of an earlier run, unless they are continued. */
@@ -297,21 +295,18 @@ final class RenderSequence {
   }
 
   /** Finds the frames that are complete; also those that this run would not render. */
-  private void find(RenderMonitor monitor)
-      throws SceneFormatException, TaskException, IOException {
+  private FinishedFrames find() throws Exception {
     Optional<SceneFile> first = Optional.empty();
-    Interruption.Wait reading = monitor.reading(options.scene.scene());
-    try (reading) {
-      for (int i = 0; i < all.size(); i++) {
-        if (Files.exists(all.get(i))) {
-          choose(i);
-          if (first.isEmpty() || !options.sequence.areGiven()) {
-            first = Optional.of(options.scene.load(options.parser(), options.run.errors()));
-          }
-          finished.add(all.get(i), expected(i, first.get()));
+    for (int i = 0; i < all.size(); i++) {
+      if (Files.exists(all.get(i))) {
+        choose(i);
+        if (first.isEmpty() || !options.sequence.areGiven()) {
+          first = Optional.of(options.scene.load(options.parser(), options.run.errors()));
         }
+        finished.add(all.get(i), expected(i, first.get()));
       }
     }
+    return finished;
   }
 
   /** Returns the metadata of a frame as it would be rendered now. */

@@ -21,6 +21,7 @@ import io.github.lumbre.cli.run.FilmInput;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.PictureExposure;
 import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
@@ -132,8 +133,7 @@ final class ResumeCommand extends Subcommand {
     }
   }
 
-  private ExitCode run(JsonSummary report, Interruption interruption)
-      throws TaskException, SceneFormatException, IOException, InterruptedException {
+  private ExitCode run(JsonSummary report, Interruption interruption) throws Exception {
     validate();
     Deadline deadline = run.deadline();
     Instant start = budgets.start();
@@ -161,11 +161,7 @@ final class ResumeCommand extends Subcommand {
       try (PictureOutput picture = PictureOutput.reserve(target, checkpoints.fallback());
           RenderMonitor monitor = run.monitor(interruption, deadline)) {
         report.put("scene", path.toString());
-        SceneFile file;
-        Interruption.Wait reading = monitor.reading(path);
-        try (reading) {
-          file = parse(notes, header, path);
-        }
+        SceneFile file = monitor.reading(path, () -> parse(notes, header, path));
         if (text.isPresent()) {
           guard.checkAssets(path, file.assetPaths(text.get().path()));
         }
@@ -189,12 +185,14 @@ final class ResumeCommand extends Subcommand {
                 run.errors(),
                 report,
                 budget,
-                run.how(
+                run.jobOptions(
                     notes.bits(),
                     ImageWriter.Options.DEFAULT_JPEG_QUALITY,
                     false,
                     Optional.empty(),
-                    file.settings().layers()),
+                    file.settings().layers(),
+                    PictureExposure.ofEach(),
+                    drawn -> {}),
                 engine);
         return job.run(loaded.file());
       }
@@ -254,7 +252,7 @@ final class ResumeCommand extends Subcommand {
 
   /** Reads the film's scene with the film's settings, overridden by the flags. */
   private SceneFile parse(FilmNotes notes, FilmHeader header, Path path)
-      throws TaskException, SceneFormatException, IOException {
+      throws TaskException, SceneFormatException, FilmMismatchException, IOException {
     int most = header.parts().get(0).most();
     int limit =
         samples.orElse(budgets.areGiven() && notes.samples() == most ? OPEN : notes.samples());
@@ -297,17 +295,14 @@ final class ResumeCommand extends Subcommand {
             + (notes.sceneText(path).isPresent() ? ", or folders of its files with --assets" : ""));
   }
 
-  private void requireSame(FilmHeader header, SceneFile file, Path path) throws TaskException {
-    try {
-      Map<String, String> here =
-          new LinkedHashMap<>(FilmHeader.identity(file.hash(), file.settings()));
-      // The pilot render is compared when it is rendered.
-      String name = FilmHeader.GUIDE_HASH;
-      Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
-      header.requireSame(here, film.toString(), path.toString());
-    } catch (FilmMismatchException e) {
-      throw ExitCode.SCENE.failure(e.getMessage(), e);
-    }
+  private void requireSame(FilmHeader header, SceneFile file, Path path)
+      throws FilmMismatchException {
+    Map<String, String> here =
+        new LinkedHashMap<>(FilmHeader.identity(file.hash(), file.settings()));
+    // The pilot render is compared when it is rendered.
+    String name = FilmHeader.GUIDE_HASH;
+    Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
+    header.requireSame(here, film.toString(), path.toString());
   }
 
   private Path damaged() {

@@ -1,64 +1,58 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
-import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.cli.option.DenoisingFlags;
+import io.github.lumbre.cli.option.FrameFlags;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
+import io.github.lumbre.cli.option.RunFlags;
+import io.github.lumbre.cli.option.SamplesFlag;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
-import io.github.lumbre.cli.output.LaterStep;
 import io.github.lumbre.cli.output.MemoryCheck;
-import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
-import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.run.Deadline;
-import io.github.lumbre.cli.run.DenoisedPicture;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.Engine;
+import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.cli.run.PictureExposure;
+import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.Run;
+import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ContactSheet;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
-import io.github.lumbre.render.Film;
 import io.github.lumbre.render.FilmLayers;
-import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.PassLoop;
+import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scene.internal.FrameSize;
+import io.github.lumbre.scene.Setting.Group;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
-import io.github.lumbre.scenefile.internal.ModelContents;
-import io.github.lumbre.scenefile.internal.ParsedScene;
-import io.github.lumbre.scenefile.internal.PartTable;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
-import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.stage.internal.ModelSequence;
+import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.drawing.DisplayLight;
-import io.github.lumbre.stage.internal.PictureDrawing;
-import io.github.lumbre.stage.internal.ViewNumbers;
-import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -94,28 +88,13 @@ final class ViewsCommand extends Subcommand {
       description = "Folder of the pictures; it is created if it does not exist.")
   private Path folder;
 
-  @Option(
-      names = {"-s", "--samples"},
-      paramLabel = "N",
-      description = "Samples per pixel (2; with --no-denoise 100).")
-  private Optional<Integer> samples;
+  @Mixin private final SamplesFlag samples = new SamplesFlag();
 
-  @Option(
-      names = "--size",
-      paramLabel = "WxH|N",
-      description = "Size of each picture in pixels, or its longer side (1024x768).")
-  private Optional<FrameSize> size;
+  @Mixin private final FrameFlags frame = new FrameFlags();
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description = "Number of threads; 0: one per processor (0).")
-  private Optional<Integer> threads;
+  @Mixin private final SettingFlags work = new SettingFlags("", Group.EXECUTION);
 
-  @Option(
-      names = "--json",
-      description = "Print the model's parts and what each view shows as one line of JSON.")
-  private boolean json;
+  @Mixin private final RunFlags run = new RunFlags();
 
   @Mixin private final ModelFlags flags = new ModelFlags();
 
@@ -124,60 +103,19 @@ final class ViewsCommand extends Subcommand {
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   private Optional<Denoising> denoising = Optional.empty();
+  private final List<SceneFile> files = new ArrayList<>();
+  private final List<DisplayLight> pictures = new ArrayList<>();
 
   @Override
   ExitCode run() throws Exception {
     Stage stage = checkedStage();
-    OutputGuard guard = guard();
+    Deadline deadline = run.deadline();
     JsonSummary report = new JsonSummary("views", model);
-    try (Interruption interruption = Interruption.listen()) {
-      return new Run(interruption, json ? Optional.of(out()) : Optional.empty(), Optional.empty())
-          .of(report, () -> run(stage, guard, report, interruption));
+    try (Interruption interruption = Interruption.listen();
+        Frames frames = new Frames(targets(), interruption, deadline)) {
+      return run.border(interruption, Optional.empty())
+          .of(report, () -> run(stage, report, frames, interruption, deadline));
     }
-  }
-
-  private ExitCode run(
-      Stage stage, OutputGuard guard, JsonSummary report, Interruption interruption)
-      throws Exception {
-    guard.check();
-    denoising = stored.denoising(true);
-    Messages messages = errors();
-    try (RenderMonitor monitor = new RenderMonitor(interruption, Boolean.getBoolean("lumbre.tty"));
-        Frames frames = new Frames(targets(), interruption, Deadline.after(Optional.empty()))) {
-      StagedModel staged;
-      Interruption.Wait reading = monitor.reading(model);
-      try (reading) {
-        staged = read(stage);
-      }
-      SceneFile first = staged.scene();
-      List<Scene> views = staged.seenFrom(List.copyOf(View.standard().values()));
-      guard.checkAssets(model, first.assetPaths(first.text().orElseThrow().path()));
-      messages.warnings(first.warnings());
-      RenderSettings settings = first.settings();
-      MemoryCheck.require(settings, FilmLayers.of(settings, first.scene()));
-      frames.reserve(Fallback.TEMPORARY);
-      long start = System.nanoTime();
-      render(first, views, frames, interruption, monitor, messages);
-      if (json) {
-        describe(first, views, report);
-      }
-      messages.line(summary(settings, (System.nanoTime() - start) * 1e-9));
-      return ExitCode.OK;
-    }
-  }
-
-  private String summary(RenderSettings settings, double seconds) {
-    return String.format(
-        Locale.ROOT,
-        "%s: %d views and a contact sheet, %s; %dx%d pixels, %s per pixel%s, %.2f s",
-        folder,
-        View.standard().size(),
-        SHEET,
-        settings.width(),
-        settings.height(),
-        Numbers.count(settings.samples(), "sample"),
-        denoising.isPresent() ? ", denoised" : "",
-        seconds);
   }
 
   private Stage checkedStage() {
@@ -187,16 +125,10 @@ final class ViewsCommand extends Subcommand {
           !spec.commandLine().getParseResult().hasMatchedOption(flag),
           flag + ": cannot be used; 'lumbre views' renders all standard views");
     }
-    samples.ifPresent(n -> requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
-    threads.ifPresent(n -> requireIn("--threads", 0, RenderSettings.MAX_THREADS, n));
-    size.ifPresent(checks()::requireSize);
+    samples.validate();
+    work.validate(spec);
+    frame.validate();
     return flags.stage();
-  }
-
-  private OutputGuard guard() {
-    OutputGuard guard = overwrite.guard().reads(model, "the model");
-    targets().forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
-    return guard;
   }
 
   /** Returns the paths of the views in their order, and of the contact sheet. */
@@ -207,123 +139,120 @@ final class ViewsCommand extends Subcommand {
     return targets;
   }
 
-  private StagedModel read(Stage stage) throws SceneFormatException, IOException {
-    SceneParser parser = new SceneParser().overriding(this::overridden);
-    View first = View.standard().values().iterator().next();
-    return StagedModel.read(model, stage.seenFrom(first), parser);
+  private ExitCode run(
+      Stage stage, JsonSummary report, Frames frames, Interruption interruption, Deadline deadline)
+      throws Exception {
+    OutputGuard guard = overwrite.guard().reads(model, "the model");
+    targets().forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
+    guard.check();
+    denoising = stored.denoising(true);
+    try (RenderMonitor monitor = run.monitor(interruption, deadline)) {
+      monitor.reading(model, () -> read(stage));
+    }
+    SceneFile first = files.get(0);
+    guard.checkAssets(model, first.assetPaths(first.text().orElseThrow().path()));
+    errors().warnings(first.warnings());
+    MemoryCheck.require(first.settings(), FilmLayers.of(first.settings(), first.scene()));
+    frames.reserve(Fallback.TEMPORARY);
+    long start = System.nanoTime();
+    ExitCode code = frames.each(index -> render(index, frames, interruption, deadline));
+    if (run.isJson()) {
+      describe(report);
+    }
+    run.summarize(summary(first.settings()), Duration.ofNanos(System.nanoTime() - start));
+    return code;
+  }
+
+  private List<SceneFile> read(Stage stage) throws Exception {
+    SceneParser parser = frame.over(new SceneParser()).overriding(this::overridden);
+    ModelSequence views =
+        ModelSequence.of(parser, model, Optional.empty(), stage, ModelSequence.Motion.ofViews());
+    for (int i = 0; i < views.count(); i++) {
+      files.add(views.frame(i));
+    }
+    return files;
   }
 
   private RenderSettings overridden(RenderSettings settings) {
-    RenderSettings.Builder builder =
-        size.map(s -> s.over(settings)).orElse(settings).toBuilder();
+    RenderSettings.Builder builder = settings.toBuilder();
+    frame.override(builder, settings);
     if (denoising.isPresent()) {
       builder.samples(Denoising.VIEW_SAMPLES).set(Setting.LAYERS, Layer.FOR_DENOISING);
     }
-    samples.ifPresent(builder::samples);
-    threads.ifPresent(builder::threads);
+    samples.override(builder);
+    work.override(builder);
     return builder.build();
   }
 
-  /**
-   * Renders all views and the contact sheet.
-   *
-   * @throws TaskException if a picture cannot be written, or a signal ends the command
-   */
-  private void render(
-      SceneFile file,
-      List<Scene> views,
-      Frames frames,
-      Interruption interruption,
-      RenderMonitor monitor,
-      Messages messages)
+  /** Renders a view, or joins all views to the contact sheet after the last one. */
+  private ExitCode render(int index, Frames frames, Interruption interruption, Deadline deadline)
       throws Exception {
-    RenderSettings settings = file.settings();
-    ImageWriter.Options options = settings.development();
-    ParsedScene first = file.parsed();
-    List<String> notes = new ArrayList<>();
-    PictureDrawing drawing =
-        monitor
-            .unlessStopped(() -> PictureDrawing.of(first, notes::add))
-            .orElseThrow(CancellationException::new);
-    List<DisplayLight> pictures = new ArrayList<>();
-    Iterator<String> names = View.standard().keySet().iterator();
-    for (Scene view : views) {
-      Optional<String> name = Optional.of(names.next());
-      new Run(interruption, Optional.empty(), Optional.of(frames)).of(
-          new JsonSummary("views", model),
-          () -> {
-            interruption.requireRender();
-            Film film = rendered(settings, view, monitor);
-            DenoisedPicture denoised = denoised(film, frames, monitor, messages);
-            Image clean = denoised.image(film.develop());
-            DisplayLight drawn =
-                monitor
-                    .finishing(
-                        "drawing lines and labels",
-                        () -> drawing.onDisplay(view, name, clean, options))
-                    .orElseThrow(CancellationException::new);
-            notes.forEach(note -> messages.line(name.get() + ": " + note));
-            notes.clear();
-            pictures.add(drawn);
-            frames.picture().write(drawn.image(), options(denoised, drawn, film));
-            denoised.requireDone();
-            return ExitCode.OK;
-          });
-    }
-    int gap = Math.max(1, settings.width() / GAPS_PER_WIDTH);
+    run.about(frames);
+    JsonSummary report = new JsonSummary("views", model);
+    return new Run(interruption, Optional.empty(), Optional.of(frames))
+        .failing(
+            report,
+            () -> {
+              if (index == files.size()) {
+                writeSheet(frames);
+                return ExitCode.OK;
+              }
+              interruption.requireRender();
+              try (FilmKeeper keeper = FilmKeeper.none(run.errors());
+                  RenderMonitor monitor = run.monitor(interruption, deadline)) {
+                return job(files.get(index), frames, keeper, monitor, report).run(0);
+              }
+            });
+  }
+
+  private RenderJob job(
+      SceneFile file, Frames frames, FilmKeeper keeper, RenderMonitor monitor, JsonSummary report) {
+    Budget budget = Budget.ofSamples(file.settings().samples());
+    return new RenderJob(
+        model,
+        file,
+        frames.picture(),
+        keeper,
+        monitor,
+        run.errors(),
+        report,
+        new RunBudget(budget, Deadline.after(Optional.empty())),
+        run.jobOptions(
+            ImageWriter.Options.DEFAULT.pngBits(),
+            ImageWriter.Options.DEFAULT_JPEG_QUALITY,
+            false,
+            denoising,
+            Set.of(),
+            PictureExposure.ofEach(),
+            pictures::add),
+        Engine.LOCAL);
+  }
+
+  private void writeSheet(Frames frames) throws Exception {
     List<DisplayLight> whole = pictures.stream().map(DisplayLight::withBackground).toList();
     List<Image> images = whole.stream().map(DisplayLight::image).toList();
+    int gap = Math.max(1, images.get(0).width() / GAPS_PER_WIDTH);
     Image sheet = ContactSheet.of(images, SHEET_COLUMNS, gap);
     frames.picture().write(sheet, whole.get(0).options());
   }
 
   /** Adds the parts of the model, and what each view shows. */
-  private void describe(SceneFile file, List<Scene> views, JsonSummary report) {
-    ParsedScene first = file.parsed();
-    ModelContents contents = first.model().orElseThrow();
-    PartTable parts = contents.parts(first.scene());
-    report.putScene(first);
-    report.putContents(first.contents());
-    report.putModel(contents, parts);
-    for (int i = 0; i < views.size(); i++) {
-      ViewNumbers numbers = ViewNumbers.of(views.get(i), first.settings(), parts);
-      report.putView("file", targets().get(i), first.settings(), numbers, parts);
-    }
+  private void describe(JsonSummary report) {
+    report.putScene(files.get(0));
+    Map<Path, SceneFile> seen = new LinkedHashMap<>();
+    files.forEach(file -> seen.put(targets().get(seen.size()), file));
+    report.putPictures(seen);
   }
 
-  private static Film rendered(RenderSettings settings, Scene view, RenderMonitor monitor)
-      throws InterruptedException {
-    FilmRenderer renderer = new FilmRenderer(settings, view);
-    Film film = renderer.newFilm();
-    monitor.started(settings.window().pixels() * settings.samples());
-    if (!new PassLoop(renderer, film).run(monitor).complete()) {
-      throw new CancellationException("stopped");
-    }
-    return film;
-  }
-
-  private DenoisedPicture denoised(
-      Film film, Frames frames, RenderMonitor monitor, Messages messages) {
-    if (denoising.isEmpty()) {
-      return DenoisedPicture.NOISY;
-    }
-    Denoising used = denoising.get().withThreads(threads.orElse(0));
-    DenoisedPicture denoised =
-        DenoisedPicture.of(film, used, frames.picture().target(), true, messages, monitor);
-    if (denoised.isMissing() && denoised.failure().isEmpty()) {
-      throw new CancellationException("stopped");
-    }
-    return denoised;
-  }
-
-  /** Returns how to write a picture, which is partial if its denoiser has failed. */
-  private static ImageWriter.Options options(
-      DenoisedPicture denoised, DisplayLight drawn, Film film) {
-    if (!denoised.isMissing()) {
-      return denoised.noting(drawn.options());
-    }
-    String samples = Numbers.count(film.mostSamples(), "sample") + " per pixel";
-    String lack = LaterStep.text(samples, Set.of(LaterStep.DENOISING));
-    return drawn.options().withMetadata(Map.of(PictureMetadata.PARTIAL, lack));
+  private String summary(RenderSettings settings) {
+    return "%s: %d views and a contact sheet, %s; %dx%d pixels, %s per pixel%s"
+        .formatted(
+            folder,
+            files.size(),
+            SHEET,
+            settings.width(),
+            settings.height(),
+            Numbers.count(settings.samples(), "sample"),
+            denoising.isPresent() ? ", denoised" : "");
   }
 }

@@ -166,7 +166,7 @@ class LabelCommandsTest extends CommandFixture {
         .contains("a.png: no room for the axes")
         .contains("a.png: no names for 2 visible parts");
     assertThat(runs("views T/a.obj -o T/v --size 64x64 --labels axes" + FAST).err())
-        .contains("iso: no room for the axes");
+        .contains("iso.png: no room for the axes");
   }
 
   @ParameterizedTest

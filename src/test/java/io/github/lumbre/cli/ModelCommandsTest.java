@@ -34,7 +34,7 @@ class ModelCommandsTest extends CommandFixture {
     assertThat(outcome.err())
         .matches(
             ".*/views/new: 7 views and a contact sheet, views.png; 24x18 pixels, 2 samples per"
-                + " pixel, denoised, [0-9.]+ s\n");
+                + " pixel, denoised; [0-9.]+ s\n");
     for (String view : View.standard().keySet()) {
       runs("render T/sample.glb -o T/one.png --quiet --view " + view + flags);
       assertThat(pixels("views/new/" + view + ".png")).as(view).isEqualTo(pixels("one.png"));

@@ -62,7 +62,8 @@ class RunnableJarIT {
     List<String> command = List.of(Program.java("java"), "-jar", "lumbre-1-cli.jar");
     Outcome outcome = Program.run(directory, with(command, "perf", "tiny.json"));
     assertThat(outcome.exitCode()).isEqualTo(ExitCodes.INTERNAL);
-    assertThat(outcome.err()).endsWith("lumbre-1-lab.jar, which is missing\n");
+    assertThat(outcome.err())
+        .contains("lumbre-1-lab.jar, which is missing; put it there: each release and package has");
     assertThat(Program.run(directory, with(command, "help", "perf")).exitCode()).isZero();
   }
 

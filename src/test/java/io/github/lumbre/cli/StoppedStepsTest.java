@@ -154,7 +154,7 @@ class StoppedStepsTest extends CommandFixture {
     Outcome views = run("views T/sample.glb -o T/views --oidn T/bin --size 24x18");
     assertThat(views.exitCode()).as(views.err()).isEqualTo(ExitCodes.OUTPUT);
     assertThat(texts("views/front.png"))
-        .containsEntry("Partial", "2 samples per pixel, not denoised");
+        .containsEntry("Partial", "2 of 2 samples per pixel, not denoised");
   }
 
   @Test
@@ -194,13 +194,18 @@ class StoppedStepsTest extends CommandFixture {
   }
 
   @Test
-  void stoppedViewsAreNotWritten() throws Exception {
+  void stoppedViewsArePartial() throws Exception {
     sleep(5, "60");
     Outcome outcome =
         stopped("TERM", "views T/sample.glb --json -o T/views --oidn T/bin --size 24x18");
     assertThat(outcome.exitCode()).as(outcome.err()).isEqualTo(ExitCodes.TERMINATED);
-    assertThat(directory.resolve("views").toFile().list()).containsExactly("front.png");
+    assertThat(directory.resolve("views").toFile().list())
+        .containsExactlyInAnyOrder("front.png", "back.png");
     assertThat(texts("views/front.png")).doesNotContainKey("Partial");
+    assertThat(texts("views/back.png").get("Partial")).contains("not denoised");
+    assertThat(outcome.err())
+        .contains("stopped after 1 of 8 pictures: ")
+        .contains("front.png is complete, ", "back.png is partial, 6 not rendered: ");
     JsonObject json = outcome.json();
     assertThat(json.get("exit_code").getAsInt()).isEqualTo(ExitCodes.TERMINATED);
   }

@@ -3,11 +3,11 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.render.checkpoint.CheckpointFile;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -74,11 +74,7 @@ public final class CheckpointFlags extends Flags {
    * @throws TaskException if it cannot be written
    */
   public FilmKeeper keeper(Path path, Messages messages) throws TaskException {
-    try {
-      return new FilmKeeper(
-          Optional.of(CheckpointFile.reserve(path)), interval, fallback(), messages);
-    } catch (IOException e) {
-      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
-    }
+    CheckpointFile file = Failures.written(() -> CheckpointFile.reserve(path));
+    return new FilmKeeper(Optional.of(file), interval, fallback(), messages);
   }
 }

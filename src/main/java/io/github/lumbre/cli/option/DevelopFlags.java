@@ -17,6 +17,7 @@ import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.render.checkpoint.FilmFile;
+import io.github.lumbre.render.checkpoint.FilmMismatchException;
 import io.github.lumbre.render.checkpoint.internal.FilmPicture;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.Setting;
@@ -39,7 +40,7 @@ public final class DevelopFlags extends Flags {
   private boolean quiet;
 
   public interface Source {
-    FilmFile film() throws TaskException;
+    FilmFile film() throws TaskException, FilmMismatchException;
   }
 
   /** Checks the ranges of the values before anything is read. */
@@ -53,7 +54,8 @@ public final class DevelopFlags extends Flags {
    *
    * @param name of the film, for messages
    */
-  public void develop(Path name, Source source, Path output) throws TaskException {
+  public void develop(Path name, Source source, Path output)
+      throws TaskException, FilmMismatchException {
     Optional<Denoising> denoising = stored.denoising().denoising(false);
     try (PictureOutput picture = PictureOutput.reserve(output)) {
       requireLayers(picture);

@@ -52,11 +52,11 @@ public final class FrameFlags extends Flags {
   }
 
   /** Returns a parser that limits the number of pixels. */
-  SceneParser over(SceneParser parser) {
+  public SceneParser over(SceneParser parser) {
     return maxPixels.map(parser::limitedTo).orElse(parser);
   }
 
-  void override(RenderSettings.Builder builder, RenderSettings inScene) {
+  public void override(RenderSettings.Builder builder, RenderSettings inScene) {
     RenderSettings sized = size.map(s -> s.over(inScene)).orElse(inScene);
     builder.size(sized.width(), sized.height());
     requireCropIn(sized.width(), sized.height());

@@ -14,6 +14,7 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.scene.Layer;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashSet;
@@ -23,6 +24,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -134,19 +136,17 @@ public final class RunFlags extends Flags {
     };
   }
 
-  /**
-   * Returns the options of the picture and the summary.
-   *
-   * @param bits per channel of a PNG
-   * @param jpegQuality quality of a JPEG, 1 to 100
-   * @param strict whether rejected samples are an error
-   * @param denoising removes the noise from the picture; if empty, it stays
-   * @param layers the layers to write if the picture's format holds layers
-   */
-  public RenderJob.How how(
-      int bits, int jpegQuality, boolean strict, Optional<Denoising> denoising, Set<Layer> layers) {
-    return new RenderJob.How(
-        bits, jpegQuality, quiet, stats, strict, denoising, layers, PictureExposure.ofEach());
+  /** Returns {@linkplain RenderJob.Options the options of the picture and the summary}. */
+  public RenderJob.Options jobOptions(
+      int bits,
+      int jpegQuality,
+      boolean strict,
+      Optional<Denoising> denoising,
+      Set<Layer> layers,
+      PictureExposure exposing,
+      Consumer<DisplayLight> receiver) {
+    return new RenderJob.Options(
+        bits, jpegQuality, quiet, stats, strict, denoising, layers, exposing, receiver);
   }
 
   /** Returns the border of the command, which prints a summary under {@code --json}. */

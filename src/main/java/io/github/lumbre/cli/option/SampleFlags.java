@@ -3,17 +3,14 @@ package io.github.lumbre.cli.option;
 import io.github.lumbre.scene.RenderSettings;
 import java.util.Optional;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
 /** The flags that select the samples of each pixel. Mutable: picocli stores the values here. */
 @Command(optionListHeading = Headings.SAMPLES)
 public final class SampleFlags extends Flags {
-  @Option(
-      names = {"-s", "--samples"},
-      paramLabel = "N",
-      description = "Samples per pixel (scene or 100; of a model that is denoised: 8).")
-  private Optional<Integer> samples;
+  @Mixin private final SamplesFlag samples = new SamplesFlag();
 
   @Option(
       names = "--samples-from",
@@ -46,13 +43,13 @@ public final class SampleFlags extends Flags {
    * @throws ParameterException that names the flag, if a value is out of range
    */
   public void validate() {
-    samples.ifPresent(n -> checks().requireIn("--samples", 1, RenderSettings.MAX_SAMPLES, n));
+    samples.validate();
     samplesFrom.ifPresent(
         n -> checks().requireIn("--samples-from", 0, RenderSettings.MAX_SAMPLES - 1, n));
     samplesTo.ifPresent(
         n -> checks().requireIn("--samples-to", first() + 1, RenderSettings.MAX_SAMPLES, n));
     require(
-        samples.isEmpty() || samplesTo.isEmpty(),
+        !samples.isGiven() || samplesTo.isEmpty(),
         "--samples and --samples-to: expected only one of them");
     require(
         part().isEmpty() || samplesFrom.isEmpty() && samplesTo.isEmpty(),
@@ -76,7 +73,7 @@ public final class SampleFlags extends Flags {
   }
 
   void override(RenderSettings.Builder builder) {
-    samples.ifPresent(builder::samples);
+    samples.override(builder);
     samplesTo.ifPresent(n -> builder.samples(n - first()));
     part().ifPresent(part -> select(part, builder));
     int poses = builder.build().poses();

@@ -3,13 +3,21 @@ package io.github.lumbre.cli.output;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderException;
+import io.github.lumbre.render.checkpoint.FilmFormatException;
+import io.github.lumbre.render.checkpoint.FilmMismatchException;
+import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFormatException;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -113,6 +121,58 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
     return exitCode(thrown);
   }
 
+  @FunctionalInterface
+  public interface Writing<T> {
+    T run() throws IOException;
+  }
+
+  /**
+   * Returns the result of opening or writing output files, whose exceptions name the file.
+   *
+   * @throws TaskException if that fails
+   */
+  public static <T> T written(Writing<T> action) throws TaskException {
+    try {
+      return action.run();
+    } catch (IOException e) {
+      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
+    }
+  }
+
+  /** Closes a file, if there is one. */
+  public static void close(Optional<? extends Closeable> file) {
+    try {
+      if (file.isPresent()) {
+        file.get().close();
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns the failure to read a model. */
+  public static TaskException ofModel(Path file, ModelFormatException e) {
+    ExitCode code =
+        switch (e.kind()) {
+          case TOO_LARGE -> ExitCode.LIMIT;
+          case ASSET -> ExitCode.ASSET;
+          case MALFORMED, UNSUPPORTED -> ExitCode.SCENE;
+        };
+    Problem problem = new Problem(file.toString(), e.location(), e.detail());
+    return code.failure(ProblemText.of(problem), e);
+  }
+
+  /** Returns the failure to read a checkpoint file. */
+  public static TaskException ofFilm(Path file, IOException e) {
+    String reason =
+        e instanceof NoSuchFileException
+            ? "does not exist"
+            : e instanceof FilmFormatException
+                ? e.getMessage()
+                : "cannot be read: " + FileFailure.reason(e);
+    return ExitCode.SCENE.failure(file + ": " + reason, e);
+  }
+
   /** Returns whether the command line is invalid, so that there is nothing to summarize. */
   public static boolean isOfArguments(Exception e) {
     return e instanceof ParameterException;
@@ -136,7 +196,7 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
     if (thrown instanceof CancellationException || thrown instanceof InterruptedException) {
       return ExitCode.INTERRUPTED;
     }
-    if (thrown instanceof IOException) {
+    if (thrown instanceof IOException || thrown instanceof FilmMismatchException) {
       return ExitCode.SCENE;
     }
     return rootIs(thrown, OutOfMemoryError.class) ? ExitCode.LIMIT : ExitCode.INTERNAL;
@@ -147,7 +207,9 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
    * ended work whose results so far are printed.
    */
   public static List<String> problems(Throwable thrown) {
-    if (thrown instanceof TaskException || thrown instanceof ParameterException) {
+    if (thrown instanceof TaskException
+        || thrown instanceof FilmMismatchException
+        || thrown instanceof ParameterException) {
       return List.of(thrown.getMessage());
     }
     if (thrown instanceof SceneFormatException e) {

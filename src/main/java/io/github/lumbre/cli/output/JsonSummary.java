@@ -11,6 +11,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.internal.ModelContents;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PartTable;
 import io.github.lumbre.scenefile.internal.SceneContents;
 import io.github.lumbre.stage.internal.ViewNumbers;
@@ -134,6 +135,21 @@ public final class JsonSummary {
     values.put("bounds", PartJson.bounds(new Bounds3(model.min(), model.max())));
     values.put("part_count", parts.parts().size());
     values.put("parts", PartJson.parts(parts));
+  }
+
+  /** Adds the contents of a model, and what its pictures show; nothing without a model. */
+  public void putPictures(Map<Path, SceneFile> pictures) {
+    ParsedScene first = ParsedScene.of(pictures.values().iterator().next());
+    if (first.model().isPresent()) {
+      PartTable parts = first.model().get().parts(first.scene());
+      putContents(first.contents());
+      putModel(first.model().get(), parts);
+      pictures.forEach(
+          (path, file) -> {
+            ViewNumbers numbers = ViewNumbers.of(file.scene(), file.settings(), parts);
+            putView("file", path, file.settings(), numbers, parts);
+          });
+    }
   }
 
   /** Adds what a picture of a model shows to the list of views. */

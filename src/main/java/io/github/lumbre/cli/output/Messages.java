@@ -57,7 +57,12 @@ public final class Messages {
   private boolean isLeftOut(String text) {
     return warned.isPresent()
         && !text.startsWith(ERROR)
-        && !(text.startsWith(WARNING) && warned.get().add(text.replaceAll("[0-9]+", "")));
+        && !(text.startsWith(WARNING) && isNew(text));
+  }
+
+  /** Returns whether no warning before differs from a text in numbers alone. */
+  private boolean isNew(String text) {
+    return warned.isEmpty() || warned.get().add(text.replaceAll("[0-9]+", ""));
   }
 
   private String named(String text) {
@@ -69,9 +74,19 @@ public final class Messages {
   }
 
   public void line(String text) {
-    if (isLeftOut(text)) {
-      return;
+    if (!isLeftOut(text)) {
+      print(text);
     }
+  }
+
+  /** Prints a line about what a picture lacks, if a warning would be printed. */
+  public void note(String text) {
+    if (isNew(text)) {
+      print(text);
+    }
+  }
+
+  private void print(String text) {
     ProgressBar.aside(
         () -> {
           out.println(printable(named(text)));

@@ -103,11 +103,8 @@ public final class PictureOutput implements AutoCloseable {
    * @throws TaskException if the file cannot be written now
    */
   public static PictureOutput reserve(Path target, Fallback fallback) throws TaskException {
-    try {
-      return new PictureOutput(target, target, Optional.of(OutputFile.open(target)), fallback);
-    } catch (IOException e) {
-      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
-    }
+    OutputFile file = Failures.written(() -> OutputFile.open(target));
+    return new PictureOutput(target, target, Optional.of(file), fallback);
   }
 
   /**

@@ -1,10 +1,8 @@
 package io.github.lumbre.cli.output;
 
-import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.TextFile;
 import io.github.lumbre.base.file.OutputFile;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -25,14 +23,10 @@ public final class TextOutput implements AutoCloseable {
    * @throws TaskException if the file cannot be written
    */
   public static TextOutput reserve(Optional<Path> target) throws TaskException {
-    if (target.isEmpty()) {
-      return new TextOutput(Optional.empty());
-    }
-    try {
-      return new TextOutput(Optional.of(OutputFile.open(target.get())));
-    } catch (IOException e) {
-      throw failure(e);
-    }
+    return new TextOutput(
+        target.isPresent()
+            ? Optional.of(Failures.written(() -> OutputFile.open(target.get())))
+            : Optional.empty());
   }
 
   /**
@@ -41,27 +35,17 @@ public final class TextOutput implements AutoCloseable {
    * @throws TaskException if that fails
    */
   public void write(String text) throws TaskException {
-    try {
-      if (file.isPresent()) {
-        TextFile.write(file.get(), text);
-      }
-    } catch (IOException e) {
-      throw failure(e);
+    if (file.isPresent()) {
+      Failures.written(
+          () -> {
+            TextFile.write(file.get(), text);
+            return text;
+          });
     }
   }
 
   @Override
-  public void close() throws TaskException {
-    try {
-      if (file.isPresent()) {
-        file.get().close();
-      }
-    } catch (IOException e) {
-      throw failure(e);
-    }
-  }
-
-  private static TaskException failure(IOException e) {
-    return ExitCode.OUTPUT.failure(e.getMessage(), e);
+  public void close() {
+    Failures.close(file);
   }
 }

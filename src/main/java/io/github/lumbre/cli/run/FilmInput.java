@@ -2,16 +2,14 @@ package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
-import io.github.lumbre.base.file.FileFailure;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.render.checkpoint.FilmFile;
-import io.github.lumbre.render.checkpoint.FilmFormatException;
 import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import java.io.IOException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /** Reads films for commands. */
@@ -33,12 +31,8 @@ public final class FilmInput {
                   messages.line(
                       "warning: %s: %s; using %s instead".formatted(path, problem, loaded.from())));
       return loaded;
-    } catch (NoSuchFileException e) {
-      throw ExitCode.SCENE.failure(path + ": does not exist", e);
-    } catch (FilmFormatException e) {
-      throw ExitCode.SCENE.failure(path + ": " + e.getMessage(), e);
     } catch (IOException e) {
-      throw ExitCode.SCENE.failure(path + ": cannot be read: " + FileFailure.reason(e), e);
+      throw Failures.ofFilm(path, e);
     }
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.render.Film;
@@ -14,7 +15,6 @@ import io.github.lumbre.render.checkpoint.RecordedLayers;
 import io.github.lumbre.render.checkpoint.internal.Checkpoints;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -164,12 +164,6 @@ public final class FilmKeeper implements PassListener, AutoCloseable {
   /** Releases the file. */
   @Override
   public void close() {
-    if (file.isPresent()) {
-      try {
-        file.get().close();
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-    }
+    Failures.close(file);
   }
 }

@@ -4,13 +4,12 @@ import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.base.text.Numbers;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProgressBar;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.Closeable;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -58,6 +57,21 @@ public final class Frames implements AutoCloseable {
     void check(RenderSettings settings) throws TaskException;
   }
 
+  /** Renders a picture, given its index among the targets, and returns its exit code. */
+  @FunctionalInterface
+  public interface Frame {
+    ExitCode render(int index) throws Exception;
+  }
+
+  /** Renders the pictures in turn until one fails, and returns the highest of their exit codes. */
+  public ExitCode each(Frame frame) throws Exception {
+    ExitCode code = ExitCode.OK;
+    for (int i = 0; i < targets.size() && !code.isFailure(); i++) {
+      code = code.or(frame.render(i));
+    }
+    return code;
+  }
+
   /** Sets a check of each frame besides that of its picture's format. */
   public void checkedBy(Check newCheck) {
     check = newCheck;
@@ -100,11 +114,7 @@ public final class Frames implements AutoCloseable {
       reserve(PictureOutput.reserve(target(), fallback));
       return;
     }
-    try {
-      names = Optional.of(OutputFile.reserve(targets));
-    } catch (IOException e) {
-      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
-    }
+    names = Optional.of(Failures.written(() -> OutputFile.reserve(targets)));
     targets.forEach(target -> pictures.add(PictureOutput.of(target, fallback)));
     reserved = true;
   }
@@ -292,12 +302,6 @@ public final class Frames implements AutoCloseable {
     for (int i = pictures.size() - 1; i >= 0; i--) {
       pictures.get(i).close();
     }
-    try {
-      if (names.isPresent()) {
-        names.get().close();
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    Failures.close(names);
   }
 }

@@ -4,6 +4,7 @@ import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.base.file.OutputFile;
+import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.image.animation.AnimationFormat;
 import io.github.lumbre.image.animation.AnimationFrames;
@@ -64,12 +65,10 @@ public final class JoinedFrames implements AutoCloseable {
     try {
       AnimationFormat.of(target).orElseThrow().requireFits(rate);
       JoinedFrames joined = new JoinedFrames(target, rate, writer(target, ffmpeg));
-      joined.file = Optional.of(OutputFile.open(target));
+      joined.file = Optional.of(Failures.written(() -> OutputFile.open(target)));
       return joined;
     } catch (IllegalArgumentException e) {
       throw ExitCode.USAGE.failure(target + ": " + e.getMessage(), e);
-    } catch (IOException e) {
-      throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }
   }
 
@@ -180,12 +179,6 @@ public final class JoinedFrames implements AutoCloseable {
   /** Releases the file if it was not written. */
   @Override
   public void close() {
-    try {
-      if (file.isPresent()) {
-        file.get().close();
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    Failures.close(file);
   }
 }

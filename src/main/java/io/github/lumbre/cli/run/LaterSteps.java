@@ -48,8 +48,8 @@ record LaterSteps(
           new ImageWriter.Options(
               exposure,
               job.file().settings().toneCurve(),
-              job.how().bits(),
-              job.how().jpegQuality(),
+              job.options().bits(),
+              job.options().jpegQuality(),
               Map.of(),
               job.file().settings().background());
       Set<LaterStep> missing = EnumSet.noneOf(LaterStep.class);
@@ -68,7 +68,7 @@ record LaterSteps(
     }
 
     private DenoisedPicture denoised() {
-      return job.how()
+      return job.options()
           .denoising()
           .map(chosen -> chosen.withThreads(job.file().settings().threads()))
           .map(
@@ -96,7 +96,8 @@ record LaterSteps(
     private DisplayLight onto(Image image, ImageWriter.Options options) {
       PictureDrawing drawing =
           PictureDrawing.of(
-              job.file().parsed(), note -> job.said().line(job.picture().target() + ": " + note));
+              job.file().parsed(),
+              note -> job.said().note(job.picture().target() + ": " + note));
       return job.picture().isForScreen()
           ? drawing.onDisplay(job.file().scene(), Optional.empty(), image, options)
           : new DisplayLight(
@@ -111,7 +112,8 @@ record LaterSteps(
     private LightReport loss() throws InterruptedException {
       Optional<LightReport> report =
           result.complete()
-              ? job.monitor().finishing("estimating the energy lost", () -> loss(job.how().quiet()))
+              ? job.monitor()
+                  .finishing("estimating the energy lost", () -> loss(job.options().quiet()))
               : Optional.empty();
       return report.isPresent() ? report.get() : loss(true);
     }

@@ -32,6 +32,7 @@ import io.github.lumbre.render.stopping.Forecast;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -39,6 +40,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 
 /**
  * Renders a film until it is complete or stopped, and saves the film and the picture.
@@ -46,7 +48,7 @@ import java.util.concurrent.CancellationException;
  * @param scene path of the scene
  * @param report receives the result
  * @param budget limits of the render other than its samples
- * @param how options of the picture and the summary
+ * @param options of the picture and the summary
  */
 public record RenderJob(
     Path scene,
@@ -57,7 +59,7 @@ public record RenderJob(
     Messages messages,
     JsonSummary report,
     RunBudget budget,
-    How how,
+    Options options,
     Engine engine) {
   /**
    * The options of the picture and the summary.
@@ -68,8 +70,9 @@ public record RenderJob(
    * @param denoising removes the noise from the picture; if empty, it stays
    * @param layers the layers to write if the picture's format holds layers
    * @param exposing chooses the exposure
+   * @param receiver receives the picture with its lines and labels
    */
-  public record How(
+  public record Options(
       int bits,
       int jpegQuality,
       boolean quiet,
@@ -77,12 +80,8 @@ public record RenderJob(
       boolean strict,
       Optional<Denoising> denoising,
       Set<Layer> layers,
-      PictureExposure exposing) {
-    /** Returns these options with another choice of the exposure. */
-    public How exposedBy(PictureExposure other) {
-      return new How(bits, jpegQuality, quiet, stats, strict, denoising, layers, other);
-    }
-  }
+      PictureExposure exposing,
+      Consumer<DisplayLight> receiver) {}
 
   /** Renders a new film. */
   public ExitCode run(int firstSample) throws TaskException, InterruptedException {
@@ -188,7 +187,7 @@ public record RenderJob(
   }
 
   private void warn(Optional<String> text) {
-    if (!how.quiet()) {
+    if (!options.quiet()) {
       text.ifPresent(messages::line);
     }
   }
@@ -204,7 +203,7 @@ public record RenderJob(
       double all = film.window().pixels() * likely;
       monitor.expected(Math.max(1, (long) all - film.totalSamples()));
     }
-    if (!how.quiet()) {
+    if (!options.quiet()) {
       OptionalDouble left = budget.secondsLeft();
       ForecastReport told =
           new ForecastReport(
@@ -239,7 +238,7 @@ public record RenderJob(
       Film film, RenderResult result, NoiseReport noise, double seconds, boolean isForVectors)
       throws TaskException, InterruptedException {
     warnOfInvalidCoordinates(result.statistics().invalidCoordinates());
-    Exposure exposure = how.exposing().of(file, result.image());
+    Exposure exposure = options.exposing().of(file, result.image());
     LaterSteps later = LaterSteps.of(this, film, result, exposure);
     Summary summary =
         new Summary(file.settings(), result, seconds, film.totalSamples(), later.missing());
@@ -257,10 +256,10 @@ public record RenderJob(
   }
 
   private ExitCode exitCode(RenderStatistics statistics, NoiseReport noise) {
-    if (how.strict() && statistics.rejected() != 0) {
+    if (options.strict() && statistics.rejected() != 0) {
       return ExitCode.INTERNAL;
     }
-    if (how.strict() && statistics.invalidCoordinates() != 0) {
+    if (options.strict() && statistics.invalidCoordinates() != 0) {
       return ExitCode.WARNINGS;
     }
     return noise.isMissed() ? ExitCode.TARGET : ExitCode.OK;
@@ -288,12 +287,13 @@ public record RenderJob(
       throws TaskException {
     monitor.busy("writing " + picture.target().getFileName());
     List<ImageLayer> layers = List.of();
-    if (picture.hasLayers() && !how.layers().isEmpty()) {
+    if (picture.hasLayers() && !options.layers().isEmpty()) {
       RecordedLayers recorded = RecordedLayers.of(file.settings(), file.scene());
-      FilmPicture developed = FilmPicture.of(film, recorded, how.layers());
+      FilmPicture developed = FilmPicture.of(film, recorded, options.layers());
       layers = developed.layers();
       metadata.putAll(developed.metadata());
     }
+    options.receiver().accept(later.light());
     picture.write(later.light().image(), layers, later.options(metadata));
   }
 
@@ -316,7 +316,7 @@ public record RenderJob(
 
   /** Returns the printer of what {@code --quiet} leaves out. */
   Messages said() {
-    return how.quiet() ? Messages.NONE : messages;
+    return options.quiet() ? Messages.NONE : messages;
   }
 
   private static String continuation(Path film) {
@@ -353,7 +353,7 @@ public record RenderJob(
 
   /** Reports what a pilot render chose. */
   private void tell(String name, String text, Map<String, Object> values) {
-    if (!how.quiet()) {
+    if (!options.quiet()) {
       messages.line(text);
     }
     report.put(name, values);
@@ -361,16 +361,16 @@ public record RenderJob(
 
   private void tell(Film film, Summary summary, NoiseReport noise, LaterSteps later) {
     summary.printRejected(scene, messages);
-    if (!how.quiet()) {
+    if (!options.quiet()) {
       summary.print(picture.target(), noise, messages);
       summary.printCutLight(messages);
       later.loss().print(messages);
       noise.printDoubts(messages);
     }
-    if (!how.quiet() && picture.isForScreen()) {
+    if (!options.quiet() && picture.isForScreen()) {
       summary.printHint(file.scene(), messages);
     }
-    if (how.stats()) {
+    if (options.stats()) {
       summary.printStatistics(messages);
     }
     later.denoised().tell(said(), report);

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
@@ -54,19 +55,18 @@ public final class RenderMonitor implements Progress, AutoCloseable {
     return interruption.waiting(deadline);
   }
 
-  /**
-   * Runs an optional computation.
-   *
-   * @return its result; empty if a signal or the deadline stops it
-   */
-  public <T> Optional<T> unlessStopped(Interruption.Waiting<T> action) {
-    return interruption.unlessStopped(deadline, action);
+  /** Runs an action that reads a scene as {@link #reading(Path)} does. */
+  public <T> T reading(Path scene, Callable<T> action) throws Exception {
+    Interruption.Wait wait = reading(scene);
+    try (wait) {
+      return action.call();
+    }
   }
 
-  /** Runs a computation as {@link #unlessStopped(Interruption.Waiting)}, and shows what it does. */
+  /** Runs a computation and shows it; returns nothing if a signal or the deadline stops it. */
   <T> Optional<T> unlessStopped(String activity, Interruption.Waiting<T> action) {
     busy(activity);
-    return unlessStopped(action);
+    return interruption.unlessStopped(deadline, action);
   }
 
   /**

@@ -6,8 +6,10 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.Stage.View;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -22,12 +24,16 @@ public abstract class ModelSequence {
   /**
    * What moves.
    *
-   * @param turns number of frames of one turn around the model; 0 for an animation
-   * @param animation name of the animation, or its index; empty for a turntable
+   * @param turns number of frames around the model; 0 for an animation
+   * @param views the views of these frames; empty for one turn from the view of the stage
+   * @param animation name of the animation, or its index; empty without one
    * @param rate frames per second of an animation
    */
-  public record Motion(int turns, String animation, FrameRate rate) {
+  public record Motion(int turns, List<View> views, String animation, FrameRate rate) {
+    private static final double TURN_DEGREES = 360;
+
     public Motion {
+      views = List.copyOf(views);
       Objects.requireNonNull(animation, "animation");
       Objects.requireNonNull(rate, "rate");
       if (turns < 0 || turns > MAX_FRAMES) {
@@ -38,12 +44,25 @@ public abstract class ModelSequence {
 
     /** Returns one turn around a model. */
     public static Motion turntable(int turns) {
-      return new Motion(turns, "", new FrameRate(1, 1));
+      return new Motion(turns, List.of(), "", new FrameRate(1, 1));
+    }
+
+    /** Returns the standard views of a model, in order. */
+    public static Motion ofViews() {
+      List<View> views = List.copyOf(View.standard().values());
+      return new Motion(views.size(), views, "", new FrameRate(1, 1));
     }
 
     /** Returns a whole animation. */
     public static Motion animation(String name, FrameRate rate) {
-      return new Motion(0, name, rate);
+      return new Motion(0, List.of(), name, rate);
+    }
+
+    /** Returns the stage of a frame around the model. */
+    public Stage stage(Stage first, int index) {
+      View start = first.find(Stage.VIEW).orElse(View.DEFAULT);
+      return first.seenFrom(
+          views.isEmpty() ? start.turned(TURN_DEGREES * index / turns) : views.get(index));
     }
   }
 
@@ -66,7 +85,7 @@ public abstract class ModelSequence {
     return source.timed(
         () ->
             motion.turns() > 0
-                ? new StagedTurntable(source, stage, motion.turns())
+                ? new StagedViews(source, stage, motion)
                 : new StagedAnimation(source, stage, motion.animation(), motion.rate()));
   }
 

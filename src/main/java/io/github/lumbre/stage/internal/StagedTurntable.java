@@ -4,37 +4,31 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.Stage;
-import io.github.lumbre.stage.Stage.View;
+import io.github.lumbre.stage.internal.ModelSequence.Motion;
 import java.io.IOException;
 import java.util.Optional;
 
-/** One turn around a model, which is read and built once. Mutable. */
-final class StagedTurntable extends StagedFrames {
-  private static final double TURN_DEGREES = 360;
-
+/** One turn around a model, or its standard views. It is read and built once. Mutable. */
+final class StagedViews extends StagedFrames {
   private final Stage stage;
-  private final int count;
+  private final Motion motion;
   private Optional<Staging> model = Optional.empty();
   private Optional<ParsedScene> scene = Optional.empty();
 
-  /**
-   * @param stage of the first frame
-   */
-  StagedTurntable(ModelSource source, Stage stage, int count) {
+  StagedViews(ModelSource source, Stage stage, Motion motion) {
     super(source);
     this.stage = stage;
-    this.count = count;
+    this.motion = motion;
   }
 
   @Override
   public int count() {
-    return count;
+    return motion.turns();
   }
 
   @Override
   Stage stage(int index) {
-    View first = stage.find(Stage.VIEW).orElse(View.DEFAULT);
-    return stage.seenFrom(first.turned(TURN_DEGREES * index / count));
+    return motion.stage(stage, index);
   }
 
   @Override

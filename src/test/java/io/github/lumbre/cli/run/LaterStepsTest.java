@@ -113,8 +113,8 @@ class LaterStepsTest {
                 messages)) {
       RunBudget budget =
           new RunBudget(new Budget(2, OptionalDouble.empty(), .95), Deadline.NEVER);
-      RenderJob.How how =
-          new RenderJob.How(
+      RenderJob.Options options =
+          new RenderJob.Options(
               8,
               90,
               false,
@@ -122,11 +122,21 @@ class LaterStepsTest {
               false,
               Optional.of(new Denoising(Optional.empty(), 1)),
               Set.of(),
-              PictureExposure.ofEach());
+              PictureExposure.ofEach(),
+              drawn -> {});
       Path model = directory.resolve("sample.glb");
       RenderJob job =
           new RenderJob(
-              model, file, picture, keeper, monitor, messages, report, budget, how, Engine.LOCAL);
+              model,
+              file,
+              picture,
+              keeper,
+              monitor,
+              messages,
+              report,
+              budget,
+              options,
+              Engine.LOCAL);
       assertThat(job.run(0)).isEqualTo(ExitCode.OK);
     }
     return PictureTexts.read(target);

@@ -101,9 +101,17 @@ class RunBudgetTest {
           new RunBudget(
               new Budget(MANY, OptionalDouble.empty(), .95),
               Deadline.after(Optional.of(time), clock.nanos()::get));
-      RenderJob.How how =
-          new RenderJob.How(
-              8, 90, false, false, false, Optional.empty(), Set.of(), PictureExposure.ofEach());
+      RenderJob.Options options =
+          new RenderJob.Options(
+              8,
+              90,
+              false,
+              false,
+              false,
+              Optional.empty(),
+              Set.of(),
+              PictureExposure.ofEach(),
+              drawn -> {});
       JsonSummary report = new JsonSummary("render", target);
       ExitCode code =
           new RenderJob(
@@ -115,7 +123,7 @@ class RunBudgetTest {
                   messages,
                   report,
                   budget,
-                  how,
+                  options,
                   Engine.LOCAL)
               .run(0);
       assertThat(code).isEqualTo(ExitCode.OK);
