@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Map;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -38,6 +39,9 @@ class ModelCommandsTest extends CommandFixture {
     for (String view : View.standard().keySet()) {
       runs("render T/sample.glb -o T/one.png --quiet --view " + view + flags);
       assertThat(pixels("views/new/" + view + ".png")).as(view).isEqualTo(pixels("one.png"));
+      Map<String, String> texts = texts("one.png");
+      texts.remove("Time");
+      assertThat(texts("views/new/" + view + ".png")).as(view).containsAllEntriesOf(texts);
     }
     BufferedImage sheet = picture("views/new/views.png");
     assertThat(sheet.getWidth()).isEqualTo(4 * 24 + 3);
