@@ -139,7 +139,7 @@ public final class JsonSummary {
 
   /** Adds the contents of a model, and what its pictures show; nothing without a model. */
   public void putPictures(Map<Path, SceneFile> pictures) {
-    ParsedScene first = ParsedScene.of(pictures.values().iterator().next());
+    ParsedScene first = pictures.values().iterator().next().parsed();
     if (first.model().isPresent()) {
       PartTable parts = first.model().get().parts(first.scene());
       putContents(first.contents());
