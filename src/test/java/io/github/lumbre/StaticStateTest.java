@@ -75,7 +75,7 @@ class StaticStateTest {
       Pattern.compile(
           "java\\.lang\\.(Boolean|Byte|Character|Class|Double|Float|Integer|Long|Module|Short)"
               + "|java\\.lang\\.String|java\\.math\\.MathContext|java\\.time\\..*"
-              + "|java\\.util\\.regex\\.Pattern"
+              + "|java\\.util\\.regex\\.Pattern|java\\.util\\.Collections\\$ReverseComparator2?"
               + "|java\\.util\\.Optional(Double|Int|Long)|sun\\.nio\\.fs\\..*Path"
               + "|.*\\$\\$Lambda.*|jdk\\.incubator\\.vector\\..*Species|com\\.google\\.gson\\.Gson"
               + "|com\\.sun\\.management\\.internal\\..*|java\\.io\\.PrintWriter");
