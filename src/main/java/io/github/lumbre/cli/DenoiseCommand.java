@@ -22,6 +22,7 @@ import io.github.lumbre.render.denoise.Denoised;
 import io.github.lumbre.render.denoise.NoisyPicture;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -110,7 +111,8 @@ final class DenoiseCommand extends Subcommand {
               notes.bits(),
               90,
               notes.metadata(),
-              film.header().background()));
+              film.header().background(),
+              Optional.of(film.header().window().dither())));
     }
     LayeredImage image = LayerInput.read(file, errors);
     try {

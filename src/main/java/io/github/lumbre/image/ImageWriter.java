@@ -45,6 +45,8 @@ public final class ImageWriter {
    *     written without alpha then. PNG and JPEG show its sRGB values, whatever exposure and tone
    *     curve are: both are applied to the picture alone. PFM and OpenEXR have its light. Empty to
    *     keep alpha
+   * @param dither of the colors of an 8-bit PNG; empty to round them, as frames that are compressed
+   *     against each other need it
    */
   public record Options(
       Exposure exposure,
@@ -52,26 +54,37 @@ public final class ImageWriter {
       int pngBits,
       int jpegQuality,
       Map<String, String> metadata,
-      Optional<Rgb> background) {
+      Optional<Rgb> background,
+      Optional<Dither> dither) {
     /** The default quality of a JPEG. */
     public static final int DEFAULT_JPEG_QUALITY = 90;
 
-    /** The defaults: no exposure, the sRGB curve, 8 bits, no metadata. */
+    /** The defaults: no exposure, the sRGB curve, 8 bits, dithered, no metadata. */
     public static final Options DEFAULT = new Options(Exposure.NONE, ToneCurve.SRGB, 8, Map.of());
+
+    /** The defaults without dithering, for pictures of measured values. */
+    public static final Options ROUNDED = DEFAULT.withDither(Optional.empty());
 
     /** Creates options with {@link #DEFAULT_JPEG_QUALITY}. */
     public Options(Exposure exposure, ToneCurve curve, int pngBits, Map<String, String> metadata) {
       this(exposure, curve, pngBits, DEFAULT_JPEG_QUALITY, metadata);
     }
 
-    /** Creates options that keep alpha. */
+    /** Creates options that keep alpha, for a full frame. */
     public Options(
         Exposure exposure,
         ToneCurve curve,
         int pngBits,
         int jpegQuality,
         Map<String, String> metadata) {
-      this(exposure, curve, pngBits, jpegQuality, metadata, Optional.empty());
+      this(
+          exposure,
+          curve,
+          pngBits,
+          jpegQuality,
+          metadata,
+          Optional.empty(),
+          Optional.of(Dither.FULL_FRAME));
     }
 
     /**
@@ -96,12 +109,17 @@ public final class ImageWriter {
 
     /** Returns these options with other metadata. */
     public Options withMetadata(Map<String, String> other) {
-      return new Options(exposure, curve, pngBits, jpegQuality, other, background);
+      return new Options(exposure, curve, pngBits, jpegQuality, other, background, dither);
     }
 
     /** Returns these options with another background. */
     public Options withBackground(Optional<Rgb> other) {
-      return new Options(exposure, curve, pngBits, jpegQuality, metadata, other);
+      return new Options(exposure, curve, pngBits, jpegQuality, metadata, other, dither);
+    }
+
+    /** Returns these options with another dithering, or without one. */
+    public Options withDither(Optional<Dither> other) {
+      return new Options(exposure, curve, pngBits, jpegQuality, metadata, background, other);
     }
 
     private static void check(String keyword, String text) {

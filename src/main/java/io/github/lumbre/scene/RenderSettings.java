@@ -1,6 +1,7 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.camera.PixelFilter;
+import io.github.lumbre.image.Dither;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
@@ -222,11 +223,13 @@ public final class RenderSettings {
 
   /**
    * Returns the options for writing a rendered picture: this exposure, tone curve and background, 8
-   * bits, no metadata. {@code lumbre render} writes the same pixels.
+   * bits, dithered as a part of the full frame, no metadata. {@code lumbre render} writes the same
+   * pixels.
    */
   public ImageWriter.Options development() {
     return new ImageWriter.Options(exposure(), toneCurve(), 8, Map.of())
-        .withBackground(background());
+        .withBackground(background())
+        .withDither(Optional.of(window().dither()));
   }
 
   /** Returns a builder with the defaults. */
@@ -320,6 +323,11 @@ public final class RenderSettings {
       requireIn(0, MAX_SIDE, y, "crop y");
       requireIn(1, MAX_SIDE, width, "crop width");
       requireIn(1, MAX_SIDE, height, "crop height");
+    }
+
+    /** Returns the dithering of the rectangle's picture. */
+    public Dither dither() {
+      return new Dither(x, y);
     }
 
     /** Returns the number of pixels. */

@@ -72,7 +72,7 @@ public final class ChangePage {
             now.file().parsed(),
             now.picture().image(),
             changes);
-    figure("difference", new DisplayLight(difference.image(), ImageWriter.Options.DEFAULT), html);
+    figure("difference", new DisplayLight(difference.image(), ImageWriter.Options.ROUNDED), html);
     html.append("</div>\n");
     legend(difference.colors(), html);
     table(changes, lines, html);

@@ -60,7 +60,7 @@ record CompareTool(Roots roots, Limits limits) implements Tool {
     }
     Map<String, Object> values = new LinkedHashMap<>(PictureError.of(picture, reference).byName());
     byte[] map =
-        ImageFormat.PNG.bytes(ErrorMap.of(picture, reference), ImageWriter.Options.DEFAULT);
+        ImageFormat.PNG.bytes(ErrorMap.of(picture, reference), ImageWriter.Options.ROUNDED);
     return new Outcome(List.of(map), values);
   }
 

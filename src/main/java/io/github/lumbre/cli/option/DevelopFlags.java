@@ -133,7 +133,8 @@ public final class DevelopFlags extends Flags {
         depth,
         stored.jpegQuality(),
         notes.metadata(),
-        film.header().background());
+        film.header().background(),
+        Optional.of(film.header().window().dither()));
   }
 
   private void write(

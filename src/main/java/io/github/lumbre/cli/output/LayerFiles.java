@@ -62,7 +62,7 @@ public final class LayerFiles {
       files.put(
           file,
           out ->
-              PictureEncoder.write(layer.toImage(), List.of(), out, ImageWriter.Options.DEFAULT));
+              PictureEncoder.write(layer.toImage(), List.of(), out, ImageWriter.Options.ROUNDED));
     } else if (layer.channels().size() <= 3) {
       double[] range = range(layer);
       Map<String, String> texts = new LinkedHashMap<>();

@@ -51,7 +51,8 @@ record LaterSteps(
               job.options().bits(),
               job.options().jpegQuality(),
               Map.of(),
-              job.file().settings().background());
+              job.file().settings().background(),
+              Optional.of(job.file().settings().window().dither()));
       Set<LaterStep> missing = EnumSet.noneOf(LaterStep.class);
       DenoisedPicture denoised = denoised();
       if (denoised.isMissing()) {

@@ -2,6 +2,7 @@ package io.github.lumbre.cli.view;
 
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.Visible;
+import io.github.lumbre.image.Dither;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
@@ -40,7 +41,11 @@ record PictureFiles(Path viewed, Exposure automatic, Optional<Rgb> background) {
     metadata.putAll(shown.metadata());
     ImageWriter.Options options =
         new ImageWriter.Options(exposure(frame, scene, query), curve(query), 8, metadata)
-            .withBackground(scene.map(s -> s.settings().background()).orElse(background));
+            .withBackground(scene.map(s -> s.settings().background()).orElse(background))
+            .withDither(
+                scene
+                    .map(s -> s.settings().window().dither())
+                    .or(() -> Optional.of(Dither.FULL_FRAME)));
     String file = String.valueOf(viewed.getFileName());
     String stem = file.contains(".") ? file.substring(0, file.lastIndexOf('.')) : file;
     if (isExr) {

@@ -1,5 +1,6 @@
 package io.github.lumbre.image.internal;
 
+import io.github.lumbre.image.Dither;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.Rgb;
@@ -14,6 +15,7 @@ import java.util.Optional;
  * @param hasAlpha whether to keep alpha; if not, the picture is composited over the background, or
  *     else over black
  * @param background light that the screen emits where the picture is transparent
+ * @param dither of the colors, if there are 8 bits; empty to round them
  */
 public record DisplayRows(
     Image image,
@@ -21,7 +23,8 @@ public record DisplayRows(
     double factor,
     int bits,
     boolean hasAlpha,
-    Optional<Rgb> background)
+    Optional<Rgb> background,
+    Optional<Dither> dither)
     implements SampleRows {
 
   /**
@@ -39,7 +42,8 @@ public record DisplayRows(
             .filter(color -> image.hasAlpha())
             .map(color -> shown(color, options.curve()));
     boolean hasAlpha = keepsAlpha && image.hasAlpha() && background.isEmpty();
-    return new DisplayRows(image, options.curve(), factor, bits, hasAlpha, background);
+    Optional<Dither> dither = options.dither().filter(given -> bits == Byte.SIZE);
+    return new DisplayRows(image, options.curve(), factor, bits, hasAlpha, background, dither);
   }
 
   /** Returns the light that the last step of a curve encodes as the sRGB values of a color. */
@@ -78,21 +82,29 @@ public record DisplayRows(
     int bands = bands();
     for (int x = 0; x < image.width(); x++) {
       Rgb mapped = mapped(x, y);
+      Rgb shown = isOfBytes ? mapped : transfer.apply(mapped);
+      double threshold = dither.isPresent() ? dither.get().threshold(x, y) : .5;
       int i = bands * x;
-      if (isOfBytes) {
-        row[i] = Srgb.toByte(mapped.r());
-        row[i + 1] = Srgb.toByte(mapped.g());
-        row[i + 2] = Srgb.toByte(mapped.b());
-      } else {
-        Rgb shown = transfer.apply(mapped);
-        row[i] = quantized(shown.r());
-        row[i + 1] = quantized(shown.g());
-        row[i + 2] = quantized(shown.b());
-      }
+      row[i] = isOfBytes ? toByte(shown.r(), threshold) : quantized(shown.r(), threshold);
+      row[i + 1] = isOfBytes ? toByte(shown.g(), threshold) : quantized(shown.g(), threshold);
+      row[i + 2] = isOfBytes ? toByte(shown.b(), threshold) : quantized(shown.b(), threshold);
       if (hasAlpha) {
-        row[i + 3] = quantized(Srgb.clamp(image.alpha(x, y)));
+        row[i + 3] = (int) Math.round(max() * Srgb.clamp(image.alpha(x, y)));
       }
     }
+  }
+
+  private int toByte(double linear, double threshold) {
+    return dither.isPresent() ? Srgb.toByte(linear, threshold) : Srgb.toByte(linear);
+  }
+
+  private int quantized(double shown, double threshold) {
+    double value = max() * shown;
+    return (int) (dither.isPresent() ? Math.floor(value + (1 - threshold)) : Math.round(value));
+  }
+
+  private int max() {
+    return (1 << bits) - 1;
   }
 
   /** Returns the light of a pixel to which the last step of the curve is applied. */
@@ -127,10 +139,6 @@ public record DisplayRows(
       }
     }
     return new Image(image.width(), image.height(), rgb, alpha);
-  }
-
-  private int quantized(double shown) {
-    return (int) Math.round(((1 << bits) - 1) * shown);
   }
 
   private Rgb exposed(Rgb c) {

@@ -5,6 +5,7 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.DisplayRows;
+import java.util.Optional;
 
 /**
  * A picture in the light of the screen that shows it: with exposure and tone curve, but without the
@@ -25,6 +26,12 @@ public record DisplayLight(Image image, ImageWriter.Options options) {
     return new DisplayLight(
         DisplayRows.of(picture, options, Byte.SIZE, picture.hasAlpha()).light(),
         new ImageWriter.Options(
-            Exposure.NONE, transfer, options.pngBits(), options.jpegQuality(), options.metadata()));
+            Exposure.NONE,
+            transfer,
+            options.pngBits(),
+            options.jpegQuality(),
+            options.metadata(),
+            Optional.empty(),
+            options.dither()));
   }
 }

@@ -10,6 +10,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.imageio.IIOException;
 import javax.imageio.IIOImage;
@@ -34,7 +35,8 @@ public final class JpegWriter {
 
   public static void write(Image image, ImageWriter.Options options, OutputStream out)
       throws IOException {
-    BufferedImage picture = DisplayPicture.of(DisplayRows.of(image, options, 8, false));
+    ImageWriter.Options rounded = options.withDither(Optional.empty());
+    BufferedImage picture = DisplayPicture.of(DisplayRows.of(image, rounded, 8, false));
     javax.imageio.ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);

@@ -33,8 +33,8 @@ public final class PngWriter {
   /** The gamma 1 / 2.2, times 100,000. */
   private static final int GAMMA = 45455;
 
-  /** zlib's level: higher ones take longer and gain little with noisy pictures. */
-  private static final int LEVEL = 4;
+  /** zlib's level: with lower ones, dithered pictures are 6 % larger. */
+  private static final int LEVEL = 6;
 
   /** The number of bytes in a data chunk. */
   private static final int CHUNK = 1 << 15;
