@@ -7,6 +7,7 @@ import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Scene;
 import java.util.Optional;
 
@@ -22,12 +23,11 @@ final class FoundLights {
   private final EnvironmentLight[] environments;
 
   /** What the camera sees instead of environment lights. */
-  private final Optional<Rgb> backplate;
+  private final Optional<Backplate> backplate;
 
   /** Whether samples that see the backplate through clear glass cover their pixel. */
   private final boolean isGlassSeen;
 
-  private final boolean hasBackplate;
   private final boolean hasAmbient;
 
   FoundLights(Scene scene, PathOptions options, LightTechniques techniques) {
@@ -40,7 +40,6 @@ final class FoundLights {
             .toArray(EnvironmentLight[]::new);
     backplate = options.backplateOf(scene);
     isGlassSeen = options.backplate().isPresent();
-    hasBackplate = backplate.isPresent();
     hasAmbient = !scene.ambient().isBlack();
   }
 
@@ -75,8 +74,8 @@ final class FoundLights {
    * @param depth number of surfaces that scattered the path so far
    */
   void addBackground(int depth, RenderContext context) {
-    if (depth == 0 && hasBackplate) {
-      addBackplate(context);
+    if (depth == 0 && backplate.isPresent()) {
+      addBackplate(backplate.get(), context);
     } else {
       addEnvironment(context, context.hit.direction());
     }
@@ -106,8 +105,8 @@ final class FoundLights {
     context.add(r, g, b);
   }
 
-  private void addBackplate(RenderContext context) {
-    Rgb light = backplate.orElse(Rgb.BLACK);
+  private void addBackplate(Backplate seen, RenderContext context) {
+    Rgb light = seen.at(context.down);
     context.hitSomething |= isGlassSeen && context.passedGlass;
     context.listener.lightFound(
         Source.ENVIRONMENT, -1, light.r(), light.g(), light.b(), 0, Double.POSITIVE_INFINITY, 1);

@@ -1,6 +1,7 @@
 package io.github.lumbre.integrator;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import java.util.Objects;
@@ -144,9 +145,10 @@ public record PathOptions(
   }
 
   /** Returns what camera rays find in a scene instead of environment lights, if anything. */
-  Optional<Rgb> backplateOf(Scene scene) {
+  Optional<Backplate> backplateOf(Scene scene) {
     return backplate
-        .or(() -> transparent ? Optional.of(Rgb.BLACK) : Optional.empty())
+        .map(Backplate::plain)
+        .or(() -> transparent ? Optional.of(Backplate.plain(Rgb.BLACK)) : Optional.empty())
         .or(scene::backplate);
   }
 

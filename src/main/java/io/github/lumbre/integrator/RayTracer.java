@@ -17,6 +17,7 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.math.sampling.Sampler;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import java.util.Deque;
@@ -42,7 +43,7 @@ public final class RayTracer implements Integrator {
   private final int maxRefractions;
 
   /** What the camera sees instead of environment lights. */
-  private final Optional<Rgb> backplate;
+  private final Optional<Backplate> backplate;
 
   /** Whether samples that see the backplate through clear glass cover their pixel. */
   private final boolean isGlassSeen;
@@ -135,7 +136,7 @@ public final class RayTracer implements Integrator {
     context.listener.rayTraced(hit, depth, throughput.r(), throughput.g(), throughput.b());
     if (!isHit) {
       return depth == 0 && backplate.isPresent()
-          ? backplate(backplate.get(), context)
+          ? backplate(backplate.get().at(context.down), context)
           : environment(hit.direction(), context);
     }
     context.hitSomething = true;

@@ -40,6 +40,9 @@ public final class RenderContext {
 
   boolean hitSomething;
 
+  /** The place of the current sample in the full frame, 0 at the upper edge and 1 at the lower. */
+  double down;
+
   /** Whether the current sample's camera ray has passed straight through clear glass. */
   boolean passedGlass;
 
@@ -243,8 +246,19 @@ public final class RenderContext {
     return InvalidCoordinates.take();
   }
 
-  /** Prepares for the next camera ray. */
+  /** Prepares for the next camera ray, in the middle of the frame. */
   public void startSample() {
+    startSample(.5);
+  }
+
+  /**
+   * Prepares for the next camera ray.
+   *
+   * @param newDown the distance of its pixel from the upper edge divided by the height of the full
+   *     frame, 0 to 1
+   */
+  public void startSample(double newDown) {
+    down = newDown;
     hitSomething = false;
     passedGlass = false;
     isRejected = false;

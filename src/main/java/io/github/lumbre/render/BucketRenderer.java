@@ -152,7 +152,7 @@ final class BucketRenderer implements Runnable {
   }
 
   private void renderSample(int x, int y, int sample, int pixel) {
-    context.startSample();
+    context.startSample(settings.down(y));
     samples++;
     TracedPose pose = poses[sample & poses.length - 1];
     boolean hasRay = CameraSamples.start(pose.scene(), settings, sampler, x, y, sample, ray);

@@ -170,9 +170,9 @@ final class GuidePilot {
     CameraRay ray = new CameraRay();
     for (int column = 0; column < grid.columns(); column++) {
       crew.check();
-      context.startSample();
       int x = grid.x(column);
       int y = grid.y(row);
+      context.startSample(settings.down(y));
       // Every path has its own numbers.
       int number = row * grid.columns() + column;
       if (CameraSamples.start(scene, settings, sampler, x, y, number, ray)) {

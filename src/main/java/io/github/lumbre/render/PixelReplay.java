@@ -118,7 +118,7 @@ public final class PixelReplay {
    * @param number the sample's number, from 0
    */
   public Sample sample(int x, int y, int number) {
-    context.startSample();
+    context.startSample(settings.down(y));
     TracedPose pose = poses.get(number & poses.size() - 1);
     if (!CameraSamples.start(pose.scene(), settings, sampler, x, y, number, ray)) {
       return new Sample(number, List.of(), Rgb.BLACK, Rgb.BLACK, false, false);

@@ -216,6 +216,11 @@ public final class RenderSettings {
     return crop.orElse(new Crop(0, 0, width(), height()));
   }
 
+  /** Returns how far the middle of a row is down the full frame, from 0 to 1. */
+  public double down(int row) {
+    return (row + .5) / height();
+  }
+
   /** Returns the width of the full frame divided by its height. */
   public double aspect() {
     return (double) width() / height();

@@ -62,7 +62,7 @@ public final class Scene extends OpenScene {
 
   private final SceneLights lights;
   private final Rgb ambient;
-  private final Optional<Rgb> backplate;
+  private final Optional<Backplate> backplate;
   private final double radius;
   private final SurfaceNames names;
   private final Set<Specialization> shortcuts;
@@ -390,11 +390,8 @@ public final class Scene extends OpenScene {
     return names;
   }
 
-  /**
-   * Returns the radiance that the camera sees instead of environment lights; empty if it sees
-   * these.
-   */
-  public Optional<Rgb> backplate() {
+  /** Returns what the camera sees instead of environment lights; empty if it sees these. */
+  public Optional<Backplate> backplate() {
     return backplate;
   }
 

@@ -35,7 +35,7 @@ public final class SceneAssembly {
   final List<String> groupOfPrimitive = new ArrayList<>();
   final List<String> groupOfEmitter = new ArrayList<>();
   Rgb ambient = Rgb.BLACK;
-  Optional<Rgb> backplate = Optional.empty();
+  Optional<Backplate> backplate = Optional.empty();
   Kernel kernel = Kernel.AUTO;
   private String objectName = "";
   private String materialName = "";
@@ -158,9 +158,9 @@ public final class SceneAssembly {
     return this;
   }
 
-  /** Sets the color that the camera sees instead of environment lights, which still give light. */
-  public SceneAssembly backplate(Rgb radiance) {
-    backplate = Optional.of(radiance);
+  /** Sets what the camera sees instead of environment lights, which still give light. */
+  public SceneAssembly backplate(Backplate seen) {
+    backplate = Optional.of(seen);
     return this;
   }
 

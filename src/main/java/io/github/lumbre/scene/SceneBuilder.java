@@ -36,7 +36,7 @@ public final class SceneBuilder {
   private final Map<Material, String> materialNames;
   private Optional<Camera> camera = Optional.empty();
   private Optional<Viewpoint> viewpoint = Optional.empty();
-  private Optional<Rgb> backplate = Optional.empty();
+  private Optional<Backplate> backplate = Optional.empty();
   private Optional<Scene> origin = Optional.empty();
   private String lightGroup = "";
 
@@ -284,8 +284,13 @@ public final class SceneBuilder {
 
   /** Sets the color that the camera sees instead of environment lights, which still give light. */
   public SceneBuilder backplate(Rgb radiance) {
+    return backplate(Backplate.plain(radiance));
+  }
+
+  /** Sets what the camera sees instead of environment lights, which still give light. */
+  public SceneBuilder backplate(Backplate seen) {
     requireScene("the backplate");
-    backplate = Optional.of(radiance);
+    backplate = Optional.of(seen);
     return this;
   }
 

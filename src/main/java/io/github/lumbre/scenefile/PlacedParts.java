@@ -3,7 +3,7 @@ package io.github.lumbre.scenefile;
 import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.geometry.Kernel;
-import io.github.lumbre.image.Rgb;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneAssembly;
 import io.github.lumbre.scene.internal.Names;
@@ -68,7 +68,7 @@ final class PlacedParts {
    *
    * @param cameras in each pose; a single one stands still
    * @param poses number of poses; all parts that move have so many
-   * @param backplate color that the camera sees instead of environment lights
+   * @param backplate what the camera sees instead of environment lights
    * @param kernel traversal kernel of the bounding volume hierarchies
    * @param known the same scene, if code has built it: it gets the names of the file; not used if
    *     there are several poses
@@ -76,7 +76,7 @@ final class PlacedParts {
   Scene scene(
       List<Camera> cameras,
       int poses,
-      Optional<Rgb> backplate,
+      Optional<Backplate> backplate,
       Kernel kernel,
       Optional<Scene> known) {
     List<SceneAssembly> all = new ArrayList<>();

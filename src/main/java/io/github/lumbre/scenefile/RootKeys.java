@@ -1,5 +1,6 @@
 package io.github.lumbre.scenefile;
 
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.scenefile.internal.CameraKeys;
 import java.util.List;
 
@@ -39,6 +40,12 @@ final class RootKeys {
           "background",
           Value.other("{'anyOf': [{'$ref': '#/$defs/color'}, {'const': 'transparent'}]}"),
           "Radiance of a uniform dome, or \"transparent\".");
+
+  static final Key<Rgb> TOP = Key.color("top", "Light at the upper edge of the full frame.");
+  static final Key<Rgb> BOTTOM = Key.color("bottom", "Light at the lower edge.");
+
+  /** The keys of a backplate that is not of one color. */
+  static final List<Key<?>> OF_GRADIENTS = List.of(TOP, BOTTOM);
 
   /** The keys of render options that are not settings. */
   static final List<Key<?>> OF_OPTIONS = List.of(ANTIALIASING, BACKGROUND, ObjectKeys.NAME);

@@ -6,6 +6,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.geometry.Shape;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.internal.DecodedPictures;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
@@ -39,7 +40,7 @@ final class SceneReader {
   private final ModelParts modelParts;
   private final LightProfiles profiles;
   private Optional<Camera> camera = Optional.empty();
-  private Optional<Rgb> backplate = Optional.empty();
+  private Optional<Backplate> backplate = Optional.empty();
   private String cameraType = "";
   private int lightCount;
 

@@ -179,7 +179,7 @@ public final class SceneWriter {
         throw new Unwritable("a backplate of light or of a color", "both");
       }
       options.add(
-          Setting.BACKPLATE.name(), Value.COLOR.writer().apply(description.backplate().get()));
+          Setting.BACKPLATE.name(), SettingsReader.written(description.backplate().get()));
     }
     Optional<Rgb> background = background(description.nodes());
     if (settings.transparent()) {

@@ -1,6 +1,8 @@
 package io.github.lumbre.scenefile;
 
 import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.image.Exposure;
@@ -11,6 +13,7 @@ import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.internal.OptionTypes.NamedType;
 import io.github.lumbre.model.internal.OptionTypes.PoseType;
 import io.github.lumbre.model.internal.OptionTypes.TextsType;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
@@ -107,7 +110,8 @@ final class SettingsReader {
           new Value<Optional<Rgb>>(
               SettingsReader::screenColor,
               color -> new JsonPrimitive(screen.format(color)),
-              "{'anyOf': [{'$ref': '#/$defs/color'}, {'$ref': '#/$defs/screenColor'}]}");
+              "{'anyOf': [{'$ref': '#/$defs/color'}, {'$ref': '#/$defs/gradient'}, "
+                  + "{'$ref': '#/$defs/screenColor'}]}");
     }
     if (type instanceof ExposureType) {
       return (Value<T>)
@@ -227,11 +231,35 @@ final class SettingsReader {
   }
 
   /** Returns the light that the camera sees instead of environment lights; empty for none. */
-  static Optional<Rgb> backplate(JsonNode options) {
+  static Optional<Backplate> backplate(JsonNode options) {
     return options
         .find(Setting.BACKPLATE.name())
         .filter(JsonNode::isObject)
-        .flatMap(JsonNode::rgb);
+        .flatMap(
+            node ->
+                isGradient(node)
+                    ? Optional.of(gradient(node))
+                    : node.rgb().map(Backplate::plain));
+  }
+
+  private static boolean isGradient(JsonNode backplate) {
+    return RootKeys.OF_GRADIENTS.stream().anyMatch(key -> key.isIn(backplate));
+  }
+
+  private static Backplate gradient(JsonNode backplate) {
+    backplate.warnUnknown(Key.names(RootKeys.OF_GRADIENTS));
+    return new Backplate(RootKeys.TOP.in(backplate), RootKeys.BOTTOM.in(backplate));
+  }
+
+  /** Returns the value of a key that {@link #backplate} reads. */
+  static JsonElement written(Backplate backplate) {
+    if (backplate.isPlain()) {
+      return Value.COLOR.writer().apply(backplate.top());
+    }
+    JsonObject gradient = new JsonObject();
+    RootKeys.TOP.put(gradient, backplate.top());
+    RootKeys.BOTTOM.put(gradient, backplate.bottom());
+    return gradient;
   }
 
   /** Returns the radiance of the background; empty if the scene names none. */

@@ -35,6 +35,7 @@ import io.github.lumbre.material.internal.ScalarChannel;
 import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.sampling.internal.SobolSampler;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.Texture;
@@ -319,7 +320,7 @@ class TransparencyTest {
             .add(floor(), matte(.5))
             .add(wall(3), veil(0, .5))
             .add(EnvironmentLight.uniform(Rgb.WHITE))
-            .backplate(new Rgb(.125, .25, .5))
+            .backplate(Backplate.plain(new Rgb(.125, .25, .5)))
             .build();
     Ray up = new Ray(Vec3.Y, Vec3.Y);
     assertThat(radiance(path(scene), up)).isEqualTo(new Rgb(.125, .25, .5));
@@ -330,7 +331,7 @@ class TransparencyTest {
         empty()
             .add(floor(), matte(.5))
             .add(EnvironmentLight.uniform(Rgb.WHITE))
-            .backplate(Rgb.BLACK)
+            .backplate(Backplate.plain(Rgb.BLACK))
             .build();
     assertMean(new PathTracer(lit, 1), new Ray(Vec3.Y, Vec3.Y.negated()), .5);
   }
@@ -338,7 +339,10 @@ class TransparencyTest {
   @Test
   void backplatesAreRecordedAsLightOfTheEnvironment() {
     Scene scene =
-        empty().add(EnvironmentLight.uniform(Rgb.WHITE)).backplate(new Rgb(.125, .25, .5)).build();
+        empty()
+            .add(EnvironmentLight.uniform(Rgb.WHITE))
+            .backplate(Backplate.plain(new Rgb(.125, .25, .5)))
+            .build();
     for (Integrator integrator : new Integrator[] {path(scene), ray(scene)}) {
       PathRecorder recorder = new PathRecorder();
       SobolSampler sampler = new SobolSampler(3);
@@ -479,7 +483,7 @@ class TransparencyTest {
         .add(point(new Vec3(-1, 5, 1), 3))
         .add(EnvironmentLight.uniform(new Rgb(.1, .2, .3)))
         .addAmbient(Rgb.gray(.3))
-        .backplate(new Rgb(.3, .2, .1))
+        .backplate(Backplate.plain(new Rgb(.3, .2, .1)))
         .build();
   }
 

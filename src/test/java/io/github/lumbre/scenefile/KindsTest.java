@@ -139,6 +139,7 @@ class KindsTest {
         List.of(
             RootKeys.ALL,
             RootKeys.OF_OPTIONS,
+            RootKeys.OF_GRADIENTS,
             ObjectKeys.OF_EMITTERS,
             ObjectKeys.OF_MESHES,
             ObjectKeys.OF_MODELS)) {

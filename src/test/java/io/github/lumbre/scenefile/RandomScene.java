@@ -53,6 +53,7 @@ import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFile;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.texture.NormalMap;
@@ -115,7 +116,7 @@ final class RandomScene {
       default -> scene.addAmbient(rgb(.5));
     }
     if (seed % 5 == 0) {
-      scene.backplate(rgb(1));
+      scene.backplate(seed % 2 == 0 ? Backplate.plain(rgb(1)) : new Backplate(rgb(1), rgb(.5)));
     }
     if (seed % 6 == 0) {
       Path file = Path.of("scenes", "models", "lantern.glb");

@@ -68,6 +68,9 @@ final class SceneSchema {
     String definitions =
         Stream.of(
                 DEFINITIONS.replace("@COLORS", colors),
+                "'gradient': {'type': 'object', "
+                    + closed("", properties(RootKeys.OF_GRADIENTS))
+                    + ", 'minProperties': 1}",
                 "'renderOptions': {'type': ['object', 'null'], "
                     + closed("", properties(settings))
                     + "}",

@@ -1,8 +1,8 @@
 package io.github.lumbre.scene.internal;
 
 import io.github.lumbre.camera.Viewpoint;
-import io.github.lumbre.image.Rgb;
 import io.github.lumbre.material.Material;
+import io.github.lumbre.scene.Backplate;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -15,14 +15,13 @@ import java.util.Optional;
  * @param viewpoint of the camera; empty if the scene was given a camera for one aspect ratio
  * @param nodes in the order in which they were added
  * @param materialNames names of materials, by identity
- * @param backplate radiance that the camera sees instead of environment lights; empty if it sees
- *     these
+ * @param backplate what the camera sees instead of environment lights; empty if it sees these
  */
 public record SceneDescription(
     Optional<Viewpoint> viewpoint,
     List<SceneNode> nodes,
     Map<Material, String> materialNames,
-    Optional<Rgb> backplate) {
+    Optional<Backplate> backplate) {
   public SceneDescription {
     nodes = List.copyOf(nodes);
     materialNames = Collections.unmodifiableMap(new IdentityHashMap<>(materialNames));
