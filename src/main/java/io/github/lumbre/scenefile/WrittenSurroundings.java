@@ -76,6 +76,10 @@ record WrittenSurroundings(Surroundings around, Path folder) {
         .get(Setting.BACKPLATE)
         .map(CssColor::text)
         .ifPresent(color -> render.addProperty(Setting.BACKPLATE.name(), color));
+    around
+        .backplate()
+        .map(SettingsReader::written)
+        .ifPresent(seen -> render.add(Setting.BACKPLATE.name(), seen));
     return render;
   }
 

@@ -9,6 +9,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.OptionTypes;
 import io.github.lumbre.model.internal.OptionTypes.TextType;
 import io.github.lumbre.model.internal.OptionValues;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
@@ -206,6 +207,11 @@ public final class Stage {
   /** The default size of a picture of a model, in pixels. */
   public static final int DEFAULT_WIDTH = 1024;
 
+  /** The light behind the model in a studio, at the upper and lower edge of the frame. */
+  private static final double TOP = .32;
+
+  private static final double BOTTOM = .25;
+
   /** The height that belongs to {@link #DEFAULT_WIDTH}. */
   public static final int DEFAULT_HEIGHT = 768;
 
@@ -388,6 +394,20 @@ public final class Stage {
   public Optional<Rgb> background() {
     Optional<String> named = values.find(BACKGROUND);
     return named.isPresent() ? named.flatMap(BackgroundType::color) : look(values).background();
+  }
+
+  /**
+   * Returns what the camera sees instead of the lamps and walls of the studio: an even ground, a
+   * little brighter at the top; empty if something else is asked for.
+   */
+  public Optional<Backplate> backplate() {
+    Sky sky = sky();
+    boolean isSeen = sky.name().equals(Sky.STUDIO.name()) && values.find(BACKGROUND).isEmpty();
+    return isSeen && background().isEmpty()
+        ? Optional.of(
+            new Backplate(
+                Rgb.gray(TOP * sky.intensity()), Rgb.gray(BOTTOM * sky.intensity())))
+        : Optional.empty();
   }
 
   /** Returns whether the background is transparent. */

@@ -2,6 +2,7 @@ package io.github.lumbre.scenefile.internal;
 
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -12,6 +13,8 @@ import java.util.Set;
  *
  * @param camera of the scene, in the middle of its motion
  * @param moving name of the model's camera that moves with the pose; empty if it stands still
+ * @param backplate what the camera sees instead of the sky; empty if it sees the sky, or the color
+ *     of the settings
  * @param hasGround whether the model stands on an infinite floor
  * @param box around what the camera has in its frame, on whose lowest point the floor is
  * @param options of the model
@@ -23,6 +26,7 @@ public record Surroundings(
     PlacedCamera camera,
     Optional<String> moving,
     Sky sky,
+    Optional<Backplate> backplate,
     boolean hasGround,
     Bounds3 box,
     ModelOptions options,

@@ -117,6 +117,7 @@ public final class Staging {
               sky.rotation(),
               sky.sun().azimuth(),
               sky.sun().elevation()),
+          of.backplate(),
           of.get(Stage.GROUND),
           framing.box(),
           of.options(),
