@@ -1,5 +1,5 @@
 /**
- * What the commands and the measurements share: tasks that fail for a stated reason, whole text
- * files, and the version.
+ * What the commands and the measurements share: exit codes and tasks that fail for a stated reason,
+ * whole text files, and the version.
  */
 package io.github.lumbre.base;

@@ -1,5 +1,5 @@
 /**
- * Textures: values that vary over a surface.
+ * Textures: values that vary over a surface, or over the directions of a sky.
  *
  * <p>A {@link io.github.lumbre.texture.Texture} returns a color, and a {@link
  * io.github.lumbre.texture.ScalarTexture} returns a number, at a {@link

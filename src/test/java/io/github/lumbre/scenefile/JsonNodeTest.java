@@ -157,7 +157,7 @@ class JsonNodeTest {
   void warningsAreLimitedToo() {
     JsonNode node = root("{}");
     for (int i = 0; i < 1500; i++) {
-      node.warn("key", "w");
+      node.warn("key", "w" + i);
     }
     assertThat(problems.warnings())
         .map(Object::toString)

@@ -1,6 +1,6 @@
 /**
- * The kinds of textures, which the module does not export. Programs get them from {@link
- * io.github.lumbre.texture.Texture}, scenes name them.
+ * The kinds of textures, skies among them, which the module does not export. Programs get them from
+ * {@link io.github.lumbre.texture.Texture}, scenes name them.
  *
  * <p>{@link io.github.lumbre.texture.internal.ImageTexture} reads a picture; {@link
  * io.github.lumbre.texture.internal.TintedTexture} multiplies it by a constant, and {@link
