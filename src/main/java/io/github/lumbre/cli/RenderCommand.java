@@ -181,8 +181,11 @@ final class RenderCommand extends Subcommand {
     SceneOptions scene = options.scene;
     try (FilmKeeper keeper = options.checkpoints.newKeeper(options.checkpoint(), messages);
         RenderMonitor monitor = options.run.monitor(invocation.interruption, invocation.deadline)) {
-      SceneFile file =
-          monitor.reading(scene.scene(), () -> scene.load(options.parser(), messages));
+      SceneFile file;
+      Interruption.Wait reading = monitor.reading(scene.scene());
+      try (reading) {
+        file = scene.load(options.parser(), messages);
+      }
       if (dryRun) {
         return estimate(file, denoising, report);
       }

@@ -183,7 +183,7 @@ class DenoisedModelsTest extends CommandFixture {
   void denoisedViewsNeedFewSamples() {
     String views = "views T/sample.glb --size 24x18 -o T/v";
     assertThat(said(views)).contains(" 2 samples per pixel, denoised");
-    assertThat(said(views + "2 --no-denoise")).contains(" 100 samples per pixel, ");
+    assertThat(said(views + "2 --no-denoise")).contains(" 100 samples per pixel; ");
   }
 
   /** The stop rule sees the noise of the samples, which the denoiser does not change. */

@@ -28,7 +28,7 @@ class ReproducibilityTest {
   }
 
   @ParameterizedTest
-  @MethodSource("scenes")
+  @MethodSource("io.github.lumbre.testing.Folders#scenes")
   void threadsBucketsAndTheirOrderDoNotChangeABit(Path path)
       throws SceneFormatException, IOException, InterruptedException {
     Random random = new Random(43);
