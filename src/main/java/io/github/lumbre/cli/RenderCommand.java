@@ -230,14 +230,17 @@ final class RenderCommand extends Subcommand {
         RenderStatistics.ZERO,
         file.settings());
     RenderJob.Options jobOptions =
-        options.run.jobOptions(
-            options.bits(),
-            options.stored.jpegQuality(),
-            options.scene.isStrict(),
-            denoising,
-            options.flags.layers(),
-            exposing,
-            drawn -> {});
+        options
+            .run
+            .jobOptions(
+                options.bits(),
+                options.stored.jpegQuality(),
+                options.scene.isStrict(),
+                denoising,
+                options.flags.layers(),
+                exposing,
+                drawn -> {})
+            .withDither(options.to.animation().isEmpty());
     Messages messages = options.run.errors();
     return new RenderJob(
         scene, file, picture, keeper, monitor, messages, report, budget, jobOptions, engine);

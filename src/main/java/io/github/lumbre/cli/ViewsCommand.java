@@ -25,6 +25,7 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.Run;
 import io.github.lumbre.cli.run.RunBudget;
+import io.github.lumbre.image.Dither;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ContactSheet;
@@ -233,7 +234,8 @@ final class ViewsCommand extends Subcommand {
     List<Image> images = whole.stream().map(DisplayLight::image).toList();
     int gap = Math.max(1, images.get(0).width() / GAPS_PER_WIDTH);
     Image sheet = ContactSheet.of(images, SHEET_COLUMNS, gap);
-    frames.picture().write(sheet, whole.get(0).options());
+    ImageWriter.Options options = whole.get(0).options();
+    frames.picture().write(sheet, options.withDither(Optional.of(Dither.FULL_FRAME)));
   }
 
   /** Adds the parts of the model, and what each view shows. */

@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.PictureTexts;
+import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.testing.Folders;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -384,5 +387,32 @@ class AnimationCommandsTest extends CommandFixture {
     assertThat(said(line + "a.apng" + SMALL)).doesNotContain("warning: a.apng");
     assertThat(said("render T/sample.glb --turntable 1 -o T/b.gif" + SMALL))
         .doesNotContain("warning: b.gif");
+  }
+
+  /** Returns how many values of a picture are not those of linear light, rounded. */
+  private int notRounded(String name, String light) throws IOException {
+    BufferedImage picture = picture(name);
+    Image image = io.github.lumbre.image.ImageReader.readLinear(directory.resolve(light));
+    int different = 0;
+    for (int i = 0; i < image.rgb().length / 3; i++) {
+      int x = i % image.width();
+      int y = i / image.width();
+      int green = (int) Math.round(255 * Srgb.encode(image.pixel(x, y).g()));
+      different += (picture.getRGB(x, y) >> 8 & 0xff) == green ? 0 : 1;
+    }
+    return different;
+  }
+
+  @Test
+  void joinedFramesAreRoundedAndOthersAreDithered() throws IOException {
+    String line = "render T/sample.glb --turntable 2 --no-denoise --size 48x40 -s 1 --tonemap srgb -o T/";
+    runs(line + "light.pfm");
+    runs(line + "a.png");
+    assertThat(notRounded("a-000.png", "light-000.pfm")).isGreaterThan(48 * 40 / 4);
+    assertThat(notRounded("a-001.png", "light-001.pfm")).isGreaterThan(48 * 40 / 4);
+    runs(line + "b.apng");
+    assertThat(notRounded("b.apng", "light-000.pfm")).isZero();
+    runs(line + "c.gif --frames 1");
+    assertThat(notRounded("c.gif.frames/c-001.png", "light-001.pfm")).isZero();
   }
 }

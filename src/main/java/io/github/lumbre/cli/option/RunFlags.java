@@ -146,7 +146,7 @@ public final class RunFlags extends Flags {
       PictureExposure exposing,
       Consumer<DisplayLight> receiver) {
     return new RenderJob.Options(
-        bits, jpegQuality, quiet, stats, strict, denoising, layers, exposing, receiver);
+        bits, jpegQuality, quiet, stats, strict, denoising, layers, exposing, receiver, true);
   }
 
   /** Returns the border of the command, which prints a summary under {@code --json}. */

@@ -52,7 +52,8 @@ record LaterSteps(
               job.options().jpegQuality(),
               Map.of(),
               job.file().settings().background(),
-              Optional.of(job.file().settings().window().dither()));
+              Optional.of(job.file().settings().window().dither())
+                  .filter(dither -> job.options().dithered()));
       Set<LaterStep> missing = EnumSet.noneOf(LaterStep.class);
       DenoisedPicture denoised = denoised();
       if (denoised.isMissing()) {

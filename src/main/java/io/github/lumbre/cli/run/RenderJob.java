@@ -71,6 +71,8 @@ public record RenderJob(
    * @param layers the layers to write if the picture's format holds layers
    * @param exposing chooses the exposure
    * @param receiver receives the picture with its lines and labels
+   * @param dithered whether an 8-bit PNG is dithered; frames that are joined into one file are not,
+   *     because their still places would no longer be equal in all of them
    */
   public record Options(
       int bits,
@@ -81,7 +83,23 @@ public record RenderJob(
       Optional<Denoising> denoising,
       Set<Layer> layers,
       PictureExposure exposing,
-      Consumer<DisplayLight> receiver) {}
+      Consumer<DisplayLight> receiver,
+      boolean dithered) {
+    /** Returns these options, with dithering or without. */
+    public Options withDither(boolean isWanted) {
+      return new Options(
+          bits,
+          jpegQuality,
+          quiet,
+          stats,
+          strict,
+          denoising,
+          layers,
+          exposing,
+          receiver,
+          isWanted);
+    }
+  }
 
   /** Renders a new film. */
   public ExitCode run(int firstSample) throws TaskException, InterruptedException {

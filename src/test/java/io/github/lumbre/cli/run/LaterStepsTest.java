@@ -123,7 +123,8 @@ class LaterStepsTest {
               Optional.of(new Denoising(Optional.empty(), 1)),
               Set.of(),
               PictureExposure.ofEach(),
-              drawn -> {});
+              drawn -> {},
+              true);
       Path model = directory.resolve("sample.glb");
       RenderJob job =
           new RenderJob(

@@ -111,7 +111,8 @@ class RunBudgetTest {
               Optional.empty(),
               Set.of(),
               PictureExposure.ofEach(),
-              drawn -> {});
+              drawn -> {},
+              true);
       JsonSummary report = new JsonSummary("render", target);
       ExitCode code =
           new RenderJob(
