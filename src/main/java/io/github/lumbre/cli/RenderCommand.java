@@ -31,6 +31,7 @@ import io.github.lumbre.render.checkpoint.RecordedLayers;
 import io.github.lumbre.render.denoise.BuiltInDenoiser;
 import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -38,6 +39,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -66,6 +68,7 @@ import picocli.CommandLine.Parameters;
       "  lumbre render - -o - --format jpg < scene.json > picture.jpg",
       "  lumbre render scene.json -o detail.png --crop 100,50,64,48 -s 1000",
       "  lumbre render *.glb -o pictures --format jpg",
+      "  lumbre render *.glb --sheet sheet.png",
       "  lumbre render scene.json --timeout 5m",
       "  lumbre render scene.json --target-error 2%% --time 10m",
       "  lumbre render scene.json -s 4000 --checkpoint night.film"
@@ -109,7 +112,11 @@ final class RenderCommand extends Subcommand {
     List<Path> targets = options.to.targets(scenes);
     options.validate(scenes);
     try (Interruption interruption = Interruption.listen()) {
-      Invocation invocation = new Invocation(start, startup, deadline, interruption, scenes);
+      Invocation invocation =
+          new Invocation(start, startup, deadline, interruption, scenes, drawn -> {});
+      if (options.to.sheet().isPresent()) {
+        return new RenderSheet(options, invocation, this::each).run();
+      }
       if (!dryRun && (options.sequence.areGiven() || options.to.animation().isPresent())) {
         return new RenderSequence(options, engine, this::frame, invocation, targets.get(0)).run();
       }
@@ -131,8 +138,17 @@ final class RenderCommand extends Subcommand {
     return border.of(report, () -> run(report, invocation, frames, exposing));
   }
 
-  /** Renders several scenes, and returns the highest of their exit codes. */
   private ExitCode batch(Invocation invocation, Frames frames) throws Exception {
+    ExitCode code = each(invocation, frames);
+    if (!frames.haveEnded()) {
+      options.run.summarize(
+          frames.summary(), Duration.between(invocation.start(), Instant.now()));
+    }
+    return code;
+  }
+
+  /** Renders several scenes, and returns the highest of their exit codes. */
+  private ExitCode each(Invocation invocation, Frames frames) throws Exception {
     RunFlags run = options.run;
     ExitCode code = ExitCode.OK;
     for (Path scene : invocation.scenes()) {
@@ -152,7 +168,6 @@ final class RenderCommand extends Subcommand {
         frames.fail(scene);
       }
     }
-    run.summarize(frames.summary(), Duration.between(invocation.start(), Instant.now()));
     return code;
   }
 
@@ -160,13 +175,15 @@ final class RenderCommand extends Subcommand {
    * What the frames of the command share.
    *
    * @param startup time between the start and the first line of the command
+   * @param receiver receives the pictures with their lines and labels
    */
   record Invocation(
       Instant start,
       Duration startup,
       Deadline deadline,
       Interruption interruption,
-      List<Path> scenes) {}
+      List<Path> scenes,
+      Consumer<DisplayLight> receiver) {}
 
   /** Renders one frame. */
   private ExitCode run(
@@ -201,7 +218,17 @@ final class RenderCommand extends Subcommand {
               file.settings(),
               options.quality.targetError(),
               Budget.CONFIDENCE);
-      RenderJob job = job(file, frames, keeper, monitor, budget, denoising, exposing, report);
+      RenderJob job =
+          job(
+              file,
+              frames,
+              keeper,
+              monitor,
+              budget,
+              denoising,
+              exposing,
+              invocation.receiver,
+              report);
       invocation.interruption.requireRender();
       ExitCode code = job.run(options.flags.samples().first());
       if (options.run.isJson()) {
@@ -219,6 +246,7 @@ final class RenderCommand extends Subcommand {
       RunBudget budget,
       Optional<Denoising> denoising,
       PictureExposure exposing,
+      Consumer<DisplayLight> receiver,
       JsonSummary report) {
     Path scene = options.scene.scene();
     PictureOutput picture = frames.picture();
@@ -239,7 +267,7 @@ final class RenderCommand extends Subcommand {
                 denoising,
                 options.flags.layers(),
                 exposing,
-                drawn -> {})
+                receiver)
             .withDither(options.to.animation().isEmpty());
     Messages messages = options.run.errors();
     return new RenderJob(

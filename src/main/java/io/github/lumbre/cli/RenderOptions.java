@@ -156,7 +156,7 @@ final class RenderOptions {
   Optional<Denoising> denoising(Path target, Engine engine) throws TaskException {
     boolean isDefault =
         scene.isModel()
-            && format(target).filter(ImageFormat::isForScreen).isPresent()
+            && format(to.sheet().orElse(target)).filter(ImageFormat::isForScreen).isPresent()
             && !flags.isRayMode()
             && checkpoint.isEmpty()
             && engine == Engine.LOCAL;
@@ -190,7 +190,7 @@ final class RenderOptions {
             || format(target).equals(Optional.of(ImageFormat.EXR)),
         "--layers: expected an .exr picture (-o) or --checkpoint, which hold layers, found "
             + target);
-    checkOutputs(scenes, frames.targets());
+    checkOutputs(scenes, "-o", frames.targets());
     if (to.isStandardOutput()) {
       frames.reserve(PictureOutput.toStandardOutput(to.format(), checkpoints.fallback()));
     } else {
@@ -201,9 +201,10 @@ final class RenderOptions {
   /**
    * Checks that the command may write its files.
    *
+   * @param flag flag that sets the paths
    * @param targets paths of the pictures
    */
-  void checkOutputs(List<Path> scenes, List<Path> targets) throws TaskException {
+  void checkOutputs(List<Path> scenes, String flag, List<Path> targets) throws TaskException {
     OutputGuard guard = overwrite.guard();
     if (scenes.size() > 1) {
       scene.guardAll(scenes, guard);
@@ -211,7 +212,7 @@ final class RenderOptions {
       scene.guardedBy(guard);
     }
     if (!to.isStandardOutput()) {
-      targets.forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
+      targets.forEach(target -> guard.writes(flag, target, OutputContent.PICTURE));
     }
     to.animation().ifPresent(file -> guard.writes("-o", file, OutputContent.ANIMATION));
     // An existing checkpoint file is rejected later, with the advice to resume it.

@@ -236,7 +236,7 @@ final class RenderSequence {
     Path pictures = isJoined ? JoinedFrames.picture(target) : target;
     isDenoised = options.denoising(pictures, engine).isPresent();
     if (isJoined) {
-      options.checkOutputs(invocation.scenes(), List.of());
+      options.checkOutputs(invocation.scenes(), "-o", List.of());
       requireNoFrames();
     }
     try (RenderMonitor monitor = monitor()) {

@@ -82,6 +82,7 @@ class OutputGuardTest extends CommandFixture {
   private static final Map<String, String> OUTPUTS =
       Map.ofEntries(
           Map.entry("render --output", "render T/wood.json -o OUT.png"),
+          Map.entry("render --sheet", "render T/wood.json T/mesh.obj --sheet OUT.png"),
           Map.entry("render --checkpoint", "render T/wood.json -o T/b.png --checkpoint OUT"),
           Map.entry("resume FILM", "resume OUT"),
           Map.entry("resume --output", "resume T/a.film -o OUT.png"),

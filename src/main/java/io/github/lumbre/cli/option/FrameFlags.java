@@ -20,6 +20,9 @@ public final class FrameFlags extends Flags {
               + " for the longer side, with the aspect ratio of the camera, or 1024x768).")
   private Optional<FrameSize> size;
 
+  /** The size without a flag; empty for that of the scene. */
+  private Optional<FrameSize> usual = Optional.empty();
+
   @Option(
       names = "--crop",
       paramLabel = "x,y,w,h",
@@ -51,13 +54,18 @@ public final class FrameFlags extends Flags {
         "--crop: expected a part of " + width + "x" + height + ", found " + window);
   }
 
+  /** Sets the size without a flag. */
+  void unlessGiven(FrameSize newUsual) {
+    usual = Optional.of(newUsual);
+  }
+
   /** Returns a parser that limits the number of pixels. */
   public SceneParser over(SceneParser parser) {
     return maxPixels.map(parser::limitedTo).orElse(parser);
   }
 
   public void override(RenderSettings.Builder builder, RenderSettings inScene) {
-    RenderSettings sized = size.map(s -> s.over(inScene)).orElse(inScene);
+    RenderSettings sized = size.or(() -> usual).map(s -> s.over(inScene)).orElse(inScene);
     builder.size(sized.width(), sized.height());
     requireCropIn(sized.width(), sized.height());
     crop.ifPresent(builder::crop);

@@ -6,6 +6,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.Setting.Group;
+import io.github.lumbre.scene.internal.FrameSize;
 import io.github.lumbre.scenefile.SceneParser;
 import java.util.EnumSet;
 import java.util.Optional;
@@ -77,6 +78,11 @@ public final class RenderFlags extends Flags {
   public void recordForDenoising(boolean isWanted, OptionalInt samples) {
     isForDenoising = isWanted;
     usualSamples = samples;
+  }
+
+  /** Sets the size of the frame without a flag, instead of that of the scene. */
+  public void sizeUnlessGiven(FrameSize size) {
+    frame.unlessGiven(size);
   }
 
   /** Sets the time of the shutter and the poses by flags of their own. */

@@ -23,6 +23,11 @@ public final class TargetFlags extends Flags {
   private static final Set<String> FOR_ONE_SCENE =
       Set.of("--checkpoint", "--dry-run", "--turntable", "--animation");
 
+  /** The further flags that cannot be combined with a contact sheet. */
+  private static final Set<String> NOT_FOR_SHEETS = Set.of("--output", "--format", "--layers");
+
+  private static final int MOST_CELLS = 400;
+
   @Option(
       names = {"-o", "--output"},
       paramLabel = "OUT",
@@ -40,6 +45,20 @@ public final class TargetFlags extends Flags {
       description = "Format of the pictures with -o - or a folder: png, exr, pfm or jpg (png).")
   private Optional<ImageFormat> format;
 
+  @Option(
+      names = "--sheet",
+      paramLabel = "FILE",
+      description =
+          "Render all scenes, at most 400, onto one contact sheet, a PNG or JPEG with their names,"
+              + " instead of a picture of each; --size is that of a cell's picture (256). A scene"
+              + " that fails is an empty cell.")
+  private Optional<Path> sheet;
+
+  /** Returns the path of the contact sheet; empty if each scene has a picture of its own. */
+  public Optional<Path> sheet() {
+    return sheet;
+  }
+
   /** Returns whether the picture is written to standard output. */
   public boolean isStandardOutput() {
     return output.equals(Optional.of(PictureOutput.STANDARD));
@@ -56,12 +75,16 @@ public final class TargetFlags extends Flags {
   }
 
   /**
-   * Returns the picture of each scene.
+   * Returns the picture of each scene; for a contact sheet, the scenes, which name its cells.
    *
    * @throws TaskException if two scenes have the same picture, also if only the case of letters
    *     differs, which many file systems ignore
    */
   public List<Path> targets(List<Path> scenes) throws TaskException {
+    if (sheet.isPresent()) {
+      requireSheet(scenes);
+      return scenes;
+    }
     boolean isFolder = isFolder();
     require(
         format.isEmpty() || isStandardOutput() || isFolder,
@@ -89,15 +112,34 @@ public final class TargetFlags extends Flags {
     return targets;
   }
 
-  private void requireBatch(List<Path> scenes) {
-    for (String flag : FOR_ONE_SCENE) {
-      require(
-          !spec.commandLine().getParseResult().hasMatchedOption(flag),
-          flag + ": requires one scene, found " + scenes.size());
+  private void requireSheet(List<Path> scenes) {
+    Path file = sheet.orElseThrow();
+    require(
+        ImageFormat.of(file).filter(ImageFormat::isForScreen).isPresent(),
+        "--sheet: expected a name that ends in .png or .jpg, found " + file);
+    for (Set<String> flags : List.of(NOT_FOR_SHEETS, FOR_ONE_SCENE)) {
+      for (String flag : flags) {
+        require(!isGiven(flag), flag + ": cannot be combined with --sheet");
+      }
     }
+    require(
+        scenes.size() <= MOST_CELLS,
+        "--sheet: expected at most %d scenes, found %d; make several sheets"
+            .formatted(MOST_CELLS, scenes.size()));
+    requireFiles(scenes);
+  }
+
+  private void requireFiles(List<Path> scenes) {
     require(
         !scenes.contains(PictureOutput.STANDARD),
         "-: standard input cannot be one of several scenes");
+  }
+
+  private void requireBatch(List<Path> scenes) {
+    for (String flag : FOR_ONE_SCENE) {
+      require(!isGiven(flag), flag + ": requires one scene, found " + scenes.size());
+    }
+    requireFiles(scenes);
     require(
         output.isPresent(),
         scenes.get(1)

@@ -37,13 +37,23 @@ public final class PictureOutput implements AutoCloseable {
   private final Path path;
 
   private final Fallback fallback;
+
+  /** Whether the picture is one of several in the file, which another output writes. */
+  private final boolean isPart;
+
   private Optional<OutputFile> file;
 
   private PictureOutput(Path target, Path path, Optional<OutputFile> file, Fallback fallback) {
+    this(target, path, file, fallback, false);
+  }
+
+  private PictureOutput(
+      Path target, Path path, Optional<OutputFile> file, Fallback fallback, boolean isPart) {
     this.target = target;
     this.path = path;
     this.file = file;
     this.fallback = fallback;
+    this.isPart = isPart;
   }
 
   /**
@@ -117,6 +127,11 @@ public final class PictureOutput implements AutoCloseable {
     return new PictureOutput(target, target, Optional.empty(), fallback);
   }
 
+  /** Returns the output of one of several pictures in a file, which another output writes. */
+  public static PictureOutput partOf(Path target) {
+    return new PictureOutput(target, target, Optional.empty(), Fallback.TEMPORARY, true);
+  }
+
   /**
    * Returns an output that writes to standard output. The picture is first written to a temporary
    * file, which is kept if standard output cannot be written.
@@ -180,12 +195,16 @@ public final class PictureOutput implements AutoCloseable {
   }
 
   /**
-   * Writes the picture with layers; if that fails, writes it to the fallback directory instead.
+   * Writes the picture with layers; if that fails, writes it to the fallback directory instead. A
+   * picture that is a part of a file is not written.
    *
    * @throws TaskException if that failed; it names the path of the rescued picture
    */
   public void write(Image image, List<ImageLayer> layers, ImageWriter.Options options)
       throws TaskException {
+    if (isPart) {
+      return;
+    }
     try {
       PictureEncoder.write(image, layers, opened(), options);
     } catch (IOException e) {

@@ -125,6 +125,17 @@ public final class Frames implements AutoCloseable {
     reserved = true;
   }
 
+  /** Makes all pictures parts of one file, which another output writes. */
+  public void reservePartsOf(Path file) {
+    targets.forEach(target -> pictures.add(PictureOutput.partOf(file)));
+    reserved = true;
+  }
+
+  /** Ends the sequence: the failure of the current frame is that of the others, too. */
+  public void endAll() {
+    ended = true;
+  }
+
   /** Returns the paths of all pictures. */
   public List<Path> targets() {
     return targets;
@@ -143,6 +154,11 @@ public final class Frames implements AutoCloseable {
   /** Returns whether the current frame is the first one. */
   public boolean isFirst() {
     return current == 0;
+  }
+
+  /** Returns the index of the current frame. */
+  public int index() {
+    return current;
   }
 
   /** Returns the number of frames that are neither complete nor failed. */
@@ -212,7 +228,8 @@ public final class Frames implements AutoCloseable {
     return isPartial ? ", " + target() + " is partial" : "";
   }
 
-  private int complete() {
+  /** Returns the number of complete frames. */
+  public int complete() {
     return current - failed.size();
   }
 

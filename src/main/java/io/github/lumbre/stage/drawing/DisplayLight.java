@@ -3,8 +3,10 @@ package io.github.lumbre.stage.drawing;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.internal.DisplayRows;
+import io.github.lumbre.image.internal.Srgb;
 import java.util.Optional;
 
 /**
@@ -18,6 +20,22 @@ public record DisplayLight(Image image, ImageWriter.Options options) {
   /** Returns the same picture with the background put behind it that its options state. */
   public DisplayLight withBackground() {
     return options.background().isPresent() ? of(image, options) : this;
+  }
+
+  /** Returns the same picture for files of the sRGB curve. */
+  public Image inSrgb() {
+    if (options.curve().endsInSrgb()) {
+      return image;
+    }
+    float[] rgb = new float[image.rgb().length];
+    float[] alpha = new float[image.hasAlpha() ? rgb.length / 3 : 0];
+    for (int i = 0; i < rgb.length; i++) {
+      rgb[i] = (float) Srgb.decode(options.curve().apply(Rgb.gray(image.rgb()[i])).r());
+    }
+    for (int i = 0; i < alpha.length; i++) {
+      alpha[i] = image.alpha(i % image.width(), i / image.width());
+    }
+    return new Image(image.width(), image.height(), rgb, alpha);
   }
 
   /** Returns a picture as options show it, with the background that they put behind it. */
