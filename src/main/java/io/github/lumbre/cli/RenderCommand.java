@@ -9,6 +9,7 @@ import io.github.lumbre.cli.output.Failures;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
+import io.github.lumbre.cli.output.PictureHint;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.Denoising;
@@ -231,6 +232,9 @@ final class RenderCommand extends Subcommand {
               report);
       invocation.interruption.requireRender();
       ExitCode code = job.run(options.flags.samples().first());
+      if (!spec.commandLine().getParseResult().hasMatchedOption("--up")) {
+        options.run.hint(() -> PictureHint.ofAxes(scene.scene(), file));
+      }
       if (options.run.isJson()) {
         report.putPictures(Map.of(frames.picture().target(), file));
       }

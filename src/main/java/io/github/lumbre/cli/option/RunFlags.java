@@ -25,6 +25,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -50,7 +51,7 @@ public final class RunFlags extends Flags {
   @Option(names = "--json", description = "Print a summary as one line of JSON.")
   private boolean json;
 
-  @Option(names = "--quiet", description = "Print no progress bar and no summary.")
+  @Option(names = "--quiet", description = "Print no progress bar, no summary and no hint.")
   private boolean quiet;
 
   @Option(
@@ -63,6 +64,7 @@ public final class RunFlags extends Flags {
   private boolean isBrief;
   private Map<String, Object> place = Map.of();
   private final Set<String> warned = new HashSet<>();
+  private boolean hasHinted;
 
   /** Names the current one of several scenes in its messages and on its progress bar. */
   public void about(Frames frames, Path scene) {
@@ -97,6 +99,18 @@ public final class RunFlags extends Flags {
     if (!quiet) {
       aboutAll();
       errors().line(String.format(Locale.ROOT, "%s; %.2f s", summary, 1e-9 * time.toNanos()));
+    }
+  }
+
+  /**
+   * Prints a hint about what a flag would mend, if there is one: the first of the command alone,
+   * and none beside JSON or under {@code --quiet}.
+   */
+  public void hint(Supplier<Optional<String>> finder) {
+    if (!quiet && !json && !hasHinted) {
+      Optional<String> hint = finder.get();
+      hint.ifPresent(text -> errors().line("hint: " + text));
+      hasHinted = hint.isPresent();
     }
   }
 
@@ -146,7 +160,17 @@ public final class RunFlags extends Flags {
       PictureExposure exposing,
       Consumer<DisplayLight> receiver) {
     return new RenderJob.Options(
-        bits, jpegQuality, quiet, stats, strict, denoising, layers, exposing, receiver, true);
+        bits,
+        jpegQuality,
+        quiet,
+        stats,
+        strict,
+        denoising,
+        layers,
+        exposing,
+        receiver,
+        this::hint,
+        true);
   }
 
   /** Returns the border of the command, which prints a summary under {@code --json}. */

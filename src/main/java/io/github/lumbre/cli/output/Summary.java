@@ -8,7 +8,6 @@ import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Scene;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryPoolMXBean;
 import java.lang.management.MemoryType;
@@ -35,12 +34,6 @@ public record Summary(
     double seconds,
     long samplesInAll,
     Set<LaterStep> missing) {
-  /** The luminance after exposure below which a pixel is dark. */
-  private static final double DARK = .1;
-
-  /** The luminance after exposure above which a surface is burnt out: twice as bright as white. */
-  private static final double BURNT = 2;
-
   /** The brightest light that films hold. */
   private static final double BRIGHTEST = 0x1p32;
 
@@ -173,7 +166,8 @@ public record Summary(
     }
   }
 
-  private double brightest() {
+  /** Returns the brightest value of the picture, in linear light. */
+  double brightest() {
     double brightest = 0;
     Image light = light();
     for (float value : light.rgb()) {
@@ -183,79 +177,29 @@ public record Summary(
   }
 
   /** Returns the picture in linear light, with the background of its settings. */
-  private Image light() {
+  Image light() {
     return Backdrop.asLight(result.image(), settings.background());
   }
 
-  /**
-   * Prints a hint if the picture will look dark or burnt on a screen, or shows none of the objects.
-   */
-  public void printHint(Scene scene, Messages messages) {
-    boolean isFixed = settings.exposure().stops().isPresent();
-    if (!result.complete()) {
-      return;
-    }
-    Visible visible = new Visible(scene, settings);
-    if (visible.isNothing()) {
-      messages.line(
-          "hint: nothing is in view: no camera ray hits an object; turn or move the camera");
-    } else if (!isFixed) {
-      return;
-    } else if (isDark()) {
-      messages.line("hint: 99 % of the picture is darker than " + DARK + "; try --exposure auto");
-    } else {
-      printIfBurnt(visible.medianLuminance(result.image()), messages);
-    }
-  }
-
-  /** Prints the reason why a long render used the scalar kernel, if it is not the processor. */
-  public void printKernel(Messages messages) {
-    printKernel(Kernel::moduleObstacle, messages);
+  /** Returns why a long render used the scalar kernel; empty if it is the processor. */
+  public Optional<String> kernelHint() {
+    return kernelHint(Kernel::moduleObstacle);
   }
 
   /**
    * @param obstacle is asked for after long renders only, since the answer loads the module
    */
-  void printKernel(Supplier<Optional<String>> obstacle, Messages messages) {
-    if (seconds * threads() > LONG_SECONDS) {
-      obstacle
-          .get()
-          .ifPresent(
-              reason ->
-                  messages.line(
-                      "hint: the scalar kernel rendered this picture, because "
-                          + reason
-                          + "; on a processor with 256-bit vectors, the vector kernel takes 10 % to"
-                          + " 40 % less time"));
-    }
-  }
-
-  private void printIfBurnt(OptionalDouble median, Messages messages) {
-    double shown =
-        median.isPresent() ? median.getAsDouble() * settings.exposure().factor(result.image()) : 0;
-    if (shown > BURNT) {
-      messages.line(
-          String.format(
-              Locale.ROOT,
-              "hint: half of what is in view is burnt out, %s times as bright as white;"
-                  + " try --exposure %.1f",
-              String.format(Locale.ROOT, shown < 10 ? "%.1f" : "%.0f", shown),
-              Visible.stops(median.getAsDouble())));
-    }
-  }
-
-  private boolean isDark() {
-    Image image = light();
-    double threshold = DARK / settings.exposure().factor(image);
-    long left = ((long) image.width() * image.height() + 99) / 100;
-    for (int y = 0; y < image.height(); y++) {
-      for (int x = 0; x < image.width(); x++) {
-        if (image.pixel(x, y).luminance() >= threshold && --left == 0) {
-          return false;
-        }
-      }
-    }
-    return true;
+  Optional<String> kernelHint(Supplier<Optional<String>> obstacle) {
+    return seconds * threads() > LONG_SECONDS
+        ? obstacle
+            .get()
+            .map(
+                reason ->
+                    "the scalar kernel rendered this picture, because "
+                        + reason
+                        + "; on a processor with 256-bit vectors, the vector kernel takes 10 % to"
+                        + " 40 % less time")
+        : Optional.empty();
   }
 
   private int threads() {

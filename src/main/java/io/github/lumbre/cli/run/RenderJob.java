@@ -9,6 +9,7 @@ import io.github.lumbre.cli.output.LaterStep;
 import io.github.lumbre.cli.output.LightReport;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.cli.output.NoiseReport;
+import io.github.lumbre.cli.output.PictureHint;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ReplayCommand;
@@ -41,6 +42,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * Renders a film until it is complete or stopped, and saves the film and the picture.
@@ -71,6 +73,7 @@ public record RenderJob(
    * @param layers the layers to write if the picture's format holds layers
    * @param exposing chooses the exposure
    * @param receiver receives the picture with its lines and labels
+   * @param hints receives finders of hints in the order of their weight
    * @param dithered whether an 8-bit PNG is dithered; frames that are joined into one file are not,
    *     because their still places would no longer be equal in all of them
    */
@@ -84,6 +87,7 @@ public record RenderJob(
       Set<Layer> layers,
       PictureExposure exposing,
       Consumer<DisplayLight> receiver,
+      Consumer<Supplier<Optional<String>>> hints,
       boolean dithered) {
     /** Returns these options, with dithering or without. */
     public Options withDither(boolean isWanted) {
@@ -97,6 +101,7 @@ public record RenderJob(
           layers,
           exposing,
           receiver,
+          hints,
           isWanted);
     }
   }
@@ -263,9 +268,7 @@ public record RenderJob(
     write(film, later, metadata(summary, exposure, noise, later.loss()));
     monitor.close();
     tell(film, summary, noise, later);
-    if (isForVectors) {
-      summary.printKernel(said());
-    }
+    hint(summary, later, isForVectors);
     report(summary, noise, later.loss());
     if (keeper.failure().isPresent()) {
       throw new TaskException(ExitCode.OUTPUT, keeper.failure().get());
@@ -377,6 +380,19 @@ public record RenderJob(
     report.put(name, values);
   }
 
+  private void hint(Summary summary, LaterSteps later, boolean isForVectors) {
+    if (picture.isForScreen()) {
+      PictureHint hint = new PictureHint(summary, file.scene(), file.parsed().model());
+      options.hints().accept(hint::ofLight);
+      if (!budget.isOpen()) {
+        options.hints().accept(() -> hint.ofNoise(later.denoised().denoised()));
+      }
+    }
+    if (isForVectors) {
+      options.hints().accept(summary::kernelHint);
+    }
+  }
+
   private void tell(Film film, Summary summary, NoiseReport noise, LaterSteps later) {
     summary.printRejected(scene, messages);
     if (!options.quiet()) {
@@ -384,9 +400,6 @@ public record RenderJob(
       summary.printCutLight(messages);
       later.loss().print(messages);
       noise.printDoubts(messages);
-    }
-    if (!options.quiet() && picture.isForScreen()) {
-      summary.printHint(file.scene(), messages);
     }
     if (options.stats()) {
       summary.printStatistics(messages);

@@ -19,6 +19,7 @@ import io.github.lumbre.render.Film;
 import io.github.lumbre.render.RenderResult;
 import io.github.lumbre.render.RenderStatistics;
 import io.github.lumbre.render.RenderStatistics.RejectedSample;
+import io.github.lumbre.render.denoise.Denoised;
 import io.github.lumbre.render.stopping.NoiseEstimate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -62,7 +63,7 @@ class SummaryTest {
             "p.png: stopped early, partial picture of 4x2 pixels, 5 of 10 samples per pixel, 2.00"
                 + " s")
         .contains("20 samples/s");
-    assertThat(lines(messages -> partial.printHint(scene(3), messages))).isEmpty();
+    assertThat(new PictureHint(partial, scene(3), Optional.empty()).ofLight()).isEmpty();
   }
 
   /** Films hold light from 2^-64 to 2^32; what they lose is said, unless it does not matter. */
@@ -95,17 +96,17 @@ class SummaryTest {
         () -> {
           throw new AssertionError("loading the module takes time");
         };
-    assertThat(lines(m -> summary(true, List.of()).printKernel(never, m))).isEmpty();
+    assertThat(summary(true, List.of()).kernelHint(never)).isEmpty();
     Supplier<Optional<String>> obstacle =
         () -> Optional.of("this Java has no module jdk.incubator.vector");
     RenderResult result = new RenderResult(Image.black(4, 2), true, RenderStatistics.ZERO);
     Summary longer = new Summary(SETTINGS, result, 11, 0);
-    assertThat(lines(m -> longer.printKernel(obstacle, m)))
-        .isEqualToIgnoringNewLines(
-            "hint: the scalar kernel rendered this picture, because this Java has no module"
+    assertThat(longer.kernelHint(obstacle))
+        .contains(
+            "the scalar kernel rendered this picture, because this Java has no module"
                 + " jdk.incubator.vector; on a processor with 256-bit vectors, the vector kernel"
                 + " takes 10 % to 40 % less time");
-    assertThat(lines(m -> longer.printKernel(Optional::empty, m))).isEmpty();
+    assertThat(longer.kernelHint(Optional::empty)).isEmpty();
   }
 
   /** Returns a scene of a sphere, at a distance in front of the camera, that covers the center. */
@@ -142,10 +143,10 @@ class SummaryTest {
     Image image = new Image(4, 2, rgb, new float[0]);
     RenderSettings settings = SETTINGS.toBuilder().exposure(Exposure.of(stops)).build();
     RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
-    String line =
-        lines(m -> new Summary(settings, result, 2, 0).printHint(scene(distance), m)).strip();
-    assertThat(line.lines().count()).isEqualTo(hint == null ? 0 : 1);
-    assertThat(line).contains(hint == null ? "" : hint);
+    Summary summary = new Summary(settings, result, 2, 0);
+    Optional<String> found = new PictureHint(summary, scene(distance), Optional.empty()).ofLight();
+    assertThat(found.isPresent()).isEqualTo(hint != null);
+    assertThat(found.orElse("")).contains(hint == null ? "" : hint);
   }
 
   /** A dark or bright background does not change the exposure of the sphere. */
@@ -277,5 +278,32 @@ class SummaryTest {
     assertThat(Numbers.rate(1_234_567, 1)).isEqualTo("1.23 M");
     assertThat(Numbers.rate(1_234_567, 10)).isEqualTo("123457");
     assertThat(Numbers.rate(5, 0)).isEqualTo("0");
+  }
+
+  /** The denoiser's estimate is named from 5 % on, where a flag with more samples can help. */
+  @ParameterizedTest
+  @CsvSource({
+    "200, 8, .06, true",
+    "200, 8, .049, false",
+    "200, 100, .06, true",
+    "200, 101, .9, false",
+    "100, 8, .9, false"
+  })
+  void noisyPicturesNeedMoreSamples(int side, int samples, double error, boolean isHint) {
+    RenderSettings settings =
+        new RenderSettings.Builder().size(side, side).samples(samples).build();
+    Image image = Image.black(side, side);
+    RenderResult result = new RenderResult(image, true, RenderStatistics.ZERO);
+    PictureHint hint =
+        new PictureHint(new Summary(settings, result, 2, 0), scene(3), Optional.empty());
+    Denoised denoised =
+        new Denoised(image, "builtin", 0, OptionalDouble.empty(), OptionalDouble.of(error));
+    assertThat(hint.ofNoise(Optional.of(denoised)))
+        .isEqualTo(
+            isHint
+                ? Optional.of(
+                    "the denoised picture has an error of about 6.0 %; -s 200 makes it smaller")
+                : Optional.empty());
+    assertThat(hint.ofNoise(Optional.empty())).isEmpty();
   }
 }

@@ -124,6 +124,7 @@ class LaterStepsTest {
               Set.of(),
               PictureExposure.ofEach(),
               drawn -> {},
+              hint -> {},
               true);
       Path model = directory.resolve("sample.glb");
       RenderJob job =

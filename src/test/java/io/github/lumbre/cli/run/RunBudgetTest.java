@@ -112,6 +112,7 @@ class RunBudgetTest {
               Set.of(),
               PictureExposure.ofEach(),
               drawn -> {},
+              hint -> {},
               true);
       JsonSummary report = new JsonSummary("render", target);
       ExitCode code =
