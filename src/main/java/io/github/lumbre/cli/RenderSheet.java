@@ -119,32 +119,40 @@ final class RenderSheet {
     return DisplayLight.of(drawn.image(), drawn.options()).inSrgb();
   }
 
-  /** Requires that the sheet fits into its format and into memory. */
+  /** Requires that the sheet fits into its format and into memory; otherwise all scenes fail. */
   private void requireFits(RenderSettings settings, Frames frames) throws TaskException {
     Crop window = settings.window();
     Grid grid = sheet.gridWith(window.width(), window.height());
-    boolean isJpeg = ImageFormat.of(target).equals(Optional.of(ImageFormat.JPG));
-    long side = Math.max(grid.sheetWidth(), grid.sheetHeight());
-    String limit = "";
-    if (grid.pixels() > ImageReader.MAX_PIXELS) {
-      limit = "a sheet has at most 2^28 pixels";
-    } else if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
-      limit = "a JPEG has at most %d pixels on a side".formatted(ImageWriter.MAX_JPEG_SIDE);
-    } else if (BYTES_PER_PIXEL * grid.pixels() > Runtime.getRuntime().maxMemory()) {
-      long bytes = BYTES_PER_PIXEL * grid.pixels();
-      limit =
-          "a sheet of this size needs %s, and the maximum heap size is %s; %s"
-              .formatted(
-                  MemoryEstimate.mebibytes(bytes),
-                  MemoryEstimate.mebibytes(Runtime.getRuntime().maxMemory()),
-                  MemoryCheck.advice(bytes));
-    }
-    if (!limit.isEmpty()) {
+    Optional<String> limit = limit(grid);
+    if (limit.isPresent()) {
       frames.endAll();
       throw ExitCode.LIMIT.failure(
           "%s: would have %dx%d pixels, but %s; choose a smaller --size or fewer scenes"
-              .formatted(target, grid.sheetWidth(), grid.sheetHeight(), limit));
+              .formatted(target, grid.sheetWidth(), grid.sheetHeight(), limit.get()));
     }
+  }
+
+  /** Returns the limit that a sheet exceeds; empty if it can be written. */
+  private Optional<String> limit(Grid grid) {
+    boolean isJpeg = ImageFormat.of(target).equals(Optional.of(ImageFormat.JPG));
+    long side = Math.max(grid.sheetWidth(), grid.sheetHeight());
+    if (grid.pixels() > ImageReader.MAX_PIXELS) {
+      return Optional.of("a sheet has at most 2^28 pixels");
+    }
+    if (isJpeg && side > ImageWriter.MAX_JPEG_SIDE) {
+      return Optional.of(
+          "a JPEG has at most %d pixels on a side".formatted(ImageWriter.MAX_JPEG_SIDE));
+    }
+    long bytes = BYTES_PER_PIXEL * grid.pixels();
+    long heap = Runtime.getRuntime().maxMemory();
+    return bytes > heap
+        ? Optional.of(
+            "needs %s, and the maximum heap size is %s; %s"
+                .formatted(
+                    MemoryEstimate.mebibytes(bytes),
+                    MemoryEstimate.mebibytes(heap),
+                    MemoryCheck.advice(bytes)))
+        : Optional.empty();
   }
 
   /** Writes the sheet if it has a picture; partial if a signal or the deadline came before. */
@@ -152,7 +160,6 @@ final class RenderSheet {
       throws TaskException {
     Grid grid = sheet.grid();
     boolean isEmpty = sheet.count() == 0;
-    boolean isPartial = frames.left() > 0;
     describe(report, grid, frames);
     long unreadable = sheet.unreadable();
     if (!isEmpty) {
@@ -165,18 +172,23 @@ final class RenderSheet {
           .errors()
           .warning(target + ": " + names + " no room below the picture; choose a larger --size");
     }
-    String size =
-        ": %dx%d pixels, %s%s"
-            .formatted(
-                grid.sheetWidth(),
-                grid.sheetHeight(),
-                Numbers.count(grid.columns(), "column"),
-                isPartial ? ", partial" : "");
-    if (isEmpty && frames.haveEnded()) {
-      return;
+    if (!isEmpty || !frames.haveEnded()) {
+      summarize(isEmpty ? "not written" : size(grid, frames), frames);
     }
+  }
+
+  private static String size(Grid grid, Frames frames) {
+    return "%dx%d pixels, %s%s"
+        .formatted(
+            grid.sheetWidth(),
+            grid.sheetHeight(),
+            Numbers.count(grid.columns(), "column"),
+            frames.left() > 0 ? ", partial" : "");
+  }
+
+  private void summarize(String what, Frames frames) {
     options.run.summarize(
-        target + (isEmpty ? ": not written" : size) + "; " + frames.summary(),
+        target + ": " + what + "; " + frames.summary(),
         Duration.between(invocation.start(), Instant.now()));
   }
 

@@ -193,6 +193,9 @@ public final class RenderOnSpark {
         } else if (arg.equals("--adaptive")) {
           throw new IllegalArgumentException(
               "--adaptive: not available on Spark, because the next samples depend on all pixels");
+        } else if (arg.equals("--sheet") || arg.startsWith("--sheet=")) {
+          throw new IllegalArgumentException(
+              "--sheet: not available on Spark, where each scene is a command of its own");
         } else if (arg.startsWith("-") || !options.isEmpty()) {
           options.add(arg);
         } else {

@@ -264,6 +264,8 @@ class RenderOnSparkTest {
     assertThat(onSpark().exitCode()).isEqualTo(2);
     assertThat(onSpark(SCENES + "cornell-box.json", "--adaptive").err())
         .contains("--adaptive: not available on Spark");
+    assertThat(onSpark(SCENES + "cornell-box.json", "--sheet", "a.png").err())
+        .contains("--sheet: not available on Spark");
     assertThat(onSpark("--unit", "soon", SCENES + "cornell-box.json").err())
         .contains("--unit: expected 0.1s to 3600s, found soon");
     assertThat(onSpark(path("missing.json")).exitCode()).isEqualTo(3);

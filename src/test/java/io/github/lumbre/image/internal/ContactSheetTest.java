@@ -1,6 +1,7 @@
 package io.github.lumbre.image.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
 import java.util.Collections;
@@ -48,5 +49,33 @@ class ContactSheetTest {
     Image sheet = ContactSheet.of(Collections.nCopies(3, black(2)), 2, 0);
     assertThat(sheet.rgb()).containsOnly(0);
     assertThat(sheet.alpha(2, 1)).isZero();
+  }
+
+  @Test
+  void picturesStayInTheirCells() {
+    ContactSheet sheet = new ContactSheet(new ContactSheet.Grid(3, 2, 3, 2, 1), false);
+    sheet.put(1, 1, 1, black(0));
+    Image image = sheet.image();
+    for (int i = 0; i < 35; i++) {
+      boolean isCovered = i == 12 || i == 13;
+      assertThat(image.pixel(i % 7, i / 7).r()).as("pixel " + i).isEqualTo(isCovered ? 0 : 1);
+    }
+    for (int[] at : new int[][] {{-1, 0}, {0, -1}, {2, 0}, {0, 2}}) {
+      assertThatThrownBy(() -> sheet.put(0, at[0], at[1], black(0)))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("picture: expected one inside of 3x2, found 2x1 at");
+    }
+    assertThatThrownBy(() -> sheet.put(0, 0, 0, black(2)))
+        .hasMessage("picture: expected one without alpha");
+  }
+
+  @Test
+  void sheetsThatAreTooLargeAreRefused() {
+    assertThatThrownBy(
+            () -> new ContactSheet(new ContactSheet.Grid(400, 20, 65535, 65535, 9), false))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("at most 2^28 pixels");
+    assertThatThrownBy(() -> new ContactSheet.Grid(0, 1, 1, 1, 0))
+        .hasMessageContaining("found 0, 1, 1, 1, 0");
   }
 }
