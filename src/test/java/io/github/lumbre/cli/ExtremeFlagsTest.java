@@ -27,7 +27,7 @@ class ExtremeFlagsTest {
           "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background"
               + "|look|labels|variant|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
               + "|animation|ffmpeg|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
-              + "|csv|scenes)");
+              + "|csv|scenes|sheet)");
 
   /** A place for a number in the flags of {@code render}. */
   private static final String[] OF_MODELS = {
@@ -140,6 +140,7 @@ class ExtremeFlagsTest {
         "audit T/a.obj --size 4x3 --sky-intensity N",
         "views T/sample.glb -o T/v --no-denoise --size 4x3 --samples N",
         "views T/sample.glb -o T/v --no-denoise --samples 1 --size N",
+        "render T/a.obj --sheet T/o.png --overwrite --no-denoise -s 1 --size N",
         "views T/a.obj -o T/v --no-denoise -s 1 --size 4x3 --sky-intensity N",
         "diff T/a.obj T/a.obj --tolerance N",
         "diff T/a.obj T/sample.glb --tolerance N",
