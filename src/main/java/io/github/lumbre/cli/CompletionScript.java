@@ -27,7 +27,7 @@ final class CompletionScript {
   /** Names that flags with other values accept too. */
   private static final Map<String, List<String>> NAMES =
       Map.of(
-          "--sky", List.of("studio", "white", "sun"),
+          "--sky", List.of("relief", "studio", "white", "sun"),
           "--view", List.copyOf(View.standard().keySet()),
           "--background", List.of("sky", "transparent", "white", "black"));
 

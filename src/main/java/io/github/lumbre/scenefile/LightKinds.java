@@ -28,6 +28,7 @@ final class LightKinds {
   /** A computed sky. */
   enum Sky {
     STUDIO,
+    RELIEF,
     CLEAR,
     SUN
   }
@@ -82,7 +83,8 @@ final class LightKinds {
       Key.choice(
               "sky",
               Sky.STUDIO,
-              "A computed sky instead of a texture: a studio, a clear day's sky, or the sun in it.")
+              "A computed sky instead of a texture: a studio, one with more contrast (relief), a clear"
+                  + " day's sky, or the sun in it.")
           .withoutDefault();
   static final Key<Double> SUN_AZIMUTH =
       Key.number(

@@ -35,11 +35,11 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
     return forced.orElse(own);
   }
 
-  /** Returns the light of the studio, multiplied by a color. */
-  EnvironmentLight studio(Frame axes, Rgb radiance) {
+  /** Returns the light of a studio, multiplied by a color. */
+  EnvironmentLight studio(Frame axes, Rgb radiance, StudioSky studio) {
     return EnvironmentLight.image(
         axes,
-        TintedTexture.of(radiance, watched(StudioSky.INSTANCE)),
+        TintedTexture.of(radiance, watched(studio)),
         StudioSky.COLUMNS,
         StudioSky.ROWS);
   }

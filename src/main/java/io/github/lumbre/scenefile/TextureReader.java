@@ -19,6 +19,7 @@ import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
 import io.github.lumbre.texture.internal.ImageTexture.Role;
 import io.github.lumbre.texture.internal.RedChannel;
+import io.github.lumbre.texture.internal.StudioSky;
 import io.github.lumbre.texture.internal.TexelTexture;
 import io.github.lumbre.texture.internal.TintedTexture;
 import java.util.ArrayList;
@@ -165,14 +166,15 @@ final class TextureReader {
   /** Returns an environment light of constant radiance, multiplied by an image if there is one. */
   EnvironmentLight dome(JsonNode light, Frame axes, Rgb radiance) {
     Optional<Sky> sky = LightKinds.SKY.stated(light);
-    if (sky.isEmpty() || sky.get() == Sky.STUDIO) {
+    if (sky.isEmpty() || sky.get() == Sky.STUDIO || sky.get() == Sky.RELIEF) {
       SUN_KEYS.stream()
           .filter(key -> key.isIn(light))
           .forEach(key -> key.warn(light, "is ignored, because only clear and sun have a sun"));
     }
     if (sky.isPresent()) {
       return switch (sky.get()) {
-        case STUDIO -> change.studio(axes, radiance);
+        case STUDIO -> change.studio(axes, radiance, StudioSky.SOFT);
+        case RELIEF -> change.studio(axes, radiance, StudioSky.RELIEF);
         case CLEAR -> change.clear(axes, radiance, clearSky(light));
         case SUN -> change.sun(axes, radiance, clearSky(light));
       };

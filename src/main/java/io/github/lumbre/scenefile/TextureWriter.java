@@ -110,8 +110,9 @@ record TextureWriter(AssetWriter assets) {
     if (!parts.mapping().equals(UvMapping.IDENTITY)) {
       throw new Unwritable("an environment without a mapping", "one with a mapping");
     }
-    if (parts.picture() == StudioSky.INSTANCE) {
-      LightKinds.SKY.put(to, LightKinds.Sky.STUDIO);
+    if (parts.picture() instanceof StudioSky studio) {
+      boolean isSoft = studio == StudioSky.SOFT;
+      LightKinds.SKY.put(to, isSoft ? LightKinds.Sky.STUDIO : LightKinds.Sky.RELIEF);
     } else if (!(parts.picture() instanceof Constant)) {
       LightKinds.TEXTURE.put(to, id(parts.picture(), Role.COLOR));
     }

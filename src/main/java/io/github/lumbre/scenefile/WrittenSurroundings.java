@@ -116,6 +116,8 @@ record WrittenSurroundings(Surroundings around, Path folder) {
     JsonObject dome = dome(SKY);
     if (around.sky().name().equals("studio")) {
       LightKinds.SKY.put(dome, LightKinds.Sky.STUDIO);
+    } else if (around.sky().name().equals("relief")) {
+      LightKinds.SKY.put(dome, LightKinds.Sky.RELIEF);
     }
     around
         .sky()

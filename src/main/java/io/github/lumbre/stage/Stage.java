@@ -75,8 +75,10 @@ public final class Stage {
       new ModelOption<>(
               "sky",
               new TextType("a name or a file"),
-              "Light from studio, white, sun (a clear day), or a latitude-longitude picture: HDR,"
-                  + " OpenEXR, PFM, or PNG, JPEG and the other formats of textures (studio).")
+              "Light from relief (a studio with contrast), studio (softer), white, sun (a clear"
+                  + " day), or a latitude-longitude picture: HDR, OpenEXR, PFM, or PNG, JPEG and the"
+                  + " other formats of textures (relief; with a look, a ground or a background,"
+                  + " studio).")
           .withFlag("sky", "NAME|FILE");
 
   /** See {@link Sky#sun}. */
@@ -201,7 +203,7 @@ public final class Stage {
    */
   public static final List<String> LABELS = ShownLabels.KINDS;
 
-  /** A camera of the model or {@link View#DEFAULT}, in the studio, without a ground. */
+  /** A camera of the model or {@link View#DEFAULT}, in {@link Sky#RELIEF}, without a ground. */
   public static final Stage DEFAULT = new Stage(OptionValues.NONE, ModelOptions.DEFAULT);
 
   /** The default size of a picture of a model, in pixels. */
@@ -218,8 +220,8 @@ public final class Stage {
   /**
    * The environment light.
    *
-   * @param name {@code studio}, {@code white}, {@code sun} for a clear day's sky with the sun, or
-   *     the path of a latitude-longitude picture
+   * @param name {@code relief}, {@code studio}, {@code white}, {@code sun} for a clear day's sky
+   *     with the sun, or the path of a latitude-longitude picture
    * @param intensity factor of its radiance, 0 to 1e150
    * @param rotation about the vertical axis, in degrees, finite
    * @param sun the view from the sun: where it stands if the sky is not turned. Its elevation is at
@@ -229,7 +231,10 @@ public final class Stage {
     /** Where the sun stands if nothing else is said. */
     static final View SUN = new View(ClearSky.AZIMUTH, ClearSky.ELEVATION);
 
-    /** The lights of a photographer's studio. */
+    /** The lights of a studio that show shape: sides differ, and edges of dark models shine. */
+    public static final Sky RELIEF = new Sky("relief");
+
+    /** The lights of a photographer's studio, softer than {@link #RELIEF}. */
     public static final Sky STUDIO = new Sky("studio");
 
     public Sky {
@@ -266,7 +271,7 @@ public final class Stage {
 
     /** Returns the absolute path of its picture; empty if it has none. */
     public Optional<Path> picture() {
-      return Set.of("studio", "white", "sun").contains(name)
+      return Set.of("relief", "studio", "white", "sun").contains(name)
           ? Optional.empty()
           : Optional.of(Path.of(name).toAbsolutePath().normalize());
     }
@@ -384,10 +389,19 @@ public final class Stage {
     return Look.of(values.find(LOOK));
   }
 
-  /** Returns the environment light. */
+  /**
+   * Returns the environment light. If none is asked for, it is {@link Sky#RELIEF}, or that of the
+   * look, the ground or the background that is.
+   */
   public Sky sky() {
-    String name = values.find(SKY).orElse(look(values).sky());
+    String otherwise = isPlain() ? Sky.RELIEF.name() : look(values).sky();
+    String name = values.find(SKY).orElse(otherwise);
     return new Sky(name, get(SKY_INTENSITY), get(SKY_ROTATION), get(SUN));
+  }
+
+  /** Returns whether neither look nor ground nor background is asked for. */
+  private boolean isPlain() {
+    return values.find(LOOK).isEmpty() && values.find(BACKGROUND).isEmpty() && !get(GROUND);
   }
 
   /** Returns the linear color that pictures show instead of the sky; empty for the sky. */
@@ -402,7 +416,8 @@ public final class Stage {
    */
   public Optional<Backplate> backplate() {
     Sky sky = sky();
-    boolean isSeen = sky.name().equals(Sky.STUDIO.name()) && values.find(BACKGROUND).isEmpty();
+    boolean isStudio = Set.of(Sky.RELIEF.name(), Sky.STUDIO.name()).contains(sky.name());
+    boolean isSeen = isStudio && values.find(BACKGROUND).isEmpty();
     return isSeen && background().isEmpty()
         ? Optional.of(
             new Backplate(

@@ -5,18 +5,65 @@ import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.texture.Texture;
 
 /**
- * A photo studio as a sky: white walls, a bright key light to the left in front of the object, a
- * weaker fill light to the right and a rim light behind. All edges are smooth, so that it adds no
- * noise. It has the coordinates of a latitude-longitude image: u = 0.5 is forward, v = 1 is up.
+ * A photo studio as a sky: walls and soft lamps. All edges are smooth, so that it adds no noise. It
+ * has the coordinates of a latitude-longitude image: u = 0.5 is forward, v = 1 is up.
  */
 public enum StudioSky implements Texture<Rgb> {
-  INSTANCE;
+  /**
+   * White walls, a bright key light to the left in front of the object, a weaker fill light to the
+   * right and a rim light behind.
+   */
+  SOFT(
+      .22,
+      .2,
+      new Lamp(4, -.55, .6, -.58, .86),
+      new Lamp(1, .75, .25, -.61, .75),
+      new Lamp(2, .35, .55, .76, .9)),
+
+  /**
+   * Dark walls, a high key light to the left in front, two rim lights behind, and two low cards:
+   * sides of an object differ in brightness, and dark plastics show edges and sheen.
+   */
+  RELIEF(
+      .05,
+      .22,
+      new Lamp(7.2, -.4, 1, -.45, .88),
+      new Lamp(3, -.4, .36, .82, .92),
+      new Lamp(2, .7, .4, .7, .94),
+      new Lamp(1.5, -.42, -.28, -.8, .8),
+      new Lamp(1.4, .45, -.32, .8, .88));
 
   /** The resolution at which the sky can be tabulated without losing a light. */
   public static final int COLUMNS = 256;
 
   /** The number of rows that belongs to {@link #COLUMNS}. */
   public static final int ROWS = 128;
+
+  /** The radiance of the walls straight below, and how much more there is straight above. */
+  private final double floor;
+
+  private final double rise;
+  private final Lamp[] lamps;
+
+  StudioSky(double floor, double rise, Lamp... lamps) {
+    this.floor = floor;
+    this.rise = rise;
+    this.lamps = lamps;
+  }
+
+  /**
+   * A soft lamp.
+   *
+   * @param strength radiance in its middle
+   * @param edge cosine of the angle between its middle and its edge
+   */
+  private record Lamp(double strength, double x, double y, double z, double edge) {
+    /** Returns 1 towards the lamp's middle, falling smoothly to 0 at its edge. */
+    double lobe(double toX, double toY, double toZ) {
+      double cosine = (toX * x + toY * y + toZ * z) / Math.sqrt(x * x + y * y + z * z);
+      return smooth((cosine - edge) / (1 - edge));
+    }
+  }
 
   @Override
   public Rgb at(double u, double v) {
@@ -26,19 +73,11 @@ public enum StudioSky implements Texture<Rgb> {
     double horizontal = Elementary.cosTurns(elevation);
     double x = horizontal * Elementary.sinTurns(azimuth);
     double z = horizontal * Elementary.cosTurns(azimuth);
-    double walls = .22 + .2 * smooth(.5 + .5 * y);
-    double key = 4 * lobe(x, y, z, -.55, .6, -.58, .86);
-    double fill = 1 * lobe(x, y, z, .75, .25, -.61, .75);
-    double rim = 2 * lobe(x, y, z, .35, .55, .76, .9);
-    double light = walls + key + fill + rim;
+    double light = floor + rise * smooth(.5 + .5 * y);
+    for (Lamp lamp : lamps) {
+      light += lamp.strength * lamp.lobe(x, y, z);
+    }
     return new Rgb(light, light, light);
-  }
-
-  /** Returns 1 towards a direction, falling smoothly to 0 at a cosine. */
-  private static double lobe(
-      double x, double y, double z, double lx, double ly, double lz, double edge) {
-    double cosine = (x * lx + y * ly + z * lz) / Math.sqrt(lx * lx + ly * ly + lz * lz);
-    return smooth((cosine - edge) / (1 - edge));
   }
 
   /** Returns 3t² - 2t³ with t clamped to [0,1]. */

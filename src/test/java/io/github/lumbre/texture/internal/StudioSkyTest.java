@@ -5,42 +5,52 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.lumbre.image.Rgb;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Tests that the studio is bright, finite and smooth. */
 class StudioSkyTest {
   private static double light(double u, double v) {
-    return StudioSky.INSTANCE.at(u, v).g();
+    return light(StudioSky.SOFT, u, v);
+  }
+
+  private static double light(StudioSky sky, double u, double v) {
+    return sky.at(u, v).g();
   }
 
   @Test
   void lightIsGrayAndFinite() {
     for (int i = 0; i <= 64; i++) {
       for (int j = 0; j <= 32; j++) {
-        Rgb light = StudioSky.INSTANCE.at(i / 64.0, j / 32.0);
+        Rgb light = StudioSky.SOFT.at(i / 64.0, j / 32.0);
         assertThat(light).isEqualTo(Rgb.gray(light.g()));
         assertThat(light.g()).isBetween(.2, 7.5);
       }
     }
   }
 
-  @Test
-  void neighborsInTheTableDifferLittle() {
+  @ParameterizedTest
+  @CsvSource({"SOFT, .45", "RELIEF, .8"})
+  void neighborsInTheTableDifferLittle(StudioSky sky, double most) {
     for (int i = 0; i < StudioSky.COLUMNS; i++) {
       for (int j = 0; j < StudioSky.ROWS; j++) {
         double u = (double) i / StudioSky.COLUMNS;
         double v = (double) j / StudioSky.ROWS;
-        assertThat(light(u + 1.0 / StudioSky.COLUMNS, v)).isCloseTo(light(u, v), within(.45));
-        assertThat(light(u, v + 1.0 / StudioSky.ROWS)).isCloseTo(light(u, v), within(.45));
+        double here = light(sky, u, v);
+        assertThat(light(sky, u + 1.0 / StudioSky.COLUMNS, v)).isCloseTo(here, within(most));
+        assertThat(light(sky, u, v + 1.0 / StudioSky.ROWS)).isCloseTo(here, within(most));
       }
     }
   }
 
-  @Test
-  void seamAndPolesAreClosed() {
+  @ParameterizedTest
+  @EnumSource
+  void seamAndPolesAreClosed(StudioSky sky) {
     for (int j = 0; j <= 32; j++) {
-      assertThat(light(0, j / 32.0)).isCloseTo(light(1, j / 32.0), within(1e-12));
-      assertThat(light(j / 32.0, 1)).isCloseTo(light(.5, 1), within(1e-12));
-      assertThat(light(j / 32.0, 0)).isCloseTo(light(.5, 0), within(1e-12));
+      assertThat(light(sky, 0, j / 32.0)).isCloseTo(light(sky, 1, j / 32.0), within(1e-12));
+      assertThat(light(sky, j / 32.0, 1)).isCloseTo(light(sky, .5, 1), within(1e-12));
+      assertThat(light(sky, j / 32.0, 0)).isCloseTo(light(sky, .5, 0), within(1e-12));
     }
   }
 
