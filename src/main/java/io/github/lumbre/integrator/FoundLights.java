@@ -7,7 +7,7 @@ import io.github.lumbre.light.Emission;
 import io.github.lumbre.light.EnvironmentLight;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
-import io.github.lumbre.scene.Backplate;
+import io.github.lumbre.math.sampling.Sampler;
 import io.github.lumbre.scene.Scene;
 import java.util.Optional;
 
@@ -23,7 +23,7 @@ final class FoundLights {
   private final EnvironmentLight[] environments;
 
   /** What the camera sees instead of environment lights. */
-  private final Optional<Backplate> backplate;
+  private final Optional<SeenBackplate> backplate;
 
   /** Whether samples that see the backplate through clear glass cover their pixel. */
   private final boolean isGlassSeen;
@@ -38,7 +38,7 @@ final class FoundLights {
         scene.environments().stream()
             .map(EnvironmentLight::besideBsdf)
             .toArray(EnvironmentLight[]::new);
-    backplate = options.backplateOf(scene);
+    backplate = options.backplateOf(scene).map(seen -> new SeenBackplate(scene, seen));
     isGlassSeen = options.backplate().isPresent();
     hasAmbient = !scene.ambient().isBlack();
   }
@@ -73,9 +73,9 @@ final class FoundLights {
    *
    * @param depth number of surfaces that scattered the path so far
    */
-  void addBackground(int depth, RenderContext context) {
+  void addBackground(int depth, Sampler sampler, RenderContext context) {
     if (depth == 0 && backplate.isPresent()) {
-      addBackplate(backplate.get(), context);
+      addBackplate(backplate.get().light(sampler, context), context);
     } else {
       addEnvironment(context, context.hit.direction());
     }
@@ -105,8 +105,7 @@ final class FoundLights {
     context.add(r, g, b);
   }
 
-  private void addBackplate(Backplate seen, RenderContext context) {
-    Rgb light = seen.at(context.down);
+  private void addBackplate(Rgb light, RenderContext context) {
     context.hitSomething |= isGlassSeen && context.passedGlass;
     context.listener.lightFound(
         Source.ENVIRONMENT, -1, light.r(), light.g(), light.b(), 0, Double.POSITIVE_INFINITY, 1);

@@ -139,7 +139,7 @@ public final class PathTracer implements Integrator {
       }
     }
     if (!isHit) {
-      found.addBackground(depth, context);
+      found.addBackground(depth, sampler, context);
       return end(End.ESCAPED, context);
     }
     context.hitSomething = true;

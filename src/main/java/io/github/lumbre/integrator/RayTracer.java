@@ -17,7 +17,6 @@ import io.github.lumbre.math.Ray;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
 import io.github.lumbre.math.sampling.Sampler;
-import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
 import java.util.Deque;
@@ -43,7 +42,7 @@ public final class RayTracer implements Integrator {
   private final int maxRefractions;
 
   /** What the camera sees instead of environment lights. */
-  private final Optional<Backplate> backplate;
+  private final Optional<SeenBackplate> backplate;
 
   /** Whether samples that see the backplate through clear glass cover their pixel. */
   private final boolean isGlassSeen;
@@ -74,7 +73,7 @@ public final class RayTracer implements Integrator {
     this.lights = scene.lights();
     this.maxReflections = maxReflections;
     this.maxRefractions = maxRefractions;
-    backplate = background.backplateOf(scene);
+    backplate = background.backplateOf(scene).map(seen -> new SeenBackplate(scene, seen));
     isGlassSeen = background.backplate().isPresent();
     hasPassing = Passing.isNeeded(scene);
     mayDisperse = Vertex.mayDisperse(scene);
@@ -136,7 +135,7 @@ public final class RayTracer implements Integrator {
     context.listener.rayTraced(hit, depth, throughput.r(), throughput.g(), throughput.b());
     if (!isHit) {
       return depth == 0 && backplate.isPresent()
-          ? backplate(backplate.get().at(context.down), context)
+          ? backplate(backplate.get().light(sampler, context), context)
           : environment(hit.direction(), context);
     }
     context.hitSomething = true;

@@ -22,6 +22,9 @@ import java.util.Objects;
  * the current path, scratch objects, and counters. Mutable and confined to one thread.
  */
 public final class RenderContext {
+  /** A ray of {@link #blocked} passes no more surfaces. */
+  private static final int MOST_LAYERS = 64;
+
   /** Receives the events of the current path. */
   PathListener listener;
 
@@ -191,6 +194,28 @@ public final class RenderContext {
     counters.shadowRays++;
     surface.spawnTowards(point, shadow);
     return scene.isOccluded(shadow);
+  }
+
+  /**
+   * Returns the part of light along a ray that surfaces block; those that let light pass straight
+   * through block none.
+   *
+   * @param direction of length 1
+   */
+  double blocked(Scene scene, Vec3 from, Vec3 direction, double length) {
+    counters.shadowRays++;
+    shadow.aim(
+        from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z(), length);
+    if (!scene.hasTransparency()) {
+      return scene.isOccluded(shadow) ? 1 : 0;
+    }
+    double passed = 1;
+    for (int layer = 0; passed > 0 && layer < MOST_LAYERS && scene.intersect(shadow); layer++) {
+      Material material = scene.primitiveAt(shadow).material();
+      passed *= material.isOpaque() ? 0 : material.transmittance(scene.surfaceAt(shadow)).max();
+      shadow.pass();
+    }
+    return 1 - passed;
   }
 
   /** Counts the rays of a search through glass as shadow rays. */

@@ -1,7 +1,10 @@
 package io.github.lumbre.scene;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Vec3;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * What the camera sees instead of environment lights, which still give light: one radiance for each
@@ -10,14 +13,26 @@ import java.util.Objects;
  *
  * @param top radiance at the upper edge of the full frame
  * @param bottom radiance at the lower edge
+ * @param shadowOf a box around objects whose contact shadow a view from above shows, on the ground
+ *     on which the box stands; y points up. Empty for no shadow
  */
-public record Backplate(Rgb top, Rgb bottom) {
+public record Backplate(Rgb top, Rgb bottom, Optional<Bounds3> shadowOf) {
   /**
-   * @throws IllegalArgumentException if a component is negative, infinite or NaN
+   * @throws IllegalArgumentException if a component is negative, infinite or NaN, or if the box is
+   *     empty or infinite
    */
   public Backplate {
     require(top, "top");
     require(bottom, "bottom");
+    Bounds3 box = shadowOf.orElse(new Bounds3(Vec3.ZERO, Vec3.ZERO));
+    if (box.isEmpty() || !box.isFinite()) {
+      throw new IllegalArgumentException("shadowOf: expected a finite box, found " + box);
+    }
+  }
+
+  /** Creates a backplate without a shadow. */
+  public Backplate(Rgb top, Rgb bottom) {
+    this(top, bottom, Optional.empty());
   }
 
   private static void require(Rgb radiance, String name) {
@@ -32,6 +47,11 @@ public record Backplate(Rgb top, Rgb bottom) {
   /** Returns a backplate of one radiance. */
   public static Backplate plain(Rgb radiance) {
     return new Backplate(radiance, radiance);
+  }
+
+  /** Returns the same backplate with the contact shadow of what is in a box. */
+  public Backplate withShadowOf(Bounds3 box) {
+    return new Backplate(top, bottom, Optional.of(box));
   }
 
   /** Returns whether all rows have the same radiance. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.scenefile;
 
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scenefile.internal.CameraKeys;
 import java.util.List;
 
@@ -44,8 +45,16 @@ final class RootKeys {
   static final Key<Rgb> TOP = Key.color("top", "Light at the upper edge of the full frame.");
   static final Key<Rgb> BOTTOM = Key.color("bottom", "Light at the lower edge.");
 
+  static final Key<Vec3> SHADOW_MIN =
+      Key.vector(
+          "shadowMin",
+          Vec3.ZERO,
+          "Lower corner of a box, whose contents have a contact shadow on the ground below it.");
+  static final Key<Vec3> SHADOW_MAX =
+      Key.vector("shadowMax", Vec3.ZERO, "Upper corner of the box.");
+
   /** The keys of a backplate that is not of one color. */
-  static final List<Key<?>> OF_GRADIENTS = List.of(TOP, BOTTOM);
+  static final List<Key<?>> OF_GRADIENTS = List.of(TOP, BOTTOM, SHADOW_MIN, SHADOW_MAX);
 
   /** The keys of render options that are not settings. */
   static final List<Key<?>> OF_OPTIONS = List.of(ANTIALIASING, BACKGROUND, ObjectKeys.NAME);

@@ -8,6 +8,7 @@ import io.github.lumbre.base.text.Spelling;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.internal.OptionTypes.NamedType;
@@ -248,17 +249,36 @@ final class SettingsReader {
 
   private static Backplate gradient(JsonNode backplate) {
     backplate.warnUnknown(Key.names(RootKeys.OF_GRADIENTS));
-    return new Backplate(RootKeys.TOP.in(backplate), RootKeys.BOTTOM.in(backplate));
+    Backplate light = new Backplate(RootKeys.TOP.in(backplate), RootKeys.BOTTOM.in(backplate));
+    if (!RootKeys.SHADOW_MIN.isIn(backplate) && !RootKeys.SHADOW_MAX.isIn(backplate)) {
+      return light;
+    }
+    Bounds3 box = new Bounds3(RootKeys.SHADOW_MIN.in(backplate), RootKeys.SHADOW_MAX.in(backplate));
+    if (box.isEmpty()) {
+      RootKeys.SHADOW_MAX.error(
+          backplate,
+          "expected at least shadowMin on each axis, found %s and %s"
+              .formatted(box.min(), box.max()));
+      return light;
+    }
+    return light.withShadowOf(box);
   }
 
   /** Returns the value of a key that {@link #backplate} reads. */
   static JsonElement written(Backplate backplate) {
-    if (backplate.isPlain()) {
+    if (backplate.isPlain() && backplate.shadowOf().isEmpty()) {
       return Value.COLOR.writer().apply(backplate.top());
     }
     JsonObject gradient = new JsonObject();
     RootKeys.TOP.put(gradient, backplate.top());
     RootKeys.BOTTOM.put(gradient, backplate.bottom());
+    backplate
+        .shadowOf()
+        .ifPresent(
+            box -> {
+              RootKeys.SHADOW_MIN.put(gradient, box.min());
+              RootKeys.SHADOW_MAX.put(gradient, box.max());
+            });
     return gradient;
   }
 

@@ -48,6 +48,7 @@ import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.material.Unlit;
 import io.github.lumbre.material.internal.ColorChannel;
 import io.github.lumbre.material.internal.ScalarChannel;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
@@ -116,7 +117,13 @@ final class RandomScene {
       default -> scene.addAmbient(rgb(.5));
     }
     if (seed % 5 == 0) {
-      scene.backplate(seed % 2 == 0 ? Backplate.plain(rgb(1)) : new Backplate(rgb(1), rgb(.5)));
+      Backplate seen =
+          seed % 2 == 0 ? Backplate.plain(rgb(1)) : new Backplate(rgb(1), rgb(.5));
+      Vec3 corner = vec(1);
+      scene.backplate(
+          seed % 3 == 0
+              ? seen.withShadowOf(new Bounds3(corner, corner.plus(new Vec3(1, 2, 3))))
+              : seen);
     }
     if (seed % 6 == 0) {
       Path file = Path.of("scenes", "models", "lantern.glb");

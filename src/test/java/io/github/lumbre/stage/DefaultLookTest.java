@@ -17,6 +17,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Models show their shape if nothing is asked for: their sides differ in brightness. */
@@ -111,5 +112,41 @@ class DefaultLookTest {
     Rgb relief = picture(box, Stage.DEFAULT).pixel(0, 0);
     Rgb soft = picture(box, Stage.DEFAULT.under(Sky.STUDIO)).pixel(0, 0);
     assertThat(relief.g()).isCloseTo(soft.g(), within(1e-6));
+  }
+
+  /** The ground before the foot of the box is darker from above only. */
+  @ParameterizedTest
+  @CsvSource({"'0,20', .6, .93", "'0,0', .999, 1.001", "'0,-20', .999, 1.001"})
+  void modelsHaveAContactShadowFromAbove(String view, double least, double most) throws Exception {
+    Path box = write("box.obj", box());
+    Stage stage = Stage.DEFAULT.seenFrom(View.of(view));
+    Image picture = picture(box, stage);
+    // Two rows below the box.
+    int row = HEIGHT - 1;
+    while (picture.pixel(WIDTH / 2, row).g() < .45) {
+      row--;
+    }
+    assertThat(row).isLessThan(HEIGHT - 2);
+    double ground = picture.pixel(WIDTH / 2, row + 2).g() / picture.pixel(0, row + 2).g();
+    assertThat(ground).isBetween(least, most);
+  }
+
+  @Test
+  void groundsAndBackgroundsHaveNoContactShadow() throws Exception {
+    Path box = write("box.obj", box());
+    SceneParser parser =
+        new SceneParser()
+            .overriding(settings -> settings.toBuilder().size(WIDTH, HEIGHT).samples(4).build());
+    SceneFile shown = StagedModel.read(box, Stage.DEFAULT, parser).scene();
+    assertThat(shown.scene().backplate().orElseThrow().shadowOf()).isPresent();
+    SceneFile onGround =
+        StagedModel.read(box, Stage.DEFAULT.with(Stage.GROUND, true), parser).scene();
+    assertThat(onGround.scene().backplate().orElseThrow().shadowOf()).isEmpty();
+    for (String background : List.of("white", "sky", "transparent")) {
+      Stage stage = Stage.DEFAULT.with(Stage.BACKGROUND, background);
+      SceneFile file = StagedModel.read(box, stage, parser).scene();
+      assertThat(file.scene().backplate()).as(background).isEmpty();
+      assertThat(file.scene().primitives()).hasSameSizeAs(shown.scene().primitives());
+    }
   }
 }

@@ -12,6 +12,7 @@ import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelNames;
 import io.github.lumbre.model.section.Sections;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
@@ -117,7 +118,7 @@ public final class Staging {
               sky.rotation(),
               sky.sun().azimuth(),
               sky.sun().elevation()),
-          of.backplate(),
+          backplate(of),
           of.get(Stage.GROUND),
           framing.box(),
           of.options(),
@@ -127,6 +128,13 @@ public final class Staging {
     } catch (ModelFormatException e) {
       throw read.failure(e);
     }
+  }
+
+  /** Returns what is behind the model, with its contact shadow unless it stands on a ground. */
+  private Optional<Backplate> backplate(Stage of) {
+    return of.get(Stage.GROUND)
+        ? of.backplate()
+        : of.backplate().map(seen -> seen.withShadowOf(framing.box()));
   }
 
   /**
