@@ -27,7 +27,7 @@ record SeenBackplate(Scene scene, Backplate backplate) {
   /** The sine of the elevation from which on an eye sees all of it. */
   private static final double RAISED = .12;
 
-  /** The sines of the elevations where that ends, since a plan has no ground, and where it is gone. */
+  /** The sines of the elevations where that ends, and where it is gone: plans show no ground. */
   private static final double STEEP = .9;
 
   private static final double UPRIGHT = .97;

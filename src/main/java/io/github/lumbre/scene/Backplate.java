@@ -62,8 +62,8 @@ public record Backplate(Rgb top, Rgb bottom, Optional<Bounds3> shadowOf) {
   /**
    * Returns the radiance of a row.
    *
-   * @param down the row's distance from the upper edge divided by the height of the full frame, 0 to
-   *     1
+   * @param down the row's distance from the upper edge divided by the height of the full frame, 0
+   *     to 1
    */
   public Rgb at(double down) {
     return isPlain() ? top : top.times(1 - down).plus(bottom.times(down));

@@ -83,8 +83,8 @@ final class LightKinds {
       Key.choice(
               "sky",
               Sky.STUDIO,
-              "A computed sky instead of a texture: a studio, one with more contrast (relief), a clear"
-                  + " day's sky, or the sun in it.")
+              "A computed sky instead of a texture: a studio, one with more contrast (relief), a"
+                  + " clear day's sky, or the sun in it.")
           .withoutDefault();
   static final Key<Double> SUN_AZIMUTH =
       Key.number(

@@ -76,8 +76,8 @@ public final class Stage {
               "sky",
               new TextType("a name or a file"),
               "Light from relief (a studio with contrast), studio (softer), white, sun (a clear"
-                  + " day), or a latitude-longitude picture: HDR, OpenEXR, PFM, or PNG, JPEG and the"
-                  + " other formats of textures (relief; with a look, a ground or a background,"
+                  + " day), or a latitude-longitude picture: HDR, OpenEXR, PFM, or PNG, JPEG and"
+                  + " the other formats of textures (relief; with a look, a ground or a background,"
                   + " studio).")
           .withFlag("sky", "NAME|FILE");
 

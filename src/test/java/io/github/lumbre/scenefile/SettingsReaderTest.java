@@ -6,6 +6,9 @@ import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Mode;
 import java.nio.charset.StandardCharsets;
@@ -134,5 +137,27 @@ class SettingsReaderTest {
         .hasMessage(
             "s.json: $.background: expected an object such as {\"r\": 1, \"g\": 1, \"b\": 1} or"
                 + " \"transparent\", found \"blue\"");
+  }
+
+  private Optional<Backplate> backplate(String text) {
+    return SettingsReader.backplate(options("{\"backplate\": " + text + "}"));
+  }
+
+  @Test
+  void backplatesHaveTheShadowOfABox() {
+    String corners =
+        "{'shadowMin': {'x': -1, 'y': 2, 'z': 3}, 'shadowMax': {'x': 4, 'y': 2, 'z': 6}}";
+    Bounds3 box = new Bounds3(new Vec3(-1, 2, 3), new Vec3(4, 2, 6));
+    assertThat(backplate(corners.replace('\'', '"')))
+        .contains(Backplate.plain(Rgb.WHITE).withShadowOf(box));
+    assertThat(problems.hasErrors()).isFalse();
+  }
+
+  @Test
+  void cornersOfShadowsAreInOrder() {
+    backplate("{\"top\": {\"r\": 1}, \"shadowMin\": {\"y\": 2}}");
+    assertThat(problems.exception())
+        .hasMessage(
+            "s.json: backplate.shadowMax: expected at least shadowMin on each axis, found less");
   }
 }
