@@ -74,7 +74,8 @@ public record ModelOption<T>(
               LENGTH,
               "Length of the file's unit (1; glTF and 3MF: as the file states, in meters).")
           .inScenes()
-          .withFlag("unit", "LENGTH");
+          .withFlag("unit", "LENGTH")
+          .inTools("unit", "Length of the file's unit; without it, as the file states, in meters.");
 
   /**
    * The radius of the spheres that show points, in the file's unit; without it, half the median
@@ -114,7 +115,11 @@ public record ModelOption<T>(
   public static final ModelOption<ModelOptions.Pose> POSE =
       new ModelOption<>("pose", new PoseType(), "Pose of an animation at a time (the rest pose).")
           .inScenes()
-          .withFlag("pose", "NAME@SECONDS");
+          .withFlag("pose", "NAME@SECONDS")
+          .inTools(
+              "pose",
+              "Animation and time whose pose is shown, such as walk@0.5; 'describe' lists the"
+                  + " animations. Without it, the rest pose.");
 
   /** The name of the material variant; without it, the default materials. */
   public static final ModelOption<String> VARIANT =
@@ -123,7 +128,9 @@ public record ModelOption<T>(
               new TextType("a name"),
               "Material variant to use (the default materials).")
           .inScenes()
-          .withFlag("variant", "NAME");
+          .withFlag("variant", "NAME")
+          .inTools(
+              "variant", "Material variant, as 'describe' lists it; without it, the default.");
 
   /**
    * {@link ModelOptions#CLAY} or {@link ModelOptions#WHITE}, which replaces all materials; without

@@ -47,7 +47,8 @@ public final class Stage {
               "camera",
               new TextType("a name"),
               "Camera of the file to use (the first, if it has one).")
-          .withFlag("camera", "NAME");
+          .withFlag("camera", "NAME")
+          .inTools("camera", "Camera of the file to look through, as 'describe' lists it.");
 
   /**
    * The direction to look from; without it, the model's first camera, or {@link View#DEFAULT} if it
@@ -59,7 +60,11 @@ public final class Stage {
               new ViewType(),
               "Look from front, back, left, right, top, bottom or iso, or from an azimuth and"
                   + " an elevation in degrees (30,20 without a camera in the file).")
-          .withFlag("view", "NAME|AZ,EL");
+          .withFlag("view", "NAME|AZ,EL")
+          .inTools(
+              "view",
+              "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
+                  + " 30,20 (the default).");
 
   /** The vertical angle of view in degrees; not used with a camera of the model. */
   public static final ModelOption<Double> FOV =
@@ -68,7 +73,8 @@ public final class Stage {
               new NumberType(Range.open(0, 180)),
               "Vertical angle of view with " + VIEW.flag() + " ({default}).")
           .withDefault(35.)
-          .withFlag("fov", "DEGREES");
+          .withFlag("fov", "DEGREES")
+          .inTools("fov", "Vertical angle of view in degrees (35).");
 
   /** The name of the {@link Sky}; without it, that of the look. */
   public static final ModelOption<String> SKY =
@@ -120,7 +126,8 @@ public final class Stage {
               "Put the model on an infinite gray floor. If the background is transparent, only its"
                   + " shadow is seen.")
           .withDefault(false)
-          .withFlag("ground", "");
+          .withFlag("ground", "")
+          .inTools("ground", "Whether the model stands on a floor, which shows its shadow.");
 
   /** {@code sky}, {@code transparent} or a color of CSS; without it, that of the look. */
   public static final ModelOption<String> BACKGROUND =
@@ -133,7 +140,10 @@ public final class Stage {
                   + " and "
                   + Setting.TONE_MAP.flag()
                   + " are.")
-          .withFlag("background", "COLOR");
+          .withFlag("background", "COLOR")
+          .inTools(
+              "background",
+              "What is behind the model: sky, transparent, #rrggbb, or a CSS name such as white.");
 
   /** {@code clay}, {@code lines} or {@code clay,lines}: the shape alone. */
   public static final ModelOption<String> LOOK =

@@ -118,10 +118,27 @@ public final class StagedModel {
     return seenFrom(view, width, height, model.framing().with(other.model.framing()));
   }
 
+  /**
+   * Returns the model as the camera of another stage sees it, framed for a picture of another size.
+   *
+   * @param stage that differs from this model's in its camera alone
+   * @param width of the picture in pixels, at least 1
+   * @param height of the picture in pixels, at least 1
+   * @throws SceneFormatException if the model lacks the camera that the stage names
+   */
+  public SceneFile seenOn(Stage stage, int width, int height) throws SceneFormatException {
+    SceneFile sized = sized(width, height);
+    return sized.with(model.seenOn(stage, sized, (double) width / height));
+  }
+
   private SceneFile seenFrom(View view, int width, int height, Framing framing)
       throws SceneFormatException {
-    SceneFile sized = scene.with(scene.settings().toBuilder().size(width, height).build());
+    SceneFile sized = sized(width, height);
     return sized.with(model.seenFrom(view, sized, (double) width / height, framing));
+  }
+
+  private SceneFile sized(int width, int height) {
+    return scene.with(scene.settings().toBuilder().size(width, height).build());
   }
 
   /** Returns about how many bytes of memory the model and its scenes take. */

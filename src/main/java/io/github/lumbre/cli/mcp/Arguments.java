@@ -7,16 +7,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /** The arguments of a call, checked by the declarations of a tool. Immutable. */
 final class Arguments {
   private final Map<Input<?>, Object> values = new LinkedHashMap<>();
+  private final Set<String> given;
 
   /**
    * @param given by their names
    * @throws ToolException that names the first argument that is wrong, missing or unknown
    */
   Arguments(List<Input<?>> inputs, Map<String, JsonValue> given) throws ToolException {
+    this.given = Set.copyOf(given.keySet());
     List<String> names = inputs.stream().map(Input::name).toList();
     for (String name : given.keySet()) {
       if (!names.contains(name)) {
@@ -44,6 +47,11 @@ final class Arguments {
       throw new ToolException(input.expected() + ", found " + given.get().found());
     }
     return value.get();
+  }
+
+  /** Returns whether the client has stated an argument. */
+  boolean isGiven(Input<?> input) {
+    return given.contains(input.name());
   }
 
   /** Returns the value of an argument; of one that the tool does not take, the default. */

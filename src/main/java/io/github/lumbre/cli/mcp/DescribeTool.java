@@ -1,8 +1,8 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.cli.output.JsonSummary;
-import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.scenefile.internal.ParsedScene;
+import java.util.ArrayList;
 import java.util.List;
 
 /** Lists what a model has, without rendering it. */
@@ -25,7 +25,9 @@ record DescribeTool(Studio studio) implements Tool {
 
   @Override
   public List<Input<?>> inputs() {
-    return List.of(ModelInputs.MODEL, ModelInputs.of(ModelOption.UP));
+    List<Input<?>> inputs = new ArrayList<>(List.of(ModelInputs.MODEL));
+    inputs.addAll(ModelInputs.ofReading());
+    return inputs;
   }
 
   @Override
@@ -35,6 +37,6 @@ record DescribeTool(Studio studio) implements Tool {
     JsonSummary summary = model.summary(name());
     summary.putContents(scene.contents());
     summary.putModel(scene.model().orElseThrow(), model.parts());
-    return new Outcome(List.of(), summary.values());
+    return new Outcome(List.of(), model.rounding().values(summary.values()));
   }
 }

@@ -1,6 +1,8 @@
 package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.base.json.JsonValue;
+import io.github.lumbre.math.internal.Range;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,12 +14,18 @@ import java.util.Optional;
  *
  * @param schema in JSON Schema 2020-12
  * @param reader turns JSON into a value
+ * @param expects what the reader accepts, for messages
  * @param defaultValue the value of a missing argument; empty if the argument is required
  */
 record Input<T>(
-    String name, Map<String, Object> schema, Reader<T> reader, Optional<T> defaultValue) {
+    String name,
+    Map<String, Object> schema,
+    Reader<T> reader,
+    String expects,
+    Optional<T> defaultValue) {
   private static final int MOST_TEXT = 4096;
   private static final int MOST_ELEMENTS = 64;
+  private static final String TEXT = "a string of at most " + MOST_TEXT + " characters";
 
   /** Turns JSON into a value. */
   @FunctionalInterface
@@ -28,7 +36,7 @@ record Input<T>(
 
   /** Returns a text that must be given. */
   static Input<String> requiredText(String name, String description) {
-    return new Input<>(name, schema("string", description), Input::text, Optional.empty());
+    return new Input<>(name, schema("string", description), Input::text, TEXT, Optional.empty());
   }
 
   /** Returns a text that may be missing. */
@@ -37,6 +45,7 @@ record Input<T>(
         name,
         schema("string", description),
         value -> text(value).map(Optional::of),
+        TEXT,
         Optional.of(Optional.empty()));
   }
 
@@ -45,7 +54,8 @@ record Input<T>(
     Map<String, Object> schema = schema("array", description);
     schema.put("items", Map.of("type", "string"));
     schema.put("maxItems", MOST_ELEMENTS);
-    return new Input<>(name, schema, Input::texts, Optional.of(List.of()));
+    String expects = "an array of at most " + MOST_ELEMENTS + " strings";
+    return new Input<>(name, schema, Input::texts, expects, Optional.of(List.of()));
   }
 
   static Input<Integer> integer(
@@ -54,6 +64,7 @@ record Input<T>(
         name,
         bounds(schema("integer", description), least, most, defaultValue),
         value -> value.exactLong().filter(n -> n >= least && n <= most).map(n -> (int) (long) n),
+        "an integer from " + least + " to " + most,
         Optional.of(defaultValue));
   }
 
@@ -61,7 +72,26 @@ record Input<T>(
   static Input<Integer> requiredInteger(String name, int least, int most, String description) {
     Input<Integer> input = integer(name, least, most, least, description);
     input.schema.remove("default");
-    return new Input<>(name, input.schema, input.reader, Optional.empty());
+    return new Input<>(name, input.schema, input.reader, input.expects, Optional.empty());
+  }
+
+  /** Returns a number that may be missing. */
+  static Input<Optional<Double>> number(String name, NumberType type, String description) {
+    Map<String, Object> schema = schema("number", description);
+    Range range = type.range();
+    schema.put(range.contains(range.low()) ? "minimum" : "exclusiveMinimum", range.low());
+    schema.put(range.contains(range.high()) ? "maximum" : "exclusiveMaximum", range.high());
+    return new Input<>(
+        name,
+        schema,
+        value ->
+            Optional.of(value)
+                .filter(JsonValue::isNumber)
+                .map(JsonValue::number)
+                .filter(type::accepts)
+                .map(Optional::of),
+        type.expected(),
+        Optional.of(Optional.empty()));
   }
 
   /** Returns a flag, which is false if it is missing. */
@@ -72,6 +102,7 @@ record Input<T>(
         name,
         schema,
         value -> value.isFlag() ? Optional.of(value.flag()) : Optional.empty(),
+        "true or false",
         Optional.of(false));
   }
 
@@ -113,13 +144,6 @@ record Input<T>(
 
   /** Returns what is expected, for messages. */
   String expected() {
-    String kind =
-        switch ((String) schema.get("type")) {
-          case "string" -> "a string of at most " + MOST_TEXT + " characters";
-          case "array" -> "an array of at most " + MOST_ELEMENTS + " strings";
-          case "boolean" -> "true or false";
-          default -> "an integer from " + schema.get("minimum") + " to " + schema.get("maximum");
-        };
-    return name + ": expected " + kind;
+    return name + ": expected " + expects;
   }
 }

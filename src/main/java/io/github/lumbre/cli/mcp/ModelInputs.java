@@ -2,8 +2,11 @@ package io.github.lumbre.cli.mcp;
 
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.OptionTypes.TextsType;
+import io.github.lumbre.scene.internal.SettingTypes.FlagType;
+import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
+import io.github.lumbre.stage.internal.Look;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -11,11 +14,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The arguments that several tools take. Stateless. */
+/** The arguments that several tools take: those of the options of models. Stateless. */
 final class ModelInputs {
   static final Input<String> MODEL =
       Input.requiredText(
           "model", "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model.");
+
+  /** The options that say where the camera is: without them, it is at {@link View#DEFAULT}. */
+  private static final List<ModelOption<?>> PLACES = List.of(Stage.VIEW, Stage.CAMERA);
 
   private static final Map<ModelOption<?>, Input<?>> INPUTS = new LinkedHashMap<>();
 
@@ -29,17 +35,15 @@ final class ModelInputs {
   private ModelInputs() {}
 
   private static Input<?> input(ModelOption<?> option) {
-    if (option.toolValue().isPresent()) {
-      return Input.flag(option.tool(), option.toolHelp());
+    String name = option.tool();
+    String help = option.toolHelp();
+    if (option.toolValue().isPresent() || option.type() instanceof FlagType) {
+      return Input.flag(name, help);
     }
-    return option.type() instanceof TextsType
-        ? Input.texts(option.tool(), option.toolHelp())
-        : Input.text(option.tool(), option.toolHelp());
-  }
-
-  /** Returns the argument of an option. */
-  static Input<?> of(ModelOption<?> option) {
-    return INPUTS.get(option);
+    if (option.type() instanceof NumberType numbers) {
+      return Input.number(name, numbers, help);
+    }
+    return option.type() instanceof TextsType ? Input.texts(name, help) : Input.text(name, help);
   }
 
   /** Returns the arguments of all options but some, by their names. */
@@ -49,13 +53,66 @@ final class ModelInputs {
     return left.stream().<Input<?>>map(INPUTS::get).toList();
   }
 
+  /** Returns the arguments of all options but those that say where the camera is. */
+  static List<Input<?>> withoutPlace() {
+    return allBut(PLACES.toArray(ModelOption<?>[]::new));
+  }
+
+  /** Returns the arguments of what is read of a file, for tools that show no picture. */
+  static List<Input<?>> ofReading() {
+    return List.of(
+        INPUTS.get(ModelOption.POSE),
+        INPUTS.get(ModelOption.UNIT),
+        INPUTS.get(ModelOption.VARIANT),
+        INPUTS.get(ModelOption.UP));
+  }
+
+  /** Returns the argument of an option. */
+  static Input<?> of(ModelOption<?> option) {
+    return INPUTS.get(option);
+  }
+
+  /** Returns the names of arguments of options that a client has stated. */
+  static List<String> given(Arguments arguments) {
+    return INPUTS.values().stream().filter(arguments::isGiven).map(Input::name).toList();
+  }
+
   /** Returns the model that the arguments name. */
   static Studio.Staged model(Studio studio, Arguments arguments) throws ToolException {
+    return studio.model(arguments.get(MODEL), stage(arguments));
+  }
+
+  /** Returns the stage that the arguments describe. */
+  static Stage stage(Arguments arguments) throws ToolException {
     Stage stage = Stage.DEFAULT;
     for (ModelOption<?> option : INPUTS.keySet()) {
       stage = with(option, arguments, stage);
     }
-    return studio.model(arguments.get(MODEL), stage);
+    requireSuiting(stage);
+    Stage found = stage;
+    boolean isPlaced = PLACES.stream().anyMatch(option -> found.find(option).isPresent());
+    return isPlaced ? stage : stage.seenFrom(View.DEFAULT);
+  }
+
+  private static void requireSuiting(Stage stage) throws ToolException {
+    if (stage.find(Stage.CAMERA).isPresent() && stage.find(Stage.VIEW).isPresent()) {
+      throw new ToolException("camera and view: expected only one of them");
+    }
+    if (stage.get(Stage.GROUND) && Look.of(stage.find(Stage.LOOK)).isDrawing()) {
+      throw new ToolException(
+          "ground: cannot be combined with the look 'lines', which has no shadows");
+    }
+  }
+
+  /** Returns what a picture on a stage is called. */
+  static String title(Arguments arguments) {
+    Optional<String> camera = text(Stage.CAMERA, arguments).map(name -> "camera " + name);
+    return text(Stage.VIEW, arguments).or(() -> camera).orElse("30,20");
+  }
+
+  @SuppressWarnings("unchecked") // The arguments of these options are texts.
+  private static Optional<String> text(ModelOption<?> option, Arguments arguments) {
+    return (Optional<String>) arguments.get(INPUTS.get(option));
   }
 
   private static <T> Stage with(ModelOption<T> option, Arguments arguments, Stage stage)
@@ -73,22 +130,14 @@ final class ModelInputs {
     throw new IllegalArgumentException(option.type().refusal(value));
   }
 
-  @SuppressWarnings("unchecked") // Lists of texts are values of such options.
+  @SuppressWarnings("unchecked") // The arguments of options have values of their types, or texts.
   private static <T> Optional<T> value(ModelOption<T> option, Object given) {
     if (given instanceof Boolean isSet) {
-      return option.toolValue().filter(value -> isSet);
+      return isSet ? option.toolValue().or(() -> Optional.of((T) Boolean.TRUE)) : Optional.empty();
     }
-    return given instanceof List<?> texts
-        ? Optional.of((T) texts)
-        : ((Optional<String>) given).map(option.type()::parse);
-  }
-
-  /** Returns the direction in a text. */
-  static View view(String text) throws ToolException {
-    try {
-      return View.of(text);
-    } catch (IllegalArgumentException e) {
-      throw new ToolException("view: " + e.getMessage(), e);
+    if (given instanceof Optional<?> value) {
+      return value.map(v -> v instanceof String text ? option.type().parse(text) : (T) v);
     }
+    return Optional.of((T) given);
   }
 }

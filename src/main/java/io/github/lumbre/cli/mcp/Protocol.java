@@ -100,7 +100,7 @@ final class Protocol {
         image.put("mimeType", "image/png");
         content.add(image);
       }
-      content.add(text(JsonText.line(outcome.values())));
+      content.add(text(outcome.text().orElseGet(() -> JsonText.line(outcome.values()))));
       Map<String, Object> result = new LinkedHashMap<>();
       result.put("content", content);
       result.put("structuredContent", outcome.values());

@@ -1,15 +1,14 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.cli.mcp.Studio.Frame;
 import io.github.lumbre.cli.output.JsonSummary;
-import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.stage.drawing.DisplayLight;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.stage.Stage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Renders a model from one direction, whole or cut open.
@@ -19,13 +18,6 @@ import java.util.Optional;
 record RenderTool(Studio studio, boolean isCut) implements Tool {
   static final int MOST_PIXELS = 1024;
   private static final int MOST_SAMPLES = 64;
-  private static final String DEFAULT_VIEW = "30,20";
-
-  static final Input<Optional<String>> VIEW =
-      Input.text(
-          "view",
-          "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
-              + " 30,20 (the default).");
 
   static final Input<Integer> WIDTH =
       Input.integer("width", 16, MOST_PIXELS, 512, "Width of the picture in pixels.");
@@ -62,8 +54,7 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
 
   @Override
   public List<Input<?>> inputs() {
-    List<Input<?>> inputs =
-        new ArrayList<>(List.of(ModelInputs.MODEL, VIEW, WIDTH, HEIGHT, SAMPLES));
+    List<Input<?>> inputs = new ArrayList<>(List.of(ModelInputs.MODEL, WIDTH, HEIGHT, SAMPLES));
     if (isCut) {
       inputs.add(1, ModelInputs.of(ModelOption.SECTION));
     }
@@ -74,26 +65,25 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
   @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
-    Studio.Staged model = ModelInputs.model(studio, arguments);
-    SceneFile file = scene(model, arguments);
-    progress.expect(file.settings().window().pixels() * file.settings().samples());
-    String view = arguments.get(VIEW).orElse(DEFAULT_VIEW);
-    List<String> notes = new ArrayList<>();
-    DisplayLight picture = CleanPicture.of(file, view, notes::add, progress);
-    JsonSummary summary = model.summary(name());
-    model.describe(view, file, summary);
-    summary.put("notes", notes);
+    Shot shot = shot(studio, arguments);
+    RenderSettings settings = shot.file().settings();
+    progress.expect(settings.window().pixels() * settings.samples());
+    Studio.Finished made = studio.picture(shot, progress);
+    JsonSummary summary = shot.summary(name());
+    shot.describe(summary);
+    summary.put("notes", made.notes());
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(picture.image(), picture.options())), summary.values());
+        List.of(ImageFormat.PNG.bytes(made.picture().image(), made.picture().options())),
+        shot.rounding().values(summary.values()));
   }
 
-  /** Returns the scene that the arguments {@link #inputs} ask for. */
-  static SceneFile scene(Studio.Staged model, Arguments arguments) throws ToolException {
-    String view = arguments.get(VIEW).orElse(DEFAULT_VIEW);
-    return model.seenFrom(
-        ModelInputs.view(view),
-        arguments.get(WIDTH),
-        arguments.get(HEIGHT),
-        arguments.get(SAMPLES));
+  /** Returns what the arguments {@link #inputs} ask for. */
+  static Shot shot(Studio studio, Arguments arguments) throws ToolException {
+    Stage stage = ModelInputs.stage(arguments);
+    Frame frame =
+        new Frame(arguments.get(WIDTH), arguments.get(HEIGHT), arguments.get(SAMPLES));
+    return studio
+        .model(arguments.get(ModelInputs.MODEL), stage)
+        .shot(stage, ModelInputs.title(arguments), frame);
   }
 }

@@ -5,21 +5,26 @@ import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.cli.output.JsonSummary;
+import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PartTable;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.StagedModel;
-import io.github.lumbre.stage.internal.ViewNumbers;
+import io.github.lumbre.stage.drawing.DisplayLight;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -28,15 +33,44 @@ final class Studio {
   /** The models that are kept take at most one part in so many of the heap. */
   private static final int KEPT_PART = 4;
 
+  private static final double FOV = Stage.DEFAULT.get(Stage.FOV);
+
   private final Roots roots;
   private final Limits limits;
   private final ModelCache<Staged> kept =
       new ModelCache<>(Runtime.getRuntime().maxMemory() / KEPT_PART);
+  private volatile Optional<Last> last = Optional.empty();
 
   Studio(Roots roots, Limits limits) {
     this.roots = roots;
     this.limits = limits;
   }
+
+  /**
+   * The size of a picture.
+   *
+   * @param width in pixels
+   * @param height in pixels
+   * @param samples per pixel
+   */
+  record Frame(int width, int height, int samples) {}
+
+  /**
+   * A finished picture.
+   *
+   * @param notes about labels that have no room
+   */
+  record Finished(DisplayLight picture, List<String> notes) {
+    Finished {
+      notes = List.copyOf(notes);
+    }
+  }
+
+  /** What a picture is made of. */
+  private record PictureKey(List<Object> identity, RenderSettings settings) {}
+
+  /** The last picture, of which a pixel may be asked for. */
+  private record Last(PictureKey key, Finished finished) {}
 
   /** What scenes are made of. */
   private record Key(Path file, String hash, Stage stage) {}
@@ -74,27 +108,27 @@ final class Studio {
       return summary;
     }
 
-    /** Adds what is seen from a direction. */
-    void describe(String view, SceneFile seen, JsonSummary summary) {
-      ViewNumbers numbers = ViewNumbers.of(seen.scene(), seen.settings(), parts());
-      summary.putView("view", view, seen.settings(), numbers, parts());
-    }
-
     /** Returns the scene of the view with which it was read. */
     SceneFile first() {
       return views.scene();
     }
 
-    /**
-     * Returns the scene from a direction, for a picture of a size in pixels.
-     *
-     * @param samples per pixel
-     */
-    synchronized SceneFile seenFrom(View view, int width, int height, int samples)
-        throws ToolException {
+    /** Returns how lengths of results are rounded. */
+    Rounding rounding() {
+      ModelContents model = first().parsed().model().orElseThrow();
+      return Rounding.of(model.min(), model.max());
+    }
+
+    /** Returns what the camera of a stage sees, in a frame. */
+    Shot shot(Stage stage, String title, Frame frame) throws ToolException {
+      return new Shot(
+          file, title, seenOn(stage, frame), parts(), List.of(), List.of(this, stage));
+    }
+
+    private synchronized SceneFile seenOn(Stage stage, Frame frame) throws ToolException {
       try {
-        SceneFile seen = views.seenFrom(view, width, height);
-        return seen.with(seen.settings().toBuilder().samples(samples).build());
+        SceneFile seen = views.seenOn(stage, frame.width, frame.height);
+        return seen.with(seen.settings().toBuilder().samples(frame.samples).build());
       } catch (SceneFormatException e) {
         throw failure(e);
       }
@@ -115,7 +149,7 @@ final class Studio {
     }
     try {
       byte[] content = Roots.content(file, limits);
-      Stage seen = stage.seenFrom(View.DEFAULT);
+      Stage seen = stage.seenFrom(View.DEFAULT).with(Stage.FOV, FOV);
       Key key = new Key(file, Sha256.of(content), seen);
       ModelFolder folder = Roots.folderOf(file, limits.bytes());
       Optional<Staged> known = kept.get(key);
@@ -142,6 +176,20 @@ final class Studio {
     } catch (SceneFormatException e) {
       throw failure(e);
     }
+  }
+
+  /** Returns the picture of a shot; the last one is kept. */
+  Finished picture(Shot shot, CallProgress progress) throws InterruptedException {
+    PictureKey key = new PictureKey(shot.identity(), shot.file().settings());
+    Optional<Last> before = last.filter(kept -> kept.key.equals(key));
+    if (before.isPresent()) {
+      return before.get().finished;
+    }
+    List<String> notes = new ArrayList<>(shot.notes());
+    Finished made =
+        new Finished(CleanPicture.of(shot.file(), shot.title(), notes::add, progress), notes);
+    last = Optional.of(new Last(key, made));
+    return made;
   }
 
   private static ToolException failure(SceneFormatException e) {

@@ -2,6 +2,7 @@ package io.github.lumbre.cli.mcp;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Something that a client can call. Thread-safe. */
 interface Tool {
@@ -31,10 +32,16 @@ interface Tool {
    *
    * @param pictures PNG files, at most a few
    * @param values numbers and names, for programs
+   * @param text the same for readers; empty for the values as JSON
    */
-  record Outcome(List<byte[]> pictures, Map<String, Object> values) {
+  record Outcome(List<byte[]> pictures, Map<String, Object> values, Optional<String> text) {
     public Outcome {
       pictures = List.copyOf(pictures);
+    }
+
+    /** Creates an outcome whose text are its values. */
+    Outcome(List<byte[]> pictures, Map<String, Object> values) {
+      this(pictures, values, Optional.empty());
     }
   }
 }

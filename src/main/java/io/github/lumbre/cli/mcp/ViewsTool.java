@@ -1,16 +1,15 @@
 package io.github.lumbre.cli.mcp;
 
+import io.github.lumbre.cli.mcp.Studio.Finished;
+import io.github.lumbre.cli.mcp.Studio.Frame;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.internal.ContactSheet;
 import io.github.lumbre.image.internal.ImageFormat;
-import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
-import io.github.lumbre.stage.drawing.DisplayLight;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
@@ -34,9 +33,6 @@ record ViewsTool(Studio studio) implements Tool {
       Input.integer("height", 16, MOST_PIXELS, 240, "Height of each picture in pixels.");
 
   private static final int AT_ONCE = 2;
-
-  /** A picture, and which labels have no room in it. */
-  private record Noted(DisplayLight picture, List<String> notes) {}
 
   private static final Input<Integer> SAMPLES =
       Input.integer(
@@ -65,32 +61,31 @@ record ViewsTool(Studio studio) implements Tool {
   @Override
   public List<Input<?>> inputs() {
     List<Input<?>> inputs = new ArrayList<>(List.of(ModelInputs.MODEL, WIDTH, HEIGHT, SAMPLES));
-    inputs.addAll(ModelInputs.allBut(ModelOption.SECTION));
+    inputs.addAll(ModelInputs.withoutPlace());
     return inputs;
   }
 
   @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
-    Studio.Staged model = ModelInputs.model(studio, arguments);
-    int width = arguments.get(WIDTH);
-    int height = arguments.get(HEIGHT);
-    int samples = arguments.get(SAMPLES);
-    Map<String, View> standard = View.standard();
-    progress.expect((long) width * height * samples * standard.size());
-    Map<String, SceneFile> files = new LinkedHashMap<>();
-    for (Map.Entry<String, View> view : standard.entrySet()) {
-      files.put(view.getKey(), model.seenFrom(view.getValue(), width, height, samples));
+    Stage stage = ModelInputs.stage(arguments);
+    Studio.Staged model = studio.model(arguments.get(ModelInputs.MODEL), stage);
+    Frame frame =
+        new Frame(arguments.get(WIDTH), arguments.get(HEIGHT), arguments.get(SAMPLES));
+    List<Shot> shots = new ArrayList<>();
+    for (Map.Entry<String, View> view : View.standard().entrySet()) {
+      shots.add(model.shot(stage.seenFrom(view.getValue()), view.getKey(), frame));
     }
+    progress.expect((long) frame.width() * frame.height() * frame.samples() * shots.size());
     JsonSummary summary = model.summary(name());
-    List<Noted> views =
-        pictures(
-            files, progress, () -> files.forEach((name, f) -> model.describe(name, f, summary)));
-    summary.put("notes", views.stream().flatMap(view -> view.notes.stream()).toList());
-    List<Image> images = views.stream().map(view -> view.picture.image()).toList();
-    Image sheet = ContactSheet.of(images, COLUMNS, Math.max(1, width / 64));
+    List<Finished> views =
+        pictures(shots, progress, () -> shots.forEach(shot -> shot.describe(summary)));
+    summary.put("notes", views.stream().flatMap(view -> view.notes().stream()).toList());
+    List<Image> images = views.stream().map(view -> view.picture().image()).toList();
+    Image sheet = ContactSheet.of(images, COLUMNS, Math.max(1, frame.width() / 64));
     return new Outcome(
-        List.of(ImageFormat.PNG.bytes(sheet, views.get(0).picture.options())), summary.values());
+        List.of(ImageFormat.PNG.bytes(sheet, views.get(0).picture().options())),
+        model.rounding().values(summary.values()));
   }
 
   /**
@@ -98,16 +93,15 @@ record ViewsTool(Studio studio) implements Tool {
    *
    * @param beside what is done meanwhile
    */
-  private static List<Noted> pictures(
-      Map<String, SceneFile> files, CallProgress progress, Runnable beside)
-      throws InterruptedException {
+  private static List<Finished> pictures(
+      List<Shot> shots, CallProgress progress, Runnable beside) throws InterruptedException {
     ExecutorService pool = Executors.newFixedThreadPool(AT_ONCE);
     try {
-      List<Future<Noted>> running = new ArrayList<>();
-      files.forEach((name, file) -> running.add(pool.submit(() -> picture(name, file, progress))));
+      List<Future<Finished>> running = new ArrayList<>();
+      shots.forEach(shot -> running.add(pool.submit(() -> picture(shot, progress))));
       beside.run();
-      List<Noted> pictures = new ArrayList<>();
-      for (Future<Noted> picture : running) {
+      List<Finished> pictures = new ArrayList<>();
+      for (Future<Finished> picture : running) {
         pictures.add(picture.get());
       }
       return pictures;
@@ -118,11 +112,11 @@ record ViewsTool(Studio studio) implements Tool {
     }
   }
 
-  private static Noted picture(String name, SceneFile file, CallProgress progress)
-      throws InterruptedException {
+  private static Finished picture(Shot shot, CallProgress progress) throws InterruptedException {
     List<String> notes = new ArrayList<>();
-    return new Noted(
-        CleanPicture.of(file, name, note -> notes.add(name + ": " + note), progress), notes);
+    String name = shot.title();
+    return new Finished(
+        CleanPicture.of(shot.file(), name, note -> notes.add(name + ": " + note), progress), notes);
   }
 
   /** Returns or throws what ended a picture, such as the end of the call. */

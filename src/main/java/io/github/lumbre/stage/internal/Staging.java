@@ -211,8 +211,23 @@ public final class Staging {
    */
   public Scene seenFrom(View view, SceneFile scene, double frameAspect, Framing of)
       throws SceneFormatException {
+    return seenOn(stage.seenFrom(view), scene, frameAspect, of);
+  }
+
+  /**
+   * Returns the scene, as it is seen by the camera of another stage.
+   *
+   * @param frameAspect width over height of the frame into which it is to fit
+   */
+  public Scene seenOn(Stage other, SceneFile scene, double frameAspect)
+      throws SceneFormatException {
+    return seenOn(other, scene, frameAspect, framing);
+  }
+
+  private Scene seenOn(Stage other, SceneFile scene, double frameAspect, Framing of)
+      throws SceneFormatException {
     try {
-      PlacedCamera camera = camera(stage.seenFrom(view), of, frameAspect);
+      PlacedCamera camera = camera(other, of, frameAspect);
       return scene.scene().seenBy(camera.placed(scene.settings().aspect()));
     } catch (ModelFormatException e) {
       throw read.failure(e);

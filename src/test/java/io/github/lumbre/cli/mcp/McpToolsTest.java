@@ -2,12 +2,14 @@ package io.github.lumbre.cli.mcp;
 
 import static io.github.lumbre.testing.Pictures.pixels;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import io.github.lumbre.cli.ModelSample;
 import io.github.lumbre.cli.Outcome;
+import io.github.lumbre.math.Vec3;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,6 +17,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -62,6 +65,9 @@ class McpToolsTest {
         "'' | -s 1",
         ",'samples':3 | -s 3",
         ",'look':'lines' | -s 1 --look lines",
+        ",'planes':['x=50%'] | -s 1 --section x=50%",
+        ",'background':'white','ground':true | -s 1 --background white --ground",
+        ",'pose':'lift@1','variant':'red','fov':50 | -s 1 --pose lift@1 --variant red --fov 50",
       },
       quoteCharacter = '`')
   void viewsAreThePictureOfTheCommandLine(String arguments, String flags) throws Exception {
@@ -103,6 +109,15 @@ class McpToolsTest {
         "section | ,'planes':['x=50%'] | --view 30,20 --section x=50%",
         "section | ,'planes':['-y=40%'],'view':'top' | --view top --section -y=40%",
         "render | ,'look':'clay' | --view 30,20 --look clay",
+        "render | ,'background':'#204060' | --view 30,20 --background #204060",
+        "render | ,'background':'transparent','ground':true | --view 30,20 --background"
+            + " transparent --ground",
+        "render | ,'pose':'lift@0.5','view':'front' | --view front --pose lift@0.5",
+        "render | ,'variant':'red' | --view 30,20 --variant red",
+        "render | ,'unit':0.001,'labels':['size'] | --view 30,20 --unit 0.001 --labels size",
+        "render | ,'camera':'close' | --camera close",
+        "render | ,'camera':'1','fov':30 | --camera 1",
+        "render | ,'fov':20,'view':'-40,10' | --view -40,10 --fov 20",
         "render | ,'look':'clay,lines','labels':['axes'] | --view 30,20 --look clay,lines --labels"
             + " axes",
         "section | ,'look':'lines','planes':['x=50%'] | --view 30,20 --look lines --section x=50%"
@@ -117,10 +132,98 @@ class McpToolsTest {
 
   @Test
   void aPixelIsOfThePicture() throws Exception {
-    JsonObject pixel = client.numbers("pixel", SMALL + ",'x':16,'y':12,'view':'front'");
-    assertThat(pixel.get("shows").toString()).contains("body");
+    String arguments = SMALL + ",'x':16,'y':12,'view':'front'";
+    JsonObject result = client.result("pixel", arguments);
+    String text =
+        result.getAsJsonArray("content").get(0).getAsJsonObject().get("text").getAsString();
+    assertThat(text.lines().map(line -> line.replaceAll(": .*", "")))
+        .containsExactly("part", "position", "normal", "color", "depth");
+    assertThat(text).startsWith("part: body, material paint\n").hasSizeLessThan(200);
+    JsonObject pixel = result.getAsJsonObject("structuredContent");
+    assertThat(pixel.keySet())
+        .containsExactly("x", "y", "part", "material", "position", "normal", "depth", "color");
+    int[] shown = picture(client.result("render", SMALL + ",'view':'front'"));
+    assertThat(pixel.get("color").getAsString())
+        .isEqualTo("#%06x".formatted(shown[12 * 32 + 16] & 0xffffff));
     assertThat(client.failure("pixel", SMALL + ",'x':32,'y':1"))
         .isEqualTo("x, y: expected a pixel of 32x24, found 32,1");
+  }
+
+  /** The matrix of the picture maps the position to the center of the pixel, at its depth. */
+  @Test
+  void aPixelHasThePlaceOfItsPart() throws Exception {
+    JsonObject pixel = client.numbers("pixel", SMALL + ",'x':17,'y':12");
+    JsonObject view =
+        client.numbers("render", SMALL).getAsJsonArray("views").get(0).getAsJsonObject();
+    List<Double> point = numbers(pixel.getAsJsonArray("position"));
+    List<Double> product = new ArrayList<>();
+    for (JsonElement element : view.getAsJsonArray("matrix")) {
+      List<Double> row = numbers(element.getAsJsonArray());
+      product.add(
+          row.get(0) * point.get(0)
+              + row.get(1) * point.get(1)
+              + row.get(2) * point.get(2)
+              + row.get(3));
+    }
+    double w = product.get(3);
+    assertThat(product.get(0) / w).isCloseTo(17.5, within(1e-3));
+    assertThat(product.get(1) / w).isCloseTo(12.5, within(1e-3));
+    assertThat(product.get(2)).isCloseTo(pixel.get("depth").getAsDouble(), within(1e-5));
+    List<Double> normal = numbers(pixel.getAsJsonArray("normal"));
+    assertThat(normal.stream().mapToDouble(x -> x * x).sum()).isCloseTo(1, within(1e-5));
+  }
+
+  /** Coordinates of a model of a diagonal of 17.32 have at most five digits after the point. */
+  @ParameterizedTest
+  @CsvSource({"describe, ''", "render, ''", "pixel, ',''x'':16,''y'':12'"})
+  void lengthsHaveNoMoreDigitsThanTheyNeed(String tool, String arguments) throws Exception {
+    String third = "v 0.3333333333 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\n";
+    Files.writeString(folder.resolve("a.obj"), third + "f 1 2 3\nf 1 3 4\nf 2 3 4\n");
+    String small = SMALL.replace("sample.glb", "a.obj");
+    String model = tool.equals("describe") ? "'model':'a.obj'" : small;
+    JsonObject numbers = client.numbers(tool, model + arguments);
+    JsonElement lengths =
+        switch (tool) {
+          case "describe" -> numbers.get("bounds");
+          case "pixel" -> numbers.get("position");
+          default -> numbers.getAsJsonArray("views").get(0).getAsJsonObject().get("depth");
+        };
+    assertThat(lengths.toString())
+        .matches("[\\[\\],\\d.-]+")
+        .doesNotContainPattern("\\.\\d{6}")
+        .containsPattern(tool.equals("describe") ? "10\\.0" : "\\.\\d{4}");
+  }
+
+  /** The exact values of lengths are within a millionth of the diagonal. */
+  @ParameterizedTest
+  @CsvSource({"1, 1.2345678901", "1e-9, 1.2345678901e-9", "3e8, 123456789.123", "1e-300, 1e-301"})
+  void roundedLengthsAreNearTheExactOnes(double side, double exact) {
+    Rounding rounding = Rounding.of(Vec3.ZERO, new Vec3(side, 0, 0));
+    double rounded = (Double) rounding.values(Map.of("depth", exact)).get("depth");
+    assertThat(rounded).isCloseTo(exact, within(1e-6 * side));
+    assertThat(rounding.values(Map.of("matrix", List.of(exact))))
+        .isEqualTo(Map.of("matrix", List.of(exact)));
+  }
+
+  private static List<Double> numbers(JsonArray array) {
+    return array.asList().stream().map(JsonElement::getAsDouble).toList();
+  }
+
+  @Test
+  void aPixelHasPathsIfAskedFor() throws Exception {
+    String arguments = SMALL + ",'x':16,'y':12,'view':'front','samples':3,'paths':true";
+    JsonObject paths = client.numbers("pixel", arguments).getAsJsonObject("paths");
+    assertThat(paths.get("samples").getAsInt()).isEqualTo(3);
+    assertThat(paths.getAsJsonArray("brightest")).hasSize(1);
+  }
+
+  @Test
+  void aPixelBesideTheModelHasNoPart() throws Exception {
+    JsonObject result = client.result("pixel", SMALL + ",'x':0,'y':0,'background':'#123456'");
+    String text =
+        result.getAsJsonArray("content").get(0).getAsJsonObject().get("text").getAsString();
+    assertThat(text)
+        .isEqualTo("part: none\nposition: none\nnormal: none\ncolor: #123456\ndepth: none");
   }
 
   @Test
@@ -155,6 +258,17 @@ class McpToolsTest {
         "section | ,'planes':['x=-50%'] | sample.glb: section: ",
         "render | ,'planes':['x=1'] | \"planes\": expected one of the arguments",
         "section | ,'planes':['x=oops'] | planes: ",
+        "render | ,'camera':'near' | sample.glb: cameras: expected",
+        "render | ,'camera':'close','view':'top' | camera and view: expected only one of them",
+        "render | ,'ground':true,'look':'lines' | ground: cannot be combined with the look",
+        "render | ,'fov':180 | fov: expected a number in (0, 180), found 180",
+        "render | ,'fov':'30' | fov: expected a number in (0, 180), found \"30\"",
+        "render | ,'unit':0 | unit: expected a number from ",
+        "views | ,'pose':'fly@0' | sample.glb: animations: expected",
+        "views | ,'pose':'lift@1e999' | pose: expected a finite number",
+        "views | ,'variant':'green' | variants: expected",
+        "views | ,'background':'blurple' | background: expected sky, transparent,",
+        "views | ,'view':'top' | \"view\": expected one of the arguments",
         "views | ,'look':'clay,' | look: expected clay, lines or clay,lines, found clay,",
         "views | ,'highlight':'body' | highlight: expected an array of at most 64 strings"
       })
