@@ -54,6 +54,11 @@ final class Arguments {
     return given.contains(input.name());
   }
 
+  /** Returns the value of an argument that the client has stated; otherwise empty. */
+  <T> Optional<T> given(Input<T> input) {
+    return isGiven(input) ? Optional.of(get(input)) : Optional.empty();
+  }
+
   /** Returns the value of an argument; of one that the tool does not take, the default. */
   @SuppressWarnings("unchecked") // The constructor puts values of this type.
   <T> T get(Input<T> input) {

@@ -20,7 +20,14 @@ final class ModelInputs {
       Input.requiredText(
           "model", "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model.");
 
-  /** The options that say where the camera is: without them, it is at {@link View#DEFAULT}. */
+  /** The same argument of tools that show scenes, too. */
+  static final Input<String> MODEL_OR_SCENE =
+      Input.requiredText(
+          "model",
+          "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model, or of a scene"
+              + " in JSON, whose own camera and settings count within the bounds of this tool.");
+
+  /** The options that say where the camera is. */
   private static final List<ModelOption<?>> PLACES = List.of(Stage.VIEW, Stage.CAMERA);
 
   private static final Map<ModelOption<?>, Input<?>> INPUTS = new LinkedHashMap<>();
@@ -72,17 +79,21 @@ final class ModelInputs {
     return INPUTS.get(option);
   }
 
-  /** Returns the names of arguments of options that a client has stated. */
-  static List<String> given(Arguments arguments) {
-    return INPUTS.values().stream().filter(arguments::isGiven).map(Input::name).toList();
+  /**
+   * Requires that no option of a model is stated, as for a scene.
+   *
+   * @throws ToolException that names the first one that is
+   */
+  static void requireNone(Arguments arguments) throws ToolException {
+    for (Input<?> input : INPUTS.values()) {
+      if (arguments.isGiven(input)) {
+        throw new ToolException(
+            input.name() + ": requires a model; a scene in JSON states its own camera and objects");
+      }
+    }
   }
 
-  /** Returns the model that the arguments name. */
-  static Studio.Staged model(Studio studio, Arguments arguments) throws ToolException {
-    return studio.model(arguments.get(MODEL), stage(arguments));
-  }
-
-  /** Returns the stage that the arguments describe. */
+  /** Returns the stage that the arguments describe; without a camera, at the default view. */
   static Stage stage(Arguments arguments) throws ToolException {
     Stage stage = Stage.DEFAULT;
     for (ModelOption<?> option : INPUTS.keySet()) {

@@ -60,7 +60,7 @@ record PixelTool(Studio studio) implements Tool {
     List<Input<?>> inputs =
         new ArrayList<>(
             List.of(
-                ModelInputs.MODEL,
+                ModelInputs.MODEL_OR_SCENE,
                 X,
                 Y,
                 RenderTool.WIDTH,

@@ -48,13 +48,15 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
     return isCut
         ? "Renders a 3D model that planes cut open, from one direction, as a clean PNG picture."
             + " Where the planes cut closed parts, the cut is hatched."
-        : "Renders a 3D model from one direction, as a clean PNG picture, and returns which parts"
-            + " are seen where, and the matrix that maps points of the model to pixels.";
+        : "Renders a 3D model from one direction, or a scene in JSON by its camera, as a clean PNG"
+            + " picture, and returns which parts are seen where, and the matrix that maps points of"
+            + " the model to pixels.";
   }
 
   @Override
   public List<Input<?>> inputs() {
-    List<Input<?>> inputs = new ArrayList<>(List.of(ModelInputs.MODEL, WIDTH, HEIGHT, SAMPLES));
+    List<Input<?>> inputs =
+        new ArrayList<>(List.of(ModelInputs.MODEL_OR_SCENE, WIDTH, HEIGHT, SAMPLES));
     if (isCut) {
       inputs.add(1, ModelInputs.of(ModelOption.SECTION));
     }
@@ -79,11 +81,28 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
 
   /** Returns what the arguments {@link #inputs} ask for. */
   static Shot shot(Studio studio, Arguments arguments) throws ToolException {
+    String name = arguments.get(ModelInputs.MODEL_OR_SCENE);
+    if (Studio.isScene(name)) {
+      return sceneShot(studio, name, arguments);
+    }
     Stage stage = ModelInputs.stage(arguments);
     Frame frame =
         new Frame(arguments.get(WIDTH), arguments.get(HEIGHT), arguments.get(SAMPLES));
     return studio
-        .model(arguments.get(ModelInputs.MODEL), stage)
+        .model(name, stage)
         .shot(stage, ModelInputs.title(arguments), frame);
+  }
+
+  /** Returns what a scene in JSON shows, in a frame of a size that the arguments may state. */
+  static Shot sceneShot(Studio studio, String name, Arguments arguments) throws ToolException {
+    ModelInputs.requireNone(arguments);
+    SceneFrame frame =
+        new SceneFrame(
+            arguments.given(WIDTH),
+            arguments.given(HEIGHT),
+            arguments.given(SAMPLES),
+            MOST_PIXELS,
+            MOST_SAMPLES);
+    return studio.scene(name, frame);
   }
 }

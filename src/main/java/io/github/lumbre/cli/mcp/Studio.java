@@ -25,6 +25,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -32,8 +34,6 @@ import java.util.stream.Collectors;
 final class Studio {
   /** The models that are kept take at most one part in so many of the heap. */
   private static final int KEPT_PART = 4;
-
-  private static final double FOV = Stage.DEFAULT.get(Stage.FOV);
 
   private final Roots roots;
   private final Limits limits;
@@ -149,7 +149,7 @@ final class Studio {
     }
     try {
       byte[] content = Roots.content(file, limits);
-      Stage seen = stage.seenFrom(View.DEFAULT).with(Stage.FOV, FOV);
+      Stage seen = stage.seenFrom(View.DEFAULT);
       Key key = new Key(file, Sha256.of(content), seen);
       ModelFolder folder = Roots.folderOf(file, limits.bytes());
       Optional<Staged> known = kept.get(key);
@@ -160,9 +160,7 @@ final class Studio {
       kept.put(key, staged, staged.views.memory());
       return staged;
     } catch (IOException e) {
-      Interrupts.check();
-      String reason = FileFailure.reason(e);
-      throw new ToolException(PrintableText.quoted(name) + ": cannot be read: " + reason, e);
+      throw unreadable(name, e);
     }
   }
 
@@ -176,6 +174,38 @@ final class Studio {
     } catch (SceneFormatException e) {
       throw failure(e);
     }
+  }
+
+  /** Returns whether a name is that of a scene, and not of a model. */
+  static boolean isScene(String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(".json");
+  }
+
+  /**
+   * Returns a scene in JSON with its own camera. Its settings count within the bounds of a frame.
+   *
+   * @param name path of its file, as the client gives it
+   * @throws java.util.concurrent.CancellationException if the call is cancelled
+   */
+  Shot scene(String name, SceneFrame frame) throws ToolException {
+    Path path = roots.file(name);
+    SceneParser parser = new SceneParser().limitedTo(limits).overriding(frame::within);
+    try {
+      SceneFile file = parser.parse(Roots.content(path, limits), path);
+      PartTable none = PartTable.of(file.scene(), Map.of());
+      List<Object> identity = List.of(path, file.hash());
+      return new Shot(path, "camera", file, none, frame.notes(), identity);
+    } catch (SceneFormatException e) {
+      throw failure(e);
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  private static ToolException unreadable(String name, IOException e) {
+    Interrupts.check();
+    String reason = FileFailure.reason(e);
+    return new ToolException(PrintableText.quoted(name) + ": cannot be read: " + reason, e);
   }
 
   /** Returns the picture of a shot; the last one is kept. */
