@@ -3,9 +3,9 @@ package io.github.lumbre.cli;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.FileFailure;
-import io.github.lumbre.base.text.PrintableText;
-import io.github.lumbre.base.text.Quantities;
 import io.github.lumbre.cli.diff.ChangePage;
+import io.github.lumbre.cli.diff.ChangeReport;
+import io.github.lumbre.cli.diff.ModelPair;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
@@ -18,13 +18,11 @@ import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.TextOutput;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.cli.run.Denoising;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.Models;
-import io.github.lumbre.model.difference.FileSpace;
 import io.github.lumbre.model.difference.ModelDifference;
 import io.github.lumbre.model.difference.PartChange;
 import io.github.lumbre.model.internal.Model;
@@ -43,14 +41,8 @@ import io.github.lumbre.stage.drawing.DisplayLight;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.EnumMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -79,7 +71,6 @@ import picocli.CommandLine.Parameters;
     },
     different = "something changed")
 final class DiffCommand extends Subcommand {
-  private static final String FORMAT = "lumbre-diff-1";
   private static final RenderSettings USUAL = RenderSettings.builder().size(640, 480).build();
 
   @Parameters(index = "0", paramLabel = "OLD", description = "Model file.")
@@ -135,24 +126,17 @@ final class DiffCommand extends Subcommand {
     page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));
     guard.check();
     try (TextOutput output = TextOutput.reserve(page)) {
-      Stage ofOld = beside(now, old, stage);
-      Stage ofNew = beside(old, now, stage);
-      ModelDifference.Side before = read(old, ofOld);
-      ModelDifference.Side after = read(now, ofNew);
-      warn(old, before.model());
-      warn(now, after.model());
-      double near =
-          tolerance.isPresent()
-              ? ModelDifference.space(after.model()).inWorld(tolerance.get())
-              : ModelDifference.tolerance(before.model(), after.model());
-      ModelDifference.Result found = ModelDifference.between(before, after, near);
-      List<String> lines =
-          found.changes().stream().map(change -> text(change, found.space())).toList();
+      ModelPair pair =
+          ModelPair.<TaskException>read(
+              options -> read(old, options), options -> read(now, options), stage);
+      warn(old, pair.old().model());
+      warn(now, pair.now().model());
+      ChangeReport report = pair.report(tolerance);
       if (page.isPresent()) {
-        output.write(page(ofOld, ofNew, found, lines));
+        output.write(page(pair.ofOld(), pair.ofNow(), report));
       }
-      print(found, lines, near);
-      return found.changes().isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
+      print(report);
+      return report.found().changes().isEmpty() ? ExitCode.OK : ExitCode.DIFFERENT;
     }
   }
 
@@ -160,29 +144,13 @@ final class DiffCommand extends Subcommand {
     model.warnings().forEach(warning -> errors().warning(path + ": " + warning));
   }
 
-  /**
-   * Returns the stage of a model: if it states its axis and unit, and the other one does not, the
-   * flags for these are meant for the other one.
-   */
-  private Stage beside(Path other, Path model, Stage stage) throws TaskException, IOException {
-    ModelOptions options = stage.options();
-    Stage own = stage.reading(options.oriented(Optional.empty(), OptionalDouble.empty()));
-    boolean isCorrected = !own.equals(stage);
-    return isCorrected && statesUnit(model, own) && !statesUnit(other, own) ? own : stage;
-  }
-
-  private boolean statesUnit(Path model, Stage own) throws TaskException, IOException {
-    return !read(model, own).model().unit().isEmpty();
-  }
-
-  private ModelDifference.Side read(Path path, Stage stage) throws TaskException, IOException {
+  private static ModelDifference.Side read(Path path, ModelOptions options)
+      throws TaskException, IOException {
     String name = path.getFileName().toString();
-    ModelOptions options = stage.options().mayLackFiles(true);
     try {
       byte[] content = Files.readAllBytes(path);
       ModelFolder folder =
-          ModelFolder.of(
-              path.toAbsolutePath().getParent(), stage.options().get(ModelOption.ASSETS));
+          ModelFolder.of(path.toAbsolutePath().getParent(), options.get(ModelOption.ASSETS));
       Model model = ModelReader.read(name, content, folder, options);
       return new ModelDifference.Side(model, ModelReader.motions(name, content, folder, options));
     } catch (ModelFormatException e) {
@@ -192,7 +160,7 @@ final class DiffCommand extends Subcommand {
     }
   }
 
-  private String page(Stage ofOld, Stage ofNew, ModelDifference.Result found, List<String> lines)
+  private String page(Stage ofOld, Stage ofNew, ChangeReport report)
       throws SceneFormatException, TaskException, IOException, InterruptedException {
     StagedModel before = views(old, ofOld);
     StagedModel after = views(now, ofNew);
@@ -201,10 +169,10 @@ final class DiffCommand extends Subcommand {
     return ChangePage.of(
         side(old, before.seenBeside(after, view, shown.width(), shown.height())),
         side(now, after.seenBeside(before, view, shown.width(), shown.height())),
-        found.changes(),
-        summary(found),
-        lines,
-        String.join("; ", found.notCompared()));
+        report.found().changes(),
+        report.summary(),
+        report.lines(),
+        String.join("; ", report.found().notCompared()));
   }
 
   private static StagedModel views(Path model, Stage stage)
@@ -225,43 +193,15 @@ final class DiffCommand extends Subcommand {
     return new ChangePage.Side(path, file, picture);
   }
 
-  /** Returns the numbers of changes by their kinds. */
-  private static String summary(ModelDifference.Result found) {
-    Map<PartChange.Kind, Integer> counts = new EnumMap<>(PartChange.Kind.class);
-    found.changes().forEach(change -> counts.merge(change.kind(), 1, Integer::sum));
-    List<String> texts = new ArrayList<>();
-    counts.forEach((kind, count) -> texts.add(count + " " + ChangePage.word(kind)));
-    String unchanged = found.notCompared().isEmpty() ? "the same" : "without a change found";
-    texts.add(found.same() + " " + unchanged);
-    return String.join(", ", texts);
-  }
-
-  private static String text(PartChange change, FileSpace space) {
-    List<String> texts = new ArrayList<>();
-    if (change.kind() == PartChange.Kind.MOVED) {
-      if (change.distance() > 0) {
-        texts.add("by " + space.text(change.shift()));
-      }
-      if (change.degrees() > 0) {
-        texts.add("turned by " + Quantities.text(change.degrees()) + " degrees");
-      }
-    }
-    texts.addAll(change.details());
-    if (change.old().isPresent()
-        && change.now().isPresent()
-        && !change.old().equals(change.now())) {
-      texts.add("was " + PrintableText.quoted(change.old().get()));
-    }
-    return String.join(", ", texts);
-  }
-
-  private void print(ModelDifference.Result found, List<String> lines, double near) {
+  private void print(ChangeReport report) {
     Messages out = out();
+    ModelDifference.Result found = report.found();
+    List<String> lines = report.lines();
     if (json) {
-      JsonText.pretty(values(found, near)).lines().forEach(out::line);
+      JsonText.pretty(report.values(old.toString(), now.toString())).lines().forEach(out::line);
       return;
     }
-    out.line("%s against %s: %s".formatted(now, old, summary(found)));
+    out.line("%s against %s: %s".formatted(now, old, report.summary()));
     int width = found.changes().stream().mapToInt(change -> change.name().length()).max().orElse(0);
     for (int i = 0; i < lines.size(); i++) {
       PartChange change = found.changes().get(i);
@@ -275,35 +215,5 @@ final class DiffCommand extends Subcommand {
       out.line("not compared: " + String.join("; ", found.notCompared()));
     }
     page.ifPresent(file -> out.line("page       " + file));
-  }
-
-  private Map<String, Object> values(ModelDifference.Result found, double near) {
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("format", FORMAT);
-    values.put("old", old.toString());
-    values.put("new", now.toString());
-    values.put("unit", found.space().unit());
-    values.put("tolerance", found.space().length(near));
-    values.put(found.notCompared().isEmpty() ? "same" : "withoutChangeFound", found.same());
-    values.put("notCompared", found.notCompared());
-    values.put("changes", found.changes().stream().map(DiffCommand::values).toList());
-    return values;
-  }
-
-  private static Map<String, Object> values(PartChange change) {
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("kind", ChangePage.word(change.kind()));
-    values.put("of", change.of().name().toLowerCase(Locale.ROOT));
-    change.old().ifPresent(name -> values.put("old", name));
-    change.now().ifPresent(name -> values.put("new", name));
-    if (change.kind() == PartChange.Kind.MOVED) {
-      Vec3 shift = change.shift();
-      values.put("shift", List.of(shift.x(), shift.y(), shift.z()));
-      values.put("distance", change.distance());
-      values.put("degrees", change.degrees());
-    }
-    values.put("details", change.details());
-    values.put("parts", Math.max(change.oldParts().size(), change.nowParts().size()));
-    return values;
   }
 }

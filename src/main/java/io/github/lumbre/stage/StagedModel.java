@@ -128,7 +128,20 @@ public final class StagedModel {
    */
   public SceneFile seenOn(Stage stage, int width, int height) throws SceneFormatException {
     SceneFile sized = sized(width, height);
-    return sized.with(model.seenOn(stage, sized, (double) width / height));
+    return sized.with(model.seenOn(stage, sized, (double) width / height, model.framing()));
+  }
+
+  /**
+   * Returns the model as the camera of another stage sees it, which frames this model and another
+   * one; see {@link #seenOn}.
+   *
+   * @param other whose scene has the same camera
+   */
+  public SceneFile seenBeside(StagedModel other, Stage stage, int width, int height)
+      throws SceneFormatException {
+    SceneFile sized = sized(width, height);
+    Framing both = model.framing().with(other.model.framing());
+    return sized.with(model.seenOn(stage, sized, (double) width / height, both));
   }
 
   private SceneFile seenFrom(View view, int width, int height, Framing framing)

@@ -99,7 +99,8 @@ public final class ChangePage {
     html.append("</p>\n");
   }
 
-  private static String css(Rgb rgb) {
+  /** Returns a linear color as CSS writes it. */
+  public static String css(Rgb rgb) {
     return String.format(
         Locale.ROOT,
         "#%02x%02x%02x",

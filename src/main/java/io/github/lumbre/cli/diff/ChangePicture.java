@@ -24,7 +24,7 @@ import java.util.function.Function;
  * Paints the changes of parts over a pale picture of the new model, and what is gone from where it
  * was in the old one. Confined to one thread.
  */
-final class ChangePicture {
+public final class ChangePicture {
   /** Rays per pixel and axis, so that edges are smooth. */
   private static final int GRID = 3;
 
@@ -58,7 +58,7 @@ final class ChangePicture {
    *
    * @param colors for each thing in it, by its word, the mean color in which it is drawn
    */
-  record Drawn(Image image, Map<String, Rgb> colors) {}
+  public record Drawn(Image image, Map<String, Rgb> colors) {}
 
   /** The mean of colors. Mutable. */
   private static final class Tint {
@@ -102,7 +102,7 @@ final class ChangePicture {
    * @param oldPicture of the old scene
    * @param nowPicture of the new scene, by the same camera
    */
-  static Drawn of(
+  public static Drawn of(
       ParsedScene old,
       Image oldPicture,
       ParsedScene now,

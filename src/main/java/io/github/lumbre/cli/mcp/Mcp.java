@@ -32,6 +32,7 @@ public final class Mcp {
             new RenderTool(studio, true),
             new DescribeTool(studio),
             new PixelTool(studio),
+            new DiffTool(studio),
             new CompareTool(confined, limits));
     WarmUp warmUp = WarmUp.start();
     new McpServer(in, new Answers(out), tools, MOST_TIME).beforeCalls(warmUp::end).serve();

@@ -86,11 +86,14 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
       return sceneShot(studio, name, arguments);
     }
     Stage stage = ModelInputs.stage(arguments);
-    Frame frame =
-        new Frame(arguments.get(WIDTH), arguments.get(HEIGHT), arguments.get(SAMPLES));
     return studio
         .model(name, stage)
-        .shot(stage, ModelInputs.title(arguments), frame);
+        .shot(stage, ModelInputs.title(arguments), frame(arguments));
+  }
+
+  /** Returns the size of a picture of a model. */
+  static Frame frame(Arguments arguments) {
+    return new Frame(arguments.get(WIDTH), arguments.get(HEIGHT), arguments.get(SAMPLES));
   }
 
   /** Returns what a scene in JSON shows, in a frame of a size that the arguments may state. */

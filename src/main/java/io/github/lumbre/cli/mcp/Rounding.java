@@ -23,7 +23,7 @@ record Rounding(int digits) {
   private static final int MOST = 400;
 
   private static final Set<String> LENGTHS =
-      Set.of("bounds", "depth", "position", "origin", "shift", "distance", "tolerance");
+      Set.of("bounds", "depth", "position", "origin", "shift", "distance");
 
   private static final Set<String> OTHER_NUMBERS = Set.of("normal", "seconds", "degrees");
 

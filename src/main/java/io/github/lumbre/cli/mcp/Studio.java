@@ -8,7 +8,12 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.run.CleanPicture;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.model.difference.ModelDifference;
+import io.github.lumbre.model.internal.Model;
+import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.Problem;
 import io.github.lumbre.scenefile.SceneFile;
@@ -72,6 +77,11 @@ final class Studio {
   /** The last picture, of which a pixel may be asked for. */
   private record Last(PictureKey key, Finished finished) {}
 
+  /** Builds the scene of a camera. */
+  private interface Sight {
+    SceneFile seen() throws SceneFormatException;
+  }
+
   /** What scenes are made of. */
   private record Key(Path file, String hash, Stage stage) {}
 
@@ -125,9 +135,21 @@ final class Studio {
           file, title, seenOn(stage, frame), parts(), List.of(), List.of(this, stage));
     }
 
-    private synchronized SceneFile seenOn(Stage stage, Frame frame) throws ToolException {
+    /** Returns what the camera of a stage sees, which frames this model and another one. */
+    Shot shotBeside(Staged other, Stage stage, Frame frame) throws ToolException {
+      String title = file.getFileName().toString();
+      SceneFile seen =
+          seen(frame, () -> views.seenBeside(other.views, stage, frame.width, frame.height));
+      return new Shot(file, title, seen, parts(), List.of(), List.of(this, other, stage));
+    }
+
+    private SceneFile seenOn(Stage stage, Frame frame) throws ToolException {
+      return seen(frame, () -> views.seenOn(stage, frame.width, frame.height));
+    }
+
+    private synchronized SceneFile seen(Frame frame, Sight sight) throws ToolException {
       try {
-        SceneFile seen = views.seenOn(stage, frame.width, frame.height);
+        SceneFile seen = sight.seen();
         return seen.with(seen.settings().toBuilder().samples(frame.samples).build());
       } catch (SceneFormatException e) {
         throw failure(e);
@@ -143,10 +165,7 @@ final class Studio {
    * @throws java.util.concurrent.CancellationException if the call is cancelled
    */
   Staged model(String name, Stage stage) throws ToolException {
-    Path file = roots.file(name);
-    if (!Models.isModelName(file.getFileName().toString())) {
-      throw new ToolException(PrintableText.quoted(name) + ": expected a model: " + Models.NAMES);
-    }
+    Path file = modelFile(name);
     try {
       byte[] content = Roots.content(file, limits);
       Stage seen = stage.seenFrom(View.DEFAULT);
@@ -174,6 +193,39 @@ final class Studio {
     } catch (SceneFormatException e) {
       throw failure(e);
     }
+  }
+
+  /**
+   * Reads the content of a model, without the scene around it.
+   *
+   * @param name path of its file, as the client gives it
+   */
+  ModelDifference.Side content(String name, ModelOptions options) throws ToolException {
+    Path file = modelFile(name);
+    String shown = file.getFileName().toString();
+    ModelOptions limited = options.limitedTo(limits);
+    try {
+      byte[] content = Roots.content(file, limits);
+      if (content.length > limits.bytes()) {
+        throw new ToolException(shown + ": expected at most " + limits.bytes() + " bytes");
+      }
+      ModelFolder folder = Roots.folderOf(file, limits.bytes());
+      Model model = ModelReader.read(shown, content, folder, limited);
+      return new ModelDifference.Side(
+          model, ModelReader.motions(shown, content, folder, limited));
+    } catch (ModelFormatException e) {
+      throw new ToolException(new Problem(shown, e.location(), e.detail()).toString(), e);
+    } catch (IOException e) {
+      throw unreadable(name, e);
+    }
+  }
+
+  private Path modelFile(String name) throws ToolException {
+    Path file = roots.file(name);
+    if (!Models.isModelName(file.getFileName().toString())) {
+      throw new ToolException(PrintableText.quoted(name) + ": expected a model: " + Models.NAMES);
+    }
+    return file;
   }
 
   /** Returns whether a name is that of a scene, and not of a model. */

@@ -215,16 +215,12 @@ public final class Staging {
   }
 
   /**
-   * Returns the scene, as it is seen by the camera of another stage.
+   * Returns the scene, as it is seen by the camera of another stage, which may frame something
+   * else.
    *
    * @param frameAspect width over height of the frame into which it is to fit
    */
-  public Scene seenOn(Stage other, SceneFile scene, double frameAspect)
-      throws SceneFormatException {
-    return seenOn(other, scene, frameAspect, framing);
-  }
-
-  private Scene seenOn(Stage other, SceneFile scene, double frameAspect, Framing of)
+  public Scene seenOn(Stage other, SceneFile scene, double frameAspect, Framing of)
       throws SceneFormatException {
     try {
       PlacedCamera camera = camera(other, of, frameAspect);
