@@ -66,6 +66,7 @@ record PixelTool(Studio studio) implements Tool {
                 RenderTool.WIDTH,
                 RenderTool.HEIGHT,
                 RenderTool.SAMPLES,
+                RenderTool.CROP,
                 PATHS));
     inputs.addAll(ModelInputs.allBut());
     return inputs;

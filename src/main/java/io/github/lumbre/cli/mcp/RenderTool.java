@@ -9,6 +9,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.stage.Stage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Renders a model from one direction, whole or cut open.
@@ -33,6 +34,12 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
           Denoising.MODEL_SAMPLES,
           "Samples per pixel: more are cleaner, and take longer.");
 
+  static final Input<Optional<String>> CROP =
+      Input.text(
+          "crop",
+          "Part to show alone, as 'describe' lists it, with * for any text: the picture is the"
+              + " rectangle of width x height in which the part is seen.");
+
   @Override
   public String name() {
     return isCut ? "section" : "render";
@@ -56,7 +63,7 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
   @Override
   public List<Input<?>> inputs() {
     List<Input<?>> inputs =
-        new ArrayList<>(List.of(ModelInputs.MODEL_OR_SCENE, WIDTH, HEIGHT, SAMPLES));
+        new ArrayList<>(List.of(ModelInputs.MODEL_OR_SCENE, WIDTH, HEIGHT, SAMPLES, CROP));
     if (isCut) {
       inputs.add(1, ModelInputs.of(ModelOption.SECTION));
     }
@@ -81,6 +88,12 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
 
   /** Returns what the arguments {@link #inputs} ask for. */
   static Shot shot(Studio studio, Arguments arguments) throws ToolException {
+    Shot whole = wholeShot(studio, arguments);
+    Optional<String> crop = arguments.get(CROP);
+    return crop.isPresent() ? PartCrop.of(whole, crop.get()) : whole;
+  }
+
+  private static Shot wholeShot(Studio studio, Arguments arguments) throws ToolException {
     String name = arguments.get(ModelInputs.MODEL_OR_SCENE);
     if (Studio.isScene(name)) {
       return sceneShot(studio, name, arguments);

@@ -54,6 +54,7 @@ record Shot(
 
   /** Adds what is seen. */
   void describe(JsonSummary summary) {
+    file.settings().crop().ifPresent(crop -> summary.put("crop", crop.toString()));
     summary.putView("view", title, file.settings(), numbers(), parts);
   }
 

@@ -19,7 +19,7 @@ import java.util.Set;
 import java.util.function.Predicate;
 
 /** Hides parts of a model, and highlights others. Confined to one thread. */
-final class PartSelection {
+public final class PartSelection {
   /** The material of parts beside highlighted ones: paler than that of parts without material. */
   private static final ModelMaterial PALE =
       PlainModel.matte("", "").set(MaterialParameter.BASE_COLOR, Rgb.gray(.85)).build();
@@ -122,7 +122,7 @@ final class PartSelection {
   }
 
   /** Returns whether a text is the wanted one, in which {@code *} stands for any text. */
-  static boolean isMeant(String wanted, String text) {
+  public static boolean isMeant(String wanted, String text) {
     if (wanted.equals(text)) {
       return true;
     }

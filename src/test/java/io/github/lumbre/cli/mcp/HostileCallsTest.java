@@ -267,6 +267,7 @@ class HostileCallsTest {
     usual.put("x", "3");
     usual.put("y", "4");
     usual.put("unit", "0.5");
+    usual.put("crop", "'*b*o*d*y*'");
     usual.put("pose", "'lift@0.5'");
     usual.put("background", "'white'");
     usual.put("paths", "true");
@@ -278,15 +279,16 @@ class HostileCallsTest {
     Map<String, List<String>> tools =
         Map.of(
             "views", List.of("model", "width", "height", "highlight", "planes", "background"),
-            "render", List.of("model", "width", "height", "view", "highlight", "unit", "pose"),
+            "render", List.of("model", "width", "height", "view", "unit", "pose", "crop"),
             "section", List.of("model", "width", "height", "view", "planes"),
             "describe", List.of("model"),
             "pixel", List.of("model", "x", "y", "width", "height", "view", "planes", "paths"),
             "compare", List.of("picture", "reference"),
             "diff", List.of("old", "new", "width", "height", "view", "tolerance", "planes"));
     String[] unusual =
-        ("null true [] {} -1 0 17 1e-320 1e308 1e9 1.5 99999999999999999999 '' '*' ['*'] ['?','',''] ['x=oops']"
-             + " ['0,0,1/1,1,0'] ['0,0,0/0,0,0'] ['x=1e300','-x=-1e300'] 'top' '-1e308,90' '0,NaN'"
+        ("null true [] {} -1 0 17 1e-320 1e308 1e9 1.5 99999999999999999999 '' '*' ['*']"
+             + " ['?','',''] ['x=oops'] ['0,0,1/1,1,0'] ['0,0,0/0,0,0'] ['x=1e300','-x=-1e300'] 'top'"
+             + " '-1e308,90' '0,NaN'"
              + " '../x.stl' '.' 'sample.glb' 'paint.png' [['a']] '%'")
             .split(" ");
     int pictures = 0;

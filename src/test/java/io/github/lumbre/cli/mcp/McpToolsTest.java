@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
@@ -207,6 +208,49 @@ class McpToolsTest {
 
   private static List<Double> numbers(JsonArray array) {
     return array.asList().stream().map(JsonElement::getAsDouble).toList();
+  }
+
+  /** The rectangle has the pixels of the picture that a command renders of it. */
+  @Test
+  void aPartIsCutOut() throws Exception {
+    String parts =
+        "o low\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+            + "o high\nv 5 5 0\nv 6 5 0\nv 5 6 0\nv 5 5 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+    Files.writeString(folder.resolve("a.obj"), parts);
+    String call = "'model':'a.obj','width':64,'height':48,'view':'front'";
+    JsonObject whole = client.numbers("render", call);
+    JsonObject result = client.result("render", call + ",'crop':'hi*'");
+    JsonObject values = result.getAsJsonObject("structuredContent");
+    List<Integer> crop =
+        Arrays.stream(values.get("crop").getAsString().split(",")).map(Integer::valueOf).toList();
+    JsonArray box = null;
+    JsonObject view = whole.getAsJsonArray("views").get(0).getAsJsonObject();
+    for (JsonElement part : view.getAsJsonArray("visible_parts")) {
+      if (part.getAsJsonObject().get("name").getAsString().equals("high")) {
+        box = part.getAsJsonObject().getAsJsonArray("box");
+      }
+    }
+    assertThat(crop.get(0)).isEqualTo(box.get(0).getAsInt() - 2);
+    assertThat(crop.get(1)).isEqualTo(Math.max(0, box.get(1).getAsInt() - 2));
+    assertThat(crop.get(0) + crop.get(2)).isEqualTo(Math.min(64, box.get(2).getAsInt() + 2));
+    assertThat(crop.get(1) + crop.get(3)).isEqualTo(box.get(3).getAsInt() + 2);
+    String line = "render T/parts/a.obj --size 64x48 --view front --quiet -o T/a.png --crop ";
+    int[] expected = commanded(line + values.get("crop").getAsString(), "a.png");
+    assertThat(picture(result)).isEqualTo(expected);
+    JsonObject pixel = client.numbers("pixel", call + ",'crop':'high','x':3,'y':8");
+    assertThat(pixel.get("color").getAsString())
+        .isEqualTo("#%06x".formatted(expected[8 * crop.get(2) + 3] & 0xffffff));
+    assertThat(pixel.get("part").getAsString()).isEqualTo("high");
+    assertThat(client.failure("pixel", call + ",'crop':'high','x':63,'y':0"))
+        .isEqualTo(
+            "x, y: expected a pixel of %dx%d, found 63,0".formatted(crop.get(2), crop.get(3)));
+    assertThat(client.failure("render", call + ",'crop':'hihg'"))
+        .isEqualTo(
+            "crop: expected \"low\", \"high\", found \"hihg\"; did you mean high?");
+    Files.writeString(
+        folder.resolve("a.obj"), parts + "o wall\nv 0 0 9\nv 99 0 9\nv 0 99 9\nf 9 10 11\n");
+    assertThat(client.failure("render", "'model':'a.obj','view':'front','crop':'high'"))
+        .startsWith("crop: expected \"wall\", found \"high\", which is not seen");
   }
 
   @Test
