@@ -50,6 +50,18 @@ record CompareTool(Roots roots, Limits limits) implements Tool {
   }
 
   @Override
+  public List<Output> outputs() {
+    return List.of(
+        Output.number("rmse", "Root of the mean squared error, in linear light."),
+        Output.number("relmse", "Mean squared error, relative to the reference."),
+        Output.number("bias", "Mean of the picture less the reference."),
+        Output.number("p99.9", "99.9th percentile of the absolute error."),
+        Output.number("max", "Largest absolute error."),
+        Output.number("ssim", "Structural similarity: 1 for the same picture."),
+        Output.number("flip", "Visible difference: 0 for the same picture, at most 1."));
+  }
+
+  @Override
   public Outcome call(Arguments arguments, CallProgress progress) throws ToolException {
     Image picture = read(arguments.get(PICTURE));
     Image reference = read(arguments.get(REFERENCE));

@@ -33,6 +33,11 @@ record DescribeTool(Studio studio) implements Tool {
   }
 
   @Override
+  public List<Output> outputs() {
+    return SummaryOutputs.ofContents();
+  }
+
+  @Override
   public Outcome call(Arguments arguments, CallProgress progress) throws ToolException {
     String name = arguments.get(ModelInputs.MODEL_OR_SCENE);
     return Studio.isScene(name) ? scene(name, arguments) : model(name, arguments);

@@ -68,6 +68,35 @@ record DiffTool(Studio studio) implements Tool {
   }
 
   @Override
+  public List<Output> outputs() {
+    return List.of(
+        Output.text("format", "Changes with incompatible changes."),
+        Output.text("old", "Path of the old model."),
+        Output.text("new", "Path of the new model."),
+        Output.text("unit", "Of lengths: that of the new file; empty if it states none."),
+        Output.number("tolerance", "Largest distance of vertices that count as the same."),
+        Output.count("same", "Number of parts that are the same.").optional(),
+        Output.count("withoutChangeFound", "The same, if not everything was compared.").optional(),
+        Output.texts("notCompared", "What was not compared."),
+        Output.objects(
+            "changes",
+            "What changed.",
+            Output.text("kind", "added, removed, moved, changed or renamed."),
+            Output.text("of", "part, light, camera, animation or variant."),
+            Output.text("old", "Name in the old model.").optional(),
+            Output.text("new", "Name in the new model.").optional(),
+            Output.numbers("shift", 3, "Of a moved part, in the axes of the new file.").optional(),
+            Output.number("distance", "Of a moved part.").optional(),
+            Output.number("degrees", "Rotation of a moved part.").optional(),
+            Output.texts("details", "In words."),
+            Output.count("parts", "Number of parts that the change stands for.")),
+        Output.text("summary", "Numbers of changes by their kinds."),
+        Output.textsByName("colors", "Colors of the third picture by what they mean."),
+        SummaryOutputs.WARNINGS,
+        SummaryOutputs.NOTES);
+  }
+
+  @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
     String old = arguments.get(OLD);

@@ -73,6 +73,21 @@ record PixelTool(Studio studio) implements Tool {
   }
 
   @Override
+  public List<Output> outputs() {
+    String none = "; missing if no surface is seen.";
+    return List.of(
+        Output.count("x", "Column of the pixel."),
+        Output.count("y", "Row of the pixel."),
+        Output.text("part", "Name of the part or object" + none).optional(),
+        Output.text("material", "Name of its material; missing if it has none.").optional(),
+        Output.numbers("position", 3, "In the space of the bounds" + none).optional(),
+        Output.numbers("normal", 3, "Unit vector towards the viewer's side" + none).optional(),
+        Output.number("depth", "Distance along the direction of the camera" + none).optional(),
+        Output.text("color", "In the picture: #rrggbb, or #rrggbbaa if it is transparent."),
+        Output.open("paths", "Samples of the pixel; only if asked for.").optional());
+  }
+
+  @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
     Shot shot = RenderTool.shot(studio, arguments);

@@ -243,6 +243,7 @@ final class Protocol {
     listed.put("title", tool.title());
     listed.put("description", tool.description());
     listed.put("inputSchema", schema);
+    listed.put("outputSchema", Output.object(tool.outputs()));
     Map<String, Object> annotations = new LinkedHashMap<>();
     annotations.put("readOnlyHint", true);
     annotations.put("openWorldHint", false);

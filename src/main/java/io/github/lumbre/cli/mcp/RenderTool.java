@@ -72,6 +72,11 @@ record RenderTool(Studio studio, boolean isCut) implements Tool {
   }
 
   @Override
+  public List<Output> outputs() {
+    return SummaryOutputs.ofPictures();
+  }
+
+  @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
     Shot shot = shot(studio, arguments);

@@ -18,6 +18,9 @@ interface Tool {
   /** The arguments it takes, in the order in which they are listed. */
   List<Input<?>> inputs();
 
+  /** The members of the values that its calls return. */
+  List<Output> outputs();
+
   /**
    * Does the work.
    *

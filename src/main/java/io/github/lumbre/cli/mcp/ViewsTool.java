@@ -66,6 +66,11 @@ record ViewsTool(Studio studio) implements Tool {
   }
 
   @Override
+  public List<Output> outputs() {
+    return SummaryOutputs.ofPictures();
+  }
+
+  @Override
   public Outcome call(Arguments arguments, CallProgress progress)
       throws ToolException, InterruptedException {
     Stage stage = ModelInputs.stage(arguments);

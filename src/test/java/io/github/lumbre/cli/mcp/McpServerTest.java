@@ -64,6 +64,11 @@ class McpServerTest {
     }
 
     @Override
+    public List<Output> outputs() {
+      return List.of(Output.text("said", "What was said."));
+    }
+
+    @Override
     public Outcome call(Arguments arguments, CallProgress progress)
         throws ToolException, InterruptedException {
       String text = arguments.get(TEXT);
@@ -170,6 +175,10 @@ class McpServerTest {
                 + " to say.\"},\"times\":{\"type\":\"integer\",\"description\":\"How often.\","
                 + "\"minimum\":1,\"maximum\":3,\"default\":1}},\"required\":[\"text\"],"
                 + "\"additionalProperties\":false}");
+    assertThat(tool.getAsJsonObject("outputSchema"))
+        .hasToString(
+            "{\"type\":\"object\",\"properties\":{\"said\":{\"type\":\"string\","
+                + "\"description\":\"What was said.\"}},\"required\":[\"said\"]}");
     assertThat(tool.getAsJsonObject("annotations"))
         .hasToString("{\"readOnlyHint\":true,\"openWorldHint\":false}");
   }
