@@ -90,7 +90,7 @@ class McpIT {
     assertThat(result(0).get("protocolVersion").getAsString()).isEqualTo("2025-06-18");
     send("{'jsonrpc':'2.0','method':'notifications/initialized'}");
     request(1, "tools/list", "");
-    assertThat(result(1).getAsJsonArray("tools")).hasSize(6);
+    assertThat(result(1).getAsJsonArray("tools")).hasSize(7);
     request(2, "tools/call", views(""));
     assertThat(result(2).getAsJsonArray("content").toString()).contains("image/png");
     request(
@@ -117,7 +117,7 @@ class McpIT {
     request(1, "server/discover", META);
     assertThat(result(1).get("supportedVersions")).hasToString("[\"2026-07-28\"]");
     request(2, "tools/list", META);
-    assertThat(result(2).getAsJsonArray("tools")).hasSize(6);
+    assertThat(result(2).getAsJsonArray("tools")).hasSize(7);
     request(3, "tools/call", views(META + ","));
     messages.close();
     assertThat(result(3).getAsJsonArray("content").toString()).contains("image/png");

@@ -2,6 +2,7 @@ package io.github.lumbre.cli.mcp;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,25 @@ import java.util.Map;
  */
 record Output(String name, Map<String, Object> schema, boolean isRequired) {
   private static final String TYPE = "type";
+
+  Output {
+    schema = frozen(schema);
+  }
+
+  /** Returns an immutable copy of a schema. */
+  private static Map<String, Object> frozen(Map<String, Object> schema) {
+    Map<String, Object> copy = new LinkedHashMap<>();
+    schema.forEach((key, value) -> copy.put(key, frozen(value)));
+    return Collections.unmodifiableMap(copy);
+  }
+
+  @SuppressWarnings("unchecked") // The keys of schemas are texts.
+  private static Object frozen(Object value) {
+    if (value instanceof Map<?, ?> members) {
+      return frozen((Map<String, Object>) members);
+    }
+    return value instanceof List<?> elements ? List.copyOf(elements) : value;
+  }
 
   static Output text(String name, String description) {
     return new Output(name, schema("string", description), true);
