@@ -237,9 +237,10 @@ class McpToolsTest {
     String line = "render T/parts/a.obj --size 64x48 --view front --quiet -o T/a.png --crop ";
     int[] expected = commanded(line + values.get("crop").getAsString(), "a.png");
     assertThat(picture(result)).isEqualTo(expected);
-    JsonObject pixel = client.numbers("pixel", call + ",'crop':'high','x':3,'y':8");
+    int low = crop.get(3) - 4; // In the corner of the part that is at the lower left.
+    JsonObject pixel = client.numbers("pixel", call + ",'crop':'high','x':3,'y':" + low);
     assertThat(pixel.get("color").getAsString())
-        .isEqualTo("#%06x".formatted(expected[8 * crop.get(2) + 3] & 0xffffff));
+        .isEqualTo("#%06x".formatted(expected[low * crop.get(2) + 3] & 0xffffff));
     assertThat(pixel.get("part").getAsString()).isEqualTo("high");
     assertThat(client.failure("pixel", call + ",'crop':'high','x':63,'y':0"))
         .isEqualTo(
