@@ -35,7 +35,6 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
-import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.io.IOException;
@@ -164,11 +163,12 @@ final class DiffCommand extends Subcommand {
       throws SceneFormatException, TaskException, IOException, InterruptedException {
     StagedModel before = views(old, ofOld);
     StagedModel after = views(now, ofNew);
-    View view = ofNew.find(Stage.VIEW).orElse(View.DEFAULT);
     RenderSettings shown = size.map(s -> s.over(USUAL)).orElse(USUAL);
+    List<SceneFile> both =
+        StagedModel.seenTogether(before, after, shown.width(), shown.height());
     return ChangePage.of(
-        side(old, before.seenBeside(after, view, shown.width(), shown.height())),
-        side(now, after.seenBeside(before, view, shown.width(), shown.height())),
+        side(old, both.get(0)),
+        side(now, both.get(1)),
         report.found().changes(),
         report.summary(),
         report.lines(),
@@ -177,10 +177,9 @@ final class DiffCommand extends Subcommand {
 
   private static StagedModel views(Path model, Stage stage)
       throws SceneFormatException, IOException {
-    View view = stage.find(Stage.VIEW).orElse(View.DEFAULT);
     SceneParser parser =
         new SceneParser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build());
-    return StagedModel.read(model, stage.seenFrom(view), parser);
+    return StagedModel.read(model, stage.framed(), parser);
   }
 
   private ChangePage.Side side(Path path, SceneFile file)

@@ -43,8 +43,6 @@ import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.internal.ModelSequence;
-import io.github.lumbre.stage.Stage;
-import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -121,7 +119,7 @@ final class ViewsCommand extends Subcommand {
 
   private Stage checkedStage() {
     require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
-    for (String flag : List.of("--view", "--camera")) {
+    for (String flag : List.of("--view", "--camera", "--eye", "--target")) {
       require(
           !spec.commandLine().getParseResult().hasMatchedOption(flag),
           flag + ": cannot be used; 'lumbre views' renders all standard views");

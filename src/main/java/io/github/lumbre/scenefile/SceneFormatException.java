@@ -14,7 +14,9 @@ public final class SceneFormatException extends Exception {
     /** A mesh or image that the scene contains or names cannot be decoded. */
     ASSET,
     /** A size or number exceeds its limit. */
-    LIMIT
+    LIMIT,
+    /** An option does not suit the model, or contradicts another one. */
+    OPTION
   }
 
   private final Kind kind;

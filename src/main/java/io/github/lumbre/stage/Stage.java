@@ -1,8 +1,10 @@
 package io.github.lumbre.stage;
 
+import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
@@ -21,6 +23,7 @@ import io.github.lumbre.stage.internal.ShownLabels;
 import io.github.lumbre.stage.internal.StageTypes;
 import io.github.lumbre.stage.internal.StageTypes.BackgroundType;
 import io.github.lumbre.stage.internal.StageTypes.LookType;
+import io.github.lumbre.stage.internal.StageTypes.PointType;
 import io.github.lumbre.stage.internal.StageTypes.ViewType;
 import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.SunPosition;
@@ -41,6 +44,11 @@ import java.util.stream.Stream;
  * the scene. Immutable.
  */
 public final class Stage {
+  /** The vertical angle of view in perspective unless a stage has its own, in degrees. */
+  public static final double DEFAULT_FOV = 35;
+
+  private static final double LEAST_ZOOM = 1e-6;
+
   /** The name of a camera in the model; without it, the view counts. */
   public static final ModelOption<String> CAMERA =
       new ModelOption<>(
@@ -58,21 +66,80 @@ public final class Stage {
       new ModelOption<>(
               "view",
               new ViewType(),
-              "Look from front, back, left, right, top, bottom or iso, or from an azimuth and"
-                  + " an elevation in degrees (30,20 without a camera in the file).")
+              "Look from front, back, left, right, top, bottom or iso, in parallel projection, or"
+                  + " in perspective from an azimuth and an elevation in degrees (30,20 without a"
+                  + " camera in the file).")
           .withFlag("view", "NAME|AZ,EL")
           .inTools(
               "view",
               "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
                   + " 30,20 (the default).");
 
-  /** The vertical angle of view in degrees; not used with a camera of the model. */
+  /** Where the camera is, in the file's axes and unit, instead of a view or the file's camera. */
+  public static final ModelOption<Vec3> EYE =
+      new ModelOption<>(
+              "eye",
+              new PointType(),
+              "Place of the camera, in the file's axes and unit; it looks at --target.")
+          .withFlag("eye", "X,Y,Z");
+
+  /** What the camera at the eye looks at; without it, the middle of the box around the model. */
+  public static final ModelOption<Vec3> TARGET =
+      new ModelOption<>(
+              "target",
+              new PointType(),
+              "Point that the camera at "
+                  + EYE.flag()
+                  + " looks at (the middle of the box around the model, or of the part of --fit).")
+          .withFlag("target", "X,Y,Z");
+
+  /** How much larger things are in the picture than without it; the camera keeps its place. */
+  public static final ModelOption<Double> ZOOM =
+      new ModelOption<>(
+              "zoom",
+              new NumberType(LEAST_ZOOM, 1 / LEAST_ZOOM),
+              "Factor by which things in the middle of the picture are larger ({default}).")
+          .withDefault(1.)
+          .withFlag("zoom", "FACTOR");
+
+  /** The name of the part that the camera frames, as of {@link ModelOption#HIDE}. */
+  public static final ModelOption<String> FIT =
+      new ModelOption<>(
+              "fit",
+              new TextType("a name"),
+              "Frame this part instead of the whole model; '*' stands for any text.")
+          .withFlag("fit", "PART");
+
+  /** Whether the projection is parallel, as it is from the standard views without an angle. */
+  public static final ModelOption<Boolean> PARALLEL =
+      new ModelOption<>(
+              "parallel",
+              new FlagType(),
+              "Parallel projection, as from the views with names: lengths across the view keep"
+                  + " their ratios.")
+          .withDefault(false)
+          .withFlag("parallel", "");
+
+  /** Whether a standard view is in perspective, as others are; {@link #PARALLEL} wins. */
+  public static final ModelOption<Boolean> PERSPECTIVE =
+      new ModelOption<>(
+              "perspective",
+              new FlagType(),
+              "Perspective, also from the views with names.")
+          .withDefault(false)
+          .withFlag("perspective", "");
+
+  /**
+   * The vertical angle of view in degrees; without it, {@link #DEFAULT_FOV}. It puts standard views
+   * in perspective, and is not used in parallel projection or with a camera of the model.
+   */
   public static final ModelOption<Double> FOV =
       new ModelOption<>(
               "fov",
               new NumberType(Range.open(0, 180)),
-              "Vertical angle of view with " + VIEW.flag() + " ({default}).")
-          .withDefault(35.)
+              ("Vertical angle of view in perspective, also from the views with names (%s); not"
+                      + " used with a camera of the file.")
+                  .formatted(PrintableText.number(DEFAULT_FOV)))
           .withFlag("fov", "DEGREES")
           .inTools("fov", "Vertical angle of view in degrees (35).");
 
@@ -194,6 +261,12 @@ public final class Stage {
       List.of(
           CAMERA,
           VIEW,
+          EYE,
+          TARGET,
+          ZOOM,
+          FIT,
+          PARALLEL,
+          PERSPECTIVE,
           FOV,
           SKY,
           SUN,
@@ -295,8 +368,9 @@ public final class Stage {
    * @param elevation degrees above the horizon, in [-90, 90]
    * @param isTurntable whether the camera keeps its distance to the axis at all azimuths; otherwise
    *     it is as near as this azimuth allows, with the model in the middle of the frame
+   * @param isParallel whether the projection is parallel unless a stage says otherwise
    */
-  public record View(double azimuth, double elevation, boolean isTurntable) {
+  public record View(double azimuth, double elevation, boolean isTurntable, boolean isParallel) {
     /** From the front, a little from the right and above. */
     public static final View DEFAULT = new View(30, 20);
 
@@ -305,18 +379,19 @@ public final class Stage {
     private static final Map<String, View> STANDARD = new LinkedHashMap<>();
 
     static {
-      STANDARD.put("front", new View(0, 0));
-      STANDARD.put("back", new View(180, 0));
-      STANDARD.put("left", new View(-90, 0));
-      STANDARD.put("right", new View(90, 0));
-      STANDARD.put("top", new View(0, 90));
-      STANDARD.put("bottom", new View(0, -90));
-      STANDARD.put("iso", new View(45, ISOMETRIC));
+      STANDARD.put("front", new View(0, 0, false, true));
+      STANDARD.put("back", new View(180, 0, false, true));
+      STANDARD.put("left", new View(-90, 0, false, true));
+      STANDARD.put("right", new View(90, 0, false, true));
+      STANDARD.put("top", new View(0, 90, false, true));
+      STANDARD.put("bottom", new View(0, -90, false, true));
+      STANDARD.put("iso", new View(45, ISOMETRIC, false, true));
     }
 
     /**
      * Returns the standard views by their names: front, back, left, right, top, bottom, iso, in
-     * this order. Their pictures are the same in all releases; see docs/model-pictures.md.
+     * this order. They are parallel projections. Their pictures are the same in all releases; see
+     * docs/model-pictures.md.
      */
     public static Map<String, View> standard() {
       return Collections.unmodifiableMap(STANDARD);
@@ -346,14 +421,29 @@ public final class Stage {
       return new View(OptionTypes.finite(angles[0]), elevation);
     }
 
-    /** Creates a view that is framed for its own azimuth. */
+    /** Creates a view in perspective that is framed for its own azimuth. */
     public View(double azimuth, double elevation) {
-      this(azimuth, elevation, false);
+      this(azimuth, elevation, false, false);
     }
 
-    /** Returns this direction, turned about the vertical axis as a picture of a turntable. */
+    /**
+     * Returns this direction, turned about the vertical axis as a picture of a turntable, in
+     * perspective.
+     */
     public View turned(double degrees) {
-      return new View(azimuth + degrees, elevation, true);
+      return new View(azimuth + degrees, elevation, true, false);
+    }
+
+    /** Returns the name of the standard view with this direction; empty if there is none. */
+    public Optional<String> name() {
+      return STANDARD.entrySet().stream()
+          .filter(named -> !isTurntable && named.getValue().hasDirectionOf(this))
+          .map(Map.Entry::getKey)
+          .findFirst();
+    }
+
+    private boolean hasDirectionOf(View other) {
+      return azimuth == other.azimuth && elevation == other.elevation;
     }
   }
 
@@ -397,6 +487,20 @@ public final class Stage {
 
   private static Look look(OptionValues values) {
     return Look.of(values.find(LOOK));
+  }
+
+  /** Returns whether the model is framed by this stage, and not seen by a camera of its own. */
+  public boolean isFramed() {
+    return find(CAMERA).isEmpty()
+        && (Stream.of(VIEW, EYE, FIT).anyMatch(option -> find(option).isPresent())
+            || get(PARALLEL)
+            || get(PERSPECTIVE));
+  }
+
+  /** Returns whether a model that is framed is seen in parallel projection. */
+  public boolean isParallel() {
+    boolean isOfView = find(EYE).isEmpty() && find(VIEW).filter(View::isParallel).isPresent();
+    return get(PARALLEL) || isOfView && !get(PERSPECTIVE) && find(FOV).isEmpty();
   }
 
   /**
@@ -455,9 +559,20 @@ public final class Stage {
     return options;
   }
 
-  /** Returns this stage, seen from a direction instead of by a camera of the model. */
+  /** Returns this stage, seen from a direction instead of by a camera of the model or an eye. */
   public Stage seenFrom(View newView) {
-    return new Stage(values.with(CAMERA, Optional.empty()).with(VIEW, newView), options);
+    OptionValues changed =
+        values
+            .with(CAMERA, Optional.empty())
+            .with(EYE, Optional.empty())
+            .with(TARGET, Optional.empty())
+            .with(VIEW, newView);
+    return new Stage(changed, options);
+  }
+
+  /** Returns this stage, which frames the model if a camera of the model would count. */
+  public Stage framed() {
+    return isFramed() ? this : seenFrom(View.DEFAULT);
   }
 
   /** Returns this stage under another sky. */

@@ -107,15 +107,24 @@ public final class StagedModel {
   }
 
   /**
-   * Returns the model from another direction, by a camera that frames this model and another one.
+   * Returns two models, as the camera of the second one's stage sees them, with both in its frame.
    *
-   * @param other whose scene has the same camera
-   * @param width of the picture in pixels, at least 1
-   * @param height of the picture in pixels, at least 1
+   * @param width of the pictures in pixels, at least 1
+   * @param height of the pictures in pixels, at least 1
    */
-  public SceneFile seenBeside(StagedModel other, View view, int width, int height)
-      throws SceneFormatException {
-    return seenFrom(view, width, height, model.framing().with(other.model.framing()));
+  public static List<SceneFile> seenTogether(
+      StagedModel first, StagedModel second, int width, int height) throws SceneFormatException {
+    Framing both = second.model.framing().with(first.model.framing());
+    List<SceneFile> seen = new ArrayList<>();
+    for (StagedModel each : List.of(first, second)) {
+      SceneFile sized = each.sized(width, height);
+      seen.add(sized.with(second.model.asSeen(sized, (double) width / height, both)));
+    }
+    return seen;
+  }
+
+  private SceneFile sized(int width, int height) {
+    return scene.with(scene.settings().toBuilder().size(width, height).build());
   }
 
   /**

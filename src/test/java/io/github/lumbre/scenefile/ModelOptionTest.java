@@ -11,6 +11,7 @@ import io.github.lumbre.cli.mcp.Mcp;
 import io.github.lumbre.cli.mcp.McpClient;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
@@ -26,6 +27,7 @@ import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.stage.internal.StageTypes.PointType;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -37,6 +39,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,6 +54,10 @@ import picocli.CommandLine.ParameterException;
 class ModelOptionTest {
   private static final String OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\n";
   private static final int ROUNDS = 300;
+
+  /** What a camera of the file leaves no choice for. */
+  private static final Set<ModelOption<?>> FRAMING =
+      Set.of(Stage.VIEW, Stage.EYE, Stage.FIT, Stage.PARALLEL, Stage.PERSPECTIVE);
 
   @TempDir private static Path directory;
 
@@ -124,7 +131,15 @@ class ModelOptionTest {
   /** Leaves out what flags refuse beside others. */
   private static void keepSuiting(Map<ModelOption<?>, Object> values) {
     if (values.containsKey(Stage.CAMERA)) {
+      values.keySet().removeAll(FRAMING);
+    }
+    if (values.containsKey(Stage.EYE)) {
       values.remove(Stage.VIEW);
+    } else {
+      values.remove(Stage.TARGET);
+    }
+    if (values.containsKey(Stage.PARALLEL)) {
+      values.keySet().removeAll(List.of(Stage.PERSPECTIVE, Stage.FOV));
     }
     if (values.containsKey(Stage.SUN)) {
       values.put(Stage.SKY, "sun");
@@ -170,6 +185,9 @@ class ModelOptionTest {
     if (type instanceof NamedType<?> named) {
       return any(List.copyOf(named.choices().values()), random);
     }
+    if (type instanceof PointType) {
+      return new Vec3(random.nextGaussian(), random.nextInt(9), -1e20 * random.nextDouble());
+    }
     if (type instanceof FoldersType) {
       return List.of(directory, directory.resolve(".").normalize());
     }
@@ -213,6 +231,8 @@ class ModelOptionTest {
       for (ModelOption<?> option :
           List.of(
               Stage.VIEW,
+              Stage.PARALLEL,
+              Stage.PERSPECTIVE,
               Stage.FOV,
               Stage.SUN,
               Stage.SKY_INTENSITY,
@@ -225,14 +245,24 @@ class ModelOptionTest {
         values.put(option, value(option.type(), random));
       }
       values.put(Stage.GROUND, random.nextBoolean());
+      if (random.nextBoolean()) {
+        values.remove(Stage.PARALLEL);
+      }
+      if (random.nextBoolean()) {
+        values.keySet().removeAll(List.of(Stage.PERSPECTIVE, Stage.FOV));
+      }
       values.put(Stage.SKY, any(List.of("studio", "white", "sun"), random));
       keepSuiting(values);
       for (ModelOption<?> option : values.keySet()) {
         stage = with(option, values, stage);
       }
       Stage shown = stageOf(text(stage));
-      assertThat(shown.find(Stage.VIEW)).isEqualTo(stage.find(Stage.VIEW));
-      assertThat(shown.get(Stage.FOV)).isEqualTo(stage.get(Stage.FOV));
+      View view = stage.get(Stage.VIEW);
+      assertThat(shown.get(Stage.VIEW))
+          .isEqualTo(new View(view.azimuth(), view.elevation(), false, stage.isParallel()));
+      if (!stage.isParallel()) {
+        assertThat(shown.get(Stage.FOV)).isEqualTo(stage.find(Stage.FOV).orElse(35.));
+      }
       assertThat(shown.sky()).isEqualTo(stage.sky());
       assertThat(shown.get(Stage.GROUND)).isEqualTo(stage.get(Stage.GROUND));
       assertThat(shown.background()).isEqualTo(stage.background());
@@ -272,8 +302,10 @@ class ModelOptionTest {
       switch (object.get("type").getAsString()) {
         case "Camera" -> {
           JsonObject turned = object.getAsJsonObject("localRotation");
-          View view = new View(0 - number(turned, "y"), number(turned, "x"));
-          stage = stage.seenFrom(view).with(Stage.FOV, number(object, "fieldOfView"));
+          boolean isParallel = object.get("cameraType").getAsString().equals("Orthographic");
+          View view = new View(0 - number(turned, "y"), number(turned, "x"), false, isParallel);
+          stage = stage.seenFrom(view);
+          stage = isParallel ? stage : stage.with(Stage.FOV, number(object, "fieldOfView"));
         }
         case "Light" -> stage = stage.under(sky(object));
         case "Shape" -> stage = stage.with(Stage.GROUND, true);

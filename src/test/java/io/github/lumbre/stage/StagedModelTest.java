@@ -114,7 +114,7 @@ class StagedModelTest {
 
   @Test
   void viewsAreNamed() {
-    assertThat(View.of("iso")).isEqualTo(new View(45, 35.264389682754654));
+    assertThat(View.of("iso")).isEqualTo(new View(45, 35.264389682754654, false, true));
     assertThat(View.of("-40,15")).isEqualTo(new View(-40, 15));
     assertThatThrownBy(() -> View.of("20")).hasMessageContaining("found 20");
     assertThatThrownBy(() -> View.of("0,91")).hasMessageContaining("from -90 to 90, found 91");

@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.OptionTypes.FoldersType;
@@ -82,9 +83,7 @@ public final class ModelFlags extends Flags {
     for (ModelOption<?> option : Stage.all()) {
       stage = with(option, stage);
     }
-    require(
-        !isGiven(Stage.CAMERA) || !isGiven(Stage.VIEW),
-        "--camera and --view: expected only one of them");
+    requireOneCamera(stage);
     Look look = Look.of(stage.find(Stage.LOOK));
     require(
         !look.isDrawing() || !isGiven(Stage.GROUND),
@@ -99,6 +98,27 @@ public final class ModelFlags extends Flags {
     }
     checks().requireFolders(ModelOption.ASSETS.flag(), stage.options().get(ModelOption.ASSETS));
     return stage;
+  }
+
+  private void requireOneCamera(Stage stage) {
+    List.of(Stage.VIEW, Stage.EYE, Stage.FIT, Stage.PARALLEL, Stage.PERSPECTIVE)
+        .forEach(option -> requireOneOf(Stage.CAMERA, option));
+    requireOneOf(Stage.EYE, Stage.VIEW);
+    requireOneOf(Stage.PARALLEL, Stage.PERSPECTIVE);
+    requireOneOf(Stage.PARALLEL, Stage.FOV);
+    require(
+        !isGiven(Stage.TARGET) || isGiven(Stage.EYE),
+        "--target: requires --eye; --fit PART puts a part into the middle");
+    Optional<Vec3> target = stage.find(Stage.TARGET);
+    require(
+        target.isEmpty() || !target.equals(stage.find(Stage.EYE)),
+        "--eye and --target: expected two different points, found the same");
+  }
+
+  private void requireOneOf(ModelOption<?> one, ModelOption<?> other) {
+    require(
+        !isGiven(one) || !isGiven(other),
+        one.flag() + " and " + other.flag() + ": expected only one of them");
   }
 
   private <T> Stage with(ModelOption<T> option, Stage stage) {
@@ -151,6 +171,9 @@ public final class ModelFlags extends Flags {
     require(
         motion.turns() == 0 || !isGiven(Stage.CAMERA),
         "--turntable: cannot be combined with --camera; --view sets the first view");
+    require(
+        motion.turns() == 0 || !isGiven(Stage.EYE),
+        "--turntable: cannot be combined with --eye; --view sets the first view");
     require(
         motion.turns() > 0 || !isGiven(ModelOption.POSE),
         "--animation: cannot be combined with --pose, which is one picture of an animation");

@@ -188,6 +188,7 @@ public record Failures(Set<String> commands, Supplier<CommandLine> program)
         case INVALID -> ExitCode.SCENE;
         case ASSET -> ExitCode.ASSET;
         case LIMIT -> ExitCode.LIMIT;
+        case OPTION -> ExitCode.USAGE;
       };
     }
     if (thrown instanceof InvalidPathException || thrown instanceof ParameterException) {

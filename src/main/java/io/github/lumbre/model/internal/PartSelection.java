@@ -72,6 +72,22 @@ public final class PartSelection {
     return model.with(highlighted.isEmpty() ? shown : painted(shown, highlighted));
   }
 
+  /**
+   * Returns a model with the parts that a name means, as of {@link ModelOption#HIDE}; as it is if
+   * it has none at all.
+   *
+   * @param location names the option in messages
+   * @throws ModelFormatException if there is none of the name; it lists the names
+   */
+  public static Model only(Model model, String location, String name) throws ModelFormatException {
+    if (model.parts().isEmpty()) {
+      return model;
+    }
+    List<ModelPart> all = PieceModel.of(model).parts();
+    Set<ModelNode> meant = named(location, List.of(name), all);
+    return model.with(all.stream().filter(part -> meant.contains(part.node())).toList());
+  }
+
   /** Returns highlighted parts as they are, in orange if all of them are gray, and others pale. */
   private static List<ModelPart> painted(List<ModelPart> parts, Set<ModelNode> highlighted) {
     boolean isGray =

@@ -1,6 +1,7 @@
 package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Elementary;
@@ -12,6 +13,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
@@ -25,6 +28,15 @@ public final class Framing {
   /** How equal margins are, relative to what the model fills. */
   private static final double EVEN = 1e-4;
 
+  /** The least height of a parallel camera's film, relative to the diagonal of the box. */
+  private static final double LEAST_FILM = 1e-9;
+
+  /** How far below its middle a film reaches with the pixel filter, relative to its height. */
+  private static final double BELOW_FILM = .6;
+
+  /** The largest distance of a parallel camera, relative to what it shows. */
+  private static final double FAR = 1e6;
+
   /** The largest number of passes over the vertices. */
   private static final int MAX_PASSES = 20;
 
@@ -35,11 +47,16 @@ public final class Framing {
   /** Whether there is no vertex. */
   private final boolean isEmpty;
 
-  private Framing(List<Vertices> parts, Vec3 min, Vec3 max, boolean isEmpty) {
+  /** What is in the frame instead of everything. */
+  private final Optional<Framing> fitted;
+
+  private Framing(
+      List<Vertices> parts, Vec3 min, Vec3 max, boolean isEmpty, Optional<Framing> fitted) {
     this.parts = parts;
     this.min = min;
     this.max = max;
     this.isEmpty = isEmpty;
+    this.fitted = fitted;
   }
 
   /**
@@ -106,10 +123,23 @@ public final class Framing {
           box[4] = Math.max(box[4], v.y() + radius);
           box[5] = Math.max(box[5], v.z() + radius);
         });
-    return box[0] > box[3]
-        ? new Framing(parts, Vec3.ZERO, Vec3.ZERO, true)
-        : new Framing(
-            parts, new Vec3(box[0], box[1], box[2]), new Vec3(box[3], box[4], box[5]), false);
+    boolean isEmpty = box[0] > box[3];
+    return new Framing(
+        parts,
+        isEmpty ? Vec3.ZERO : new Vec3(box[0], box[1], box[2]),
+        isEmpty ? Vec3.ZERO : new Vec3(box[3], box[4], box[5]),
+        isEmpty,
+        Optional.empty());
+  }
+
+  /** Returns where a camera must stand so that one part of this model is in the frame. */
+  Framing fittedTo(Framing part) {
+    return new Framing(parts, min, max, isEmpty, Optional.of(part));
+  }
+
+  /** Returns what is in the frame. */
+  private Framing shown() {
+    return fitted.filter(part -> !part.isEmpty).orElse(this);
   }
 
   /**
@@ -128,20 +158,30 @@ public final class Framing {
       all.add(isMoved ? parts.get(i).at(part) : part);
     }
     Bounds3 box = new Bounds3(min, max).union(new Bounds3(other.min, other.max));
-    return new Framing(List.copyOf(all), box.min(), box.max(), false);
+    Optional<Framing> both =
+        fitted.isPresent() && other.fitted.isPresent()
+            ? fitted.map(part -> part.with(other.fitted.get()))
+            : Optional.empty();
+    return new Framing(List.copyOf(all), box.min(), box.max(), false, both);
   }
 
   /** Visits all vertices, and the corners of the box if it is drawn. */
   private void visit(Visitor visitor, Set<String> labels) {
     forVertices(parts, visitor);
     if (ShownLabels.showBox(labels)) {
-      for (double x : List.of(min.x(), max.x())) {
-        for (double y : List.of(min.y(), max.y())) {
-          visitor.visit(new Vec3(x, y, min.z()), 0);
-          visitor.visit(new Vec3(x, y, max.z()), 0);
-        }
+      corners().forEach(corner -> visitor.visit(corner, 0));
+    }
+  }
+
+  private List<Vec3> corners() {
+    List<Vec3> corners = new ArrayList<>();
+    for (double x : List.of(min.x(), max.x())) {
+      for (double y : List.of(min.y(), max.y())) {
+        corners.add(new Vec3(x, y, min.z()));
+        corners.add(new Vec3(x, y, max.z()));
       }
     }
+    return corners;
   }
 
   private static void forVertices(List<Vertices> parts, Visitor visitor) {
@@ -151,6 +191,19 @@ public final class Framing {
   /** Returns the box around the vertices; a point at the origin if there are none. */
   Bounds3 box() {
     return new Bounds3(min, max);
+  }
+
+  /** Returns the middle of the box around what is in the frame. */
+  Vec3 middle() {
+    return shown().center();
+  }
+
+  private Vec3 center() {
+    return min.plus(max).times(.5);
+  }
+
+  private double diagonal() {
+    return max.minus(min).length();
   }
 
   /**
@@ -164,47 +217,154 @@ public final class Framing {
    * @param labels on the picture, which need room
    */
   Vec3 eye(View from, double fov, double aspect, Set<String> labels) {
-    double sinA = Elementary.sinDegrees(from.azimuth());
-    double cosA = Elementary.cosDegrees(from.azimuth());
-    double sinE = Elementary.sinDegrees(from.elevation());
-    double cosE = Elementary.cosDegrees(from.elevation());
-    Vec3 back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
-    Vec3 right = new Vec3(cosA, 0, sinA);
-    Vec3 up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
+    Framing shown = shown();
     double tan = Elementary.tanDegrees(fov / 2);
-    Vec3 center = min.plus(max).times(.5);
     Bounds across = new Bounds(aspect * (ShownLabels.fillAcross(labels, FILL) * tan));
     Bounds upwards = new Bounds(ShownLabels.fillUpwards(labels, FILL) * tan);
-    double[] nearest = {0};
-    Visitor measure =
-        (vertex, size) -> {
-          Vec3 v = vertex.minus(center);
-          if (from.isTurntable()) {
-            double radius = Math.sqrt(v.x() * v.x() + v.z() * v.z());
-            across.addCircle(0, v.y() * sinE, radius, cosE, size);
-            upwards.addCircle(v.y() * cosE, v.y() * sinE, radius, sinE, cosE, size);
-            nearest[0] = Math.max(nearest[0], v.y() * sinE + radius * cosE + size);
-          } else {
-            double depth = v.dot(back);
-            across.add(v.dot(right), depth, size);
-            upwards.add(v.dot(up), depth, size);
-            nearest[0] = Math.max(nearest[0], depth + size);
-          }
-        };
-    visit(measure, labels);
-    double margin = NEAR * max.minus(min).length();
+    Measure measure = new Measure(from, shown.center(), across, upwards);
+    shown.visit(measure, labels);
+    double margin = NEAR * shown.diagonal();
     double distance =
-        Math.max(nearest[0] + margin, Math.max(across.distance(), upwards.distance()));
+        Math.max(measure.nearest + margin, Math.max(across.distance(), upwards.distance()));
     // One axis does not fill its part of the frame; it gets equal margins step by step.
     boolean isEven = distance == 0;
     for (int pass = 0; !isEven && pass < MAX_PASSES; pass++) {
       isEven = across.fitTo(distance) & upwards.fitTo(distance);
-      visit(measure, labels);
+      shown.visit(measure, labels);
     }
-    return center
-        .plus(distance > 0 ? distance : 1, back)
-        .plus(across.middle(), right)
-        .plus(upwards.middle(), up);
+    return measure.eye(distance > 0 ? distance : 1);
+  }
+
+  /**
+   * A camera in parallel projection.
+   *
+   * @param eye the middle of its film, in world space
+   * @param height of the film, in world space
+   */
+  record Parallel(Vec3 eye, double height) {}
+
+  /**
+   * Returns a parallel camera outside of the model that has all vertices in its frame, as large as
+   * the margins of {@link #eye} allow. From above, its film is above the lowest point of the model,
+   * so that a floor is seen. A camera of a turntable has one height and place for all azimuths.
+   *
+   * @param aspect width of the frame over its height
+   * @param zoom factor by which everything is larger
+   * @param labels on the picture, which need room
+   */
+  Parallel parallel(View from, double aspect, double zoom, Set<String> labels) {
+    Framing shown = shown();
+    Bounds across = new Bounds(0);
+    Bounds upwards = new Bounds(0);
+    Measure measure = new Measure(from, shown.center(), across, upwards);
+    shown.visit(measure, labels);
+    double height = height(across.extent(), upwards.extent(), aspect, labels) / zoom;
+    double around = (.5 + NEAR) * diagonal() + center().minus(shown.center()).length();
+    double above = Double.NEGATIVE_INFINITY;
+    if (from.elevation() > 0) {
+      double lowest = measure.eye(0).y() - BELOW_FILM * height * measure.cosE;
+      above = Math.min((min.y() - lowest) / measure.sinE, FAR * Math.max(around, height));
+    }
+    double distance = Math.max(around, above);
+    return new Parallel(measure.eye(distance > 0 ? distance : 1), height);
+  }
+
+  /**
+   * Returns the height of the film of a parallel camera at an eye that has the box in its frame,
+   * whose middle need not be that of the frame.
+   *
+   * @param axes of the camera
+   */
+  double heightAround(Vec3 eye, Frame axes, double aspect, Set<String> labels) {
+    double[] half = {0, 0};
+    for (Vec3 corner : shown().corners()) {
+      Vec3 local = axes.toLocal(corner.minus(eye));
+      half[0] = Math.max(half[0], Math.abs(local.x()));
+      half[1] = Math.max(half[1], Math.abs(local.y()));
+    }
+    return height(2 * half[0], 2 * half[1], aspect, labels);
+  }
+
+  /** Returns the height of a film on which an extent has its place. */
+  private double height(double across, double upwards, double aspect, Set<String> labels) {
+    double height =
+        Math.max(
+            across / (aspect * ShownLabels.fillAcross(labels, FILL)),
+            upwards / ShownLabels.fillUpwards(labels, FILL));
+    double least = LEAST_FILM * diagonal();
+    return Math.max(height, least > 0 ? least : 1);
+  }
+
+  /**
+   * Returns the tangent of half the vertical angle of view of a camera at an eye that has the box
+   * in its frame; empty if a corner is not in front of it.
+   *
+   * @param axes of the camera
+   */
+  OptionalDouble tanAround(Vec3 eye, Frame axes, double aspect, Set<String> labels) {
+    double tan = 0;
+    for (Vec3 corner : shown().corners()) {
+      Vec3 local = axes.toLocal(corner.minus(eye));
+      if (!(local.z() > 0)) {
+        return OptionalDouble.empty();
+      }
+      double across = Math.abs(local.x()) / (aspect * ShownLabels.fillAcross(labels, FILL));
+      double upwards = Math.abs(local.y()) / ShownLabels.fillUpwards(labels, FILL);
+      tan = Math.max(tan, Math.max(across, upwards) / local.z());
+    }
+    return tan > 0 ? OptionalDouble.of(tan) : OptionalDouble.empty();
+  }
+
+  /** Measures vertices along the axes of a view. */
+  private static final class Measure implements Visitor {
+    private final View from;
+    private final Vec3 center;
+    private final double sinE;
+    private final double cosE;
+    private final Vec3 back;
+    private final Vec3 right;
+    private final Vec3 up;
+    private final Bounds across;
+    private final Bounds upwards;
+    private double nearest;
+
+    Measure(View from, Vec3 center, Bounds across, Bounds upwards) {
+      double sinA = Elementary.sinDegrees(from.azimuth());
+      double cosA = Elementary.cosDegrees(from.azimuth());
+      sinE = Elementary.sinDegrees(from.elevation());
+      cosE = Elementary.cosDegrees(from.elevation());
+      back = new Vec3(sinA * cosE, sinE, -cosA * cosE);
+      right = new Vec3(cosA, 0, sinA);
+      up = new Vec3(-sinA * sinE, cosE, cosA * sinE);
+      this.from = from;
+      this.center = center;
+      this.across = across;
+      this.upwards = upwards;
+    }
+
+    @Override
+    public void visit(Vec3 vertex, double size) {
+      Vec3 v = vertex.minus(center);
+      if (from.isTurntable()) {
+        double radius = Math.sqrt(v.x() * v.x() + v.z() * v.z());
+        across.addCircle(0, v.y() * sinE, radius, cosE, size);
+        upwards.addCircle(v.y() * cosE, v.y() * sinE, radius, sinE, cosE, size);
+        nearest = Math.max(nearest, v.y() * sinE + radius * cosE + size);
+      } else {
+        double depth = v.dot(back);
+        across.add(v.dot(right), depth, size);
+        upwards.add(v.dot(up), depth, size);
+        nearest = Math.max(nearest, depth + size);
+      }
+    }
+
+    /** Returns the point at a distance whose frame has equal margins. */
+    Vec3 eye(double distance) {
+      return center
+          .plus(distance, back)
+          .plus(across.middle(), right)
+          .plus(upwards.middle(), up);
+    }
   }
 
   /**
@@ -254,6 +414,11 @@ public final class Framing {
       high = Double.NEGATIVE_INFINITY;
       low = Double.POSITIVE_INFINITY;
       return isSame;
+    }
+
+    /** Returns the extent of the points; 0 if there are none. */
+    double extent() {
+      return high > low ? high - low : 0;
     }
 
     /** Returns the smallest distance of a camera that has all points in its frame. */

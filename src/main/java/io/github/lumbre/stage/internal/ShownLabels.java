@@ -6,7 +6,6 @@ import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -32,23 +31,25 @@ public final class ShownLabels {
 
   /** Returns the name of the view of a stage. */
   public static String title(Stage stage, Model model) {
-    Optional<View> view = stage.find(Stage.VIEW);
+    if (stage.find(Stage.EYE).isPresent()) {
+      return "eye " + Stage.EYE.type().format(stage.get(Stage.EYE)).replace(",", ", ");
+    }
     return stage
         .find(Stage.CAMERA)
         .or(() -> ModelContents.cameraNames(model).stream().findFirst())
-        .filter(name -> view.isEmpty())
+        .filter(name -> !stage.isFramed())
         .map(name -> "camera " + name)
-        .orElseGet(() -> title(view.orElse(View.DEFAULT)));
+        .orElseGet(() -> title(stage.find(Stage.VIEW).orElse(View.DEFAULT)));
   }
 
   private static String title(View view) {
-    String angles =
-        PrintableText.number(view.azimuth()) + "°, " + PrintableText.number(view.elevation()) + "°";
-    return View.standard().entrySet().stream()
-        .filter(named -> named.getValue().equals(view))
-        .map(Map.Entry::getKey)
-        .findFirst()
-        .orElse(angles);
+    return view.name()
+        .orElseGet(
+            () ->
+                PrintableText.number(view.azimuth())
+                    + "°, "
+                    + PrintableText.number(view.elevation())
+                    + "°");
   }
 
   /** Returns whether the box around the model must be in the frame. */

@@ -4,6 +4,8 @@ import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.CssColor;
 import io.github.lumbre.light.EnvironmentLight;
+import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.ModelReach;
 import io.github.lumbre.model.internal.OptionTypes;
 import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.Setting;
@@ -20,6 +22,8 @@ import java.time.format.DateTimeParseException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The types of the options of a stage, besides those of models and settings. */
 public final class StageTypes {
@@ -55,7 +59,51 @@ public final class StageTypes {
 
     @Override
     public String format(View value) {
-      return text(value);
+      return value.isParallel() ? value.name().orElse(text(value)) : text(value);
+    }
+  }
+
+  /** Points in the axes and the unit of a file. */
+  public record PointType() implements SettingType<Vec3> {
+    private static final NumberType COORDINATE =
+        new NumberType(-ModelReach.LARGEST, ModelReach.LARGEST);
+
+    @Override
+    public Vec3 parse(String text) {
+      String[] parts = text.split(",", -1);
+      if (parts.length != 3) {
+        throw new IllegalArgumentException("expected " + expected() + ", found " + text);
+      }
+      double[] xyz = new double[3];
+      for (int i = 0; i < 3; i++) {
+        try {
+          xyz[i] = Double.parseDouble(parts[i]);
+        } catch (NumberFormatException e) {
+          throw new IllegalArgumentException("expected " + expected() + ", found " + text, e);
+        }
+      }
+      Vec3 point = new Vec3(xyz[0], xyz[1], xyz[2]);
+      if (!accepts(point)) {
+        throw new IllegalArgumentException("expected " + expected() + ", found " + text);
+      }
+      return point;
+    }
+
+    @Override
+    public boolean accepts(Vec3 value) {
+      return Stream.of(value.x(), value.y(), value.z()).allMatch(COORDINATE::accepts);
+    }
+
+    @Override
+    public String expected() {
+      return "X,Y,Z, each " + COORDINATE.expected();
+    }
+
+    @Override
+    public String format(Vec3 value) {
+      return Stream.of(value.x(), value.y(), value.z())
+          .map(PrintableText::number)
+          .collect(Collectors.joining(","));
     }
   }
 
@@ -78,7 +126,7 @@ public final class StageTypes {
     @Override
     public View parse(String text) {
       int at = text.indexOf('@');
-      View place = at < 0 ? View.of(text) : at(text, at);
+      View place = at < 0 ? direction(text) : at(text, at);
       if (!accepts(place)) {
         throw new IllegalArgumentException(
             at < 0
@@ -89,6 +137,11 @@ public final class StageTypes {
                     place.elevation()));
       }
       return place;
+    }
+
+    private static View direction(String text) {
+      View view = View.of(text);
+      return new View(view.azimuth(), view.elevation());
     }
 
     private static View at(String text, int at) {

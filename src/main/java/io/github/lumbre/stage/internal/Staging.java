@@ -3,7 +3,6 @@ package io.github.lumbre.stage.internal;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.camera.Lens;
 import io.github.lumbre.math.Transform;
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.DecodedPictures;
@@ -11,6 +10,7 @@ import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelNames;
+import io.github.lumbre.model.internal.PartSelection;
 import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.scene.Backplate;
 import io.github.lumbre.scene.RenderSettings;
@@ -19,7 +19,6 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
-import io.github.lumbre.scenefile.internal.CameraPose;
 import io.github.lumbre.scenefile.internal.LoneModel;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ModelParser;
@@ -32,7 +31,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * A model on its stage: the scene around it is built of the model that was read, once. Mutable;
@@ -55,9 +53,22 @@ public final class Staging {
     this.parser = parser;
     read = parser.read(source);
     requireSky();
-    framing = Framing.of(read.model());
+    framing = framing(read.model());
     read.requireMeasurable(framing.box());
     model = cut(source.isFrame());
+  }
+
+  private Framing framing(Model whole) throws SceneFormatException {
+    Framing all = Framing.of(whole);
+    Optional<String> part = stage.find(Stage.FIT);
+    if (part.isEmpty()) {
+      return all;
+    }
+    try {
+      return all.fittedTo(Framing.of(PartSelection.only(whole, Stage.FIT.name(), part.get())));
+    } catch (ModelFormatException e) {
+      throw failure(Kind.OPTION, e.location(), PrintableText.escaped(e.detail()));
+    }
   }
 
   /** Makes cameras have something else in their frames, on whose lowest point the ground is. */
@@ -139,26 +150,28 @@ public final class Staging {
 
   /**
    * Returns the camera of the model that a stage names, or its first; a camera that has something
-   * in its frame if the stage names a view or the model has no camera.
+   * in its frame if the stage frames the model, or the model has no camera.
    */
   private PlacedCamera camera(Stage of, Framing framed, double frameAspect)
-      throws ModelFormatException {
+      throws ModelFormatException, SceneFormatException {
     Optional<ModelCamera> own = own(of);
     if (own.isPresent()) {
-      return PlacedCamera.of(own.get(), Transform.IDENTITY);
+      PlacedCamera camera = PlacedCamera.of(own.get(), Transform.IDENTITY);
+      Lens lens = StagedCamera.zoomed(camera.lens(), of.get(Stage.ZOOM));
+      return new PlacedCamera(camera.name(), lens, camera.pose(), camera.aspect());
     }
-    View from = of.find(Stage.VIEW).orElse(View.DEFAULT);
-    double fov = of.get(Stage.FOV);
-    Vec3 eye = framed.eye(from, fov, frameAspect, of.labels());
-    CameraPose pose = new CameraPose(eye, new Vec3(from.elevation(), -from.azimuth(), 0));
-    return new PlacedCamera("", Lens.pinhole(fov), pose, OptionalDouble.empty());
+    try {
+      return new StagedCamera(of, framed, frameAspect, model.fromFile()).camera();
+    } catch (StagedCamera.Unsuited e) {
+      throw failure(Kind.OPTION, e.option, e.getMessage());
+    }
   }
 
   /** Returns the camera of the model that a stage uses; empty if the whole model is framed. */
   private Optional<ModelCamera> own(Stage of) throws ModelFormatException {
     Optional<String> name = of.find(Stage.CAMERA);
     if (name.isEmpty()) {
-      return model.cameras().stream().findFirst().filter(c -> of.find(Stage.VIEW).isEmpty());
+      return model.cameras().stream().findFirst().filter(c -> !of.isFramed());
     }
     List<String> names = ModelContents.cameraNames(model);
     int index = ModelNames.index("cameras", "a camera", names, name.get());
@@ -166,7 +179,8 @@ public final class Staging {
   }
 
   /** Returns the name of the model's camera that moves; empty if the camera stands still. */
-  private Optional<String> movingCamera(Stage of) throws ModelFormatException {
+  private Optional<String> movingCamera(Stage of)
+      throws ModelFormatException, SceneFormatException {
     Optional<ModelCamera> own = own(of);
     if (own.isEmpty()) {
       return Optional.empty();
@@ -174,6 +188,13 @@ public final class Staging {
     String name = ModelContents.cameraNames(model).get(model.cameras().indexOf(own.get()));
     boolean isMoving =
         PlacedCamera.inPoses(model, name, Transform.IDENTITY).stream().distinct().count() > 1;
+    if (isMoving && of.get(Stage.ZOOM) != 1) {
+      throw failure(
+          Kind.OPTION,
+          Stage.ZOOM.name(),
+          "expected a camera that stands still while the picture is taken, found one that moves:"
+              + " state a view");
+    }
     return isMoving ? Optional.of(name) : Optional.empty();
   }
 
@@ -232,6 +253,20 @@ public final class Staging {
 
   public long memory() {
     return read.memory();
+  }
+
+  /**
+   * Returns a scene, as it is seen by the camera of this stage with something else in its frame.
+   *
+   * @param frameAspect width over height of the frame into which it is to fit
+   */
+  public Scene asSeen(SceneFile scene, double frameAspect, Framing of) throws SceneFormatException {
+    try {
+      PlacedCamera camera = camera(stage, of, frameAspect);
+      return scene.scene().seenBy(camera.placed(scene.settings().aspect()));
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
   }
 
   /** Returns what the model's cameras have in their frames. */
