@@ -17,6 +17,7 @@ import io.github.lumbre.cli.run.FilmNotes;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.LayerInput;
 import io.github.lumbre.cli.run.RenderMonitor;
+import io.github.lumbre.cli.view.RenderLine;
 import io.github.lumbre.cli.view.SceneSource;
 import io.github.lumbre.cli.view.SystemBrowser;
 import io.github.lumbre.cli.view.View;
@@ -50,8 +51,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** {@code lumbre view}: shows a render as it converges, or a picture, in the browser. */
@@ -210,7 +213,15 @@ final class ViewCommand extends Subcommand {
     }
   }
 
+  /** Returns the command line that renders the scene. */
+  private RenderLine line() {
+    CommandSpec render = new CommandLine(new RenderCommand()).getCommandSpec();
+    List<String> args = spec.commandLine().getParseResult().originalArgs();
+    return RenderLine.of(options.scene(), args, spec, render);
+  }
+
   private SceneSource source(Messages errors) {
+    Optional<RenderLine> line = Optional.of(line());
     return new SceneSource() {
       private volatile Optional<SceneFile> last = Optional.empty();
 
@@ -239,6 +250,11 @@ final class ViewCommand extends Subcommand {
       public byte[] text() throws IOException {
         Optional<SceneText> around = last.flatMap(SceneFile::text);
         return around.isPresent() ? around.get().json() : Files.readAllBytes(options.scene());
+      }
+
+      @Override
+      public Optional<RenderLine> command() {
+        return line;
       }
 
       @Override

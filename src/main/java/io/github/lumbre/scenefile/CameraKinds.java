@@ -13,6 +13,7 @@ import io.github.lumbre.camera.internal.BokehCache;
 import io.github.lumbre.camera.internal.LensRanges;
 import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
+import io.github.lumbre.scenefile.internal.CameraKeys;
 import java.util.Optional;
 import java.util.function.BiFunction;
 
@@ -22,7 +23,11 @@ final class CameraKinds {
       new Family<>("cameraType", Optional.of("Pinhole"), "a lens", ObjectKeys.ALL);
 
   private static final Key<Double> FIELD_OF_VIEW =
-      Key.number("fieldOfView", LensRanges.FIELD_OF_VIEW, 60, "Full vertical angle, in degrees.");
+      Key.number(
+          CameraKeys.FIELD_OF_VIEW,
+          LensRanges.FIELD_OF_VIEW,
+          60,
+          "Full vertical angle, in degrees.");
 
   static {
     FAMILY
@@ -30,7 +35,7 @@ final class CameraKinds {
         .with(FIELD_OF_VIEW, Pinhole::fovDegrees);
     thinLens();
     Key<Double> parallel =
-        Key.number("height", Range.POSITIVE, 2, "Of the film, in scene units.");
+        Key.number(CameraKeys.HEIGHT, Range.POSITIVE, 2, "Of the film, in scene units.");
     FAMILY
         .kind(
             "Orthographic",

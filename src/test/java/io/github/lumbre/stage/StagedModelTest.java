@@ -30,13 +30,13 @@ class StagedModelTest {
   private static final Map<String, String> STORED = new LinkedHashMap<>();
 
   static {
-    STORED.put("front", "a3101637");
-    STORED.put("back", "54ca2da1");
-    STORED.put("left", "7f361e7f");
-    STORED.put("right", "efa3c3b");
-    STORED.put("top", "ac4e91a5");
-    STORED.put("bottom", "4c21e6b2");
-    STORED.put("iso", "b2bae47b");
+    STORED.put("front", "f2da2c05");
+    STORED.put("back", "e775f75b");
+    STORED.put("left", "9423e715");
+    STORED.put("right", "d1eac3c7");
+    STORED.put("top", "432e4744");
+    STORED.put("bottom", "67b93c26");
+    STORED.put("iso", "898a7f10");
   }
 
   @TempDir private Path directory;

@@ -87,6 +87,14 @@ public final class Projection {
     return Optional.empty();
   }
 
+  /**
+   * Returns the height of what a perspective or parallel camera has in its frame at depth 1, in the
+   * unit of world space.
+   */
+  public static double frameHeight(Camera camera) {
+    return 1 / Math.abs(slope(camera.movedTo(Vec3.ZERO, Frame.WORLD), Vec3.Y));
+  }
+
   /** Returns the coordinate of points along an axis of a camera. */
   private static Row row(Camera camera, Vec3 axis) {
     return new Row(axis, -axis.dot(camera.position()));

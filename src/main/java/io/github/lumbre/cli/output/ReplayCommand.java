@@ -17,7 +17,7 @@ public final class ReplayCommand {
     return String.format(
         Locale.ROOT,
         "lumbre pixel %s %d,%d --sample %d --seed %d --size %dx%d --mode %s%s%s",
-        quoted(scene.toString()),
+        ShellText.quoted(scene.toString()),
         sample.x(),
         sample.y(),
         sample.sample(),
@@ -48,11 +48,6 @@ public final class ReplayCommand {
   }
 
   public static String resume(Path film) {
-    return "lumbre resume " + quoted(film.toString());
-  }
-
-  /** Returns a name, quoted for a shell if necessary. */
-  private static String quoted(String name) {
-    return name.matches("[A-Za-z0-9_./\\\\:-]+") ? name : "'" + name.replace("'", "'\\''") + "'";
+    return "lumbre resume " + ShellText.quoted(film.toString());
   }
 }

@@ -6,12 +6,14 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
+import io.github.lumbre.camera.Lens;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scenefile.internal.CameraKeys;
 import io.github.lumbre.scenefile.internal.CameraPose;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Optional;
 
 /** The JSON of a scene's camera at another place, to be copied into a scene file. */
 final class CameraJson {
@@ -24,9 +26,16 @@ final class CameraJson {
    * Returns the main camera of a scene with a pose: an object without a parent.
    *
    * @param scene the text of a valid scene
+   * @param lens of the camera; empty if it is that of the scene
    */
-  static String of(byte[] scene, CameraPose pose) {
+  static String of(byte[] scene, CameraPose pose, Optional<Lens> lens) {
     JsonObject camera = main(scene);
+    if (lens.isPresent() && lens.get() instanceof Lens.Orthographic parallel) {
+      camera.addProperty(CameraKeys.HEIGHT, parallel.height());
+    }
+    if (lens.isPresent() && lens.get() instanceof Lens.Pinhole pinhole) {
+      camera.addProperty(CameraKeys.FIELD_OF_VIEW, pinhole.fovDegrees());
+    }
     camera.remove(CameraKeys.CHILDREN);
     CameraKeys.OTHER_PLACES.forEach(camera::remove);
     camera.addProperty(CameraKeys.TYPE, "Camera");

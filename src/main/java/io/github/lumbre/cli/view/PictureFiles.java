@@ -9,7 +9,6 @@ import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.CameraPose;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -68,7 +67,9 @@ record PictureFiles(Path viewed, Exposure automatic, Optional<Rgb> background) {
               frame.samples(),
               file.settings().samples()));
     }
-    session.pose().map(CameraPose::toString).ifPresent(pose -> metadata.put("Camera", pose));
+    session
+        .moved()
+        .ifPresent(camera -> metadata.put("Camera", camera.pose().toString()));
     return metadata;
   }
 

@@ -1,7 +1,6 @@
 package io.github.lumbre.cli.view;
 
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.CameraPose;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import java.util.Optional;
 
@@ -10,15 +9,16 @@ final class SceneCamera {
   private Optional<ParsedScene> home = Optional.empty();
   private Optional<ParsedScene> current = Optional.empty();
   private Optional<Orbit> orbit = Optional.empty();
-  private Optional<CameraPose> pose = Optional.empty();
+  private Optional<MovedTo> moved = Optional.empty();
 
   /** Replaces the scene; the camera stays where it was moved to. */
   void open(SceneFile file) {
     boolean isFirst = home.isEmpty();
     ParsedScene opened = file.parsed();
     home = Optional.of(opened);
-    orbit = isFirst || pose.isEmpty() ? Optional.of(Orbit.of(file.scene())) : orbit;
-    current = Optional.of(pose.map(opened::seenFrom).orElse(opened));
+    orbit = isFirst || moved.isEmpty() ? Optional.of(Orbit.of(file.scene())) : orbit;
+    moved = moved.map(place -> MovedTo.of(opened, orbit.get()));
+    current = Optional.of(moved.map(place -> place.seen(opened)).orElse(opened));
   }
 
   boolean move(Orbit next) {
@@ -26,14 +26,14 @@ final class SceneCamera {
       return false;
     }
     orbit = Optional.of(next);
-    pose = Optional.of(next.pose());
-    current = home.map(file -> file.seenFrom(pose.get()));
+    moved = home.map(file -> MovedTo.of(file, next));
+    current = home.map(file -> moved.get().seen(file));
     return true;
   }
 
   /** Moves the camera back to where the scene has it. */
   void goHome() {
-    pose = Optional.empty();
+    moved = Optional.empty();
     orbit = home.map(file -> Orbit.of(file.scene()));
     current = home;
   }
@@ -48,7 +48,7 @@ final class SceneCamera {
   }
 
   /** Returns where the camera has been moved to; empty if it is where the scene has it. */
-  Optional<CameraPose> pose() {
-    return pose;
+  Optional<MovedTo> moved() {
+    return moved;
   }
 }

@@ -6,6 +6,7 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Set;
 
 /** Reads the scene that is viewed, each time its files change. */
@@ -19,6 +20,11 @@ public interface SceneSource {
 
   /** Returns the text of the scene; for a model, of the scene around it. */
   byte[] text() throws IOException;
+
+  /** Returns the command line that renders the scene as it is read; empty if there is none. */
+  default Optional<RenderLine> command() {
+    return Optional.empty();
+  }
 
   /** Returns the files that the scene depends on; those that cannot be found out are left out. */
   Set<Path> files();

@@ -66,6 +66,7 @@ final class ViewRoutes {
       case "/other" -> other.map(ViewRoutes::exact).orElseGet(ViewRoutes::missing);
       case "/pixel" -> alone(() -> pixel(query));
       case "/camera" -> camera();
+      case "/command" -> command();
       case "/save" -> alone(() -> save(query));
       default -> missing();
     };
@@ -207,9 +208,30 @@ final class ViewRoutes {
     if (source.isEmpty() || session.scene().isEmpty()) {
       throw new IllegalArgumentException("a picture has no camera");
     }
+    Optional<MovedTo> moved = session.moved();
     CameraPose pose =
-        session.pose().orElseGet(() -> CameraPose.of(session.scene().get().scene().camera()));
-    return Answer.json(CameraJson.of(source.get().text(), pose));
+        moved
+            .map(MovedTo::pose)
+            .orElseGet(() -> CameraPose.of(session.scene().get().scene().camera()));
+    return Answer.json(CameraJson.of(source.get().text(), pose, moved.flatMap(MovedTo::lens)));
+  }
+
+  /** Returns the command line that renders what the page shows; "" if there is none. */
+  private Answer command() {
+    Optional<RenderLine> line = source.flatMap(SceneSource::command);
+    Optional<MovedTo> moved = session.moved();
+    Optional<SceneFile> scene = session.scene();
+    String text =
+        line.isEmpty() || scene.isEmpty() || moved.filter(m -> m.flags().isEmpty()).isPresent()
+            ? ""
+            : moved
+                .flatMap(MovedTo::flags)
+                .map(flags -> line.get().movedTo(flags, scene.get().settings()))
+                .orElse(line.get())
+                .text(scene.get().settings());
+    JsonObject answer = new JsonObject();
+    answer.addProperty("command", text);
+    return Answer.json(answer.toString());
   }
 
   private Answer save(Query query) throws InterruptedException, IOException {

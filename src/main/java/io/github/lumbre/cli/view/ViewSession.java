@@ -5,7 +5,6 @@ import io.github.lumbre.render.preview.Preview;
 import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.internal.CameraPose;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -264,8 +263,9 @@ public final class ViewSession {
     return camera.orbit();
   }
 
-  synchronized Optional<CameraPose> pose() {
-    return camera.pose();
+  /** Returns where the camera has been moved to; empty if it is where the scene has it. */
+  synchronized Optional<MovedTo> moved() {
+    return camera.moved();
   }
 
   /** Returns the scene as it is rendered, with the camera where it is. */
@@ -315,7 +315,7 @@ public final class ViewSession {
         clock.secondsLeft(),
         errors.points(),
         problems,
-        camera.pose().isPresent());
+        camera.moved().isPresent());
   }
 
   private String status() {

@@ -16,6 +16,12 @@ public final class CameraKeys {
   public static final String LOOK_AT_UP = "lookAtUp";
   public static final String MATRIX = "matrix";
 
+  /** The vertical angle of a perspective camera. */
+  public static final String FIELD_OF_VIEW = "fieldOfView";
+
+  /** The height of the film of a parallel camera. */
+  public static final String HEIGHT = "height";
+
   /** The keys that a position and a rotation replace. */
   public static final List<String> OTHER_PLACES = List.of(SCALE, LOOK_AT, LOOK_AT_UP, MATRIX);
 

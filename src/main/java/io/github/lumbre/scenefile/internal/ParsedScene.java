@@ -1,5 +1,6 @@
 package io.github.lumbre.scenefile.internal;
 
+import io.github.lumbre.camera.Camera;
 import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -61,12 +62,31 @@ public record ParsedScene(
    * this hash and the pose.
    */
   public ParsedScene seenFrom(CameraPose pose) {
+    return seenBy(pose.place(scene.camera()), pose.toString());
+  }
+
+  /**
+   * Returns this scene, seen by another camera. The hash is another one too, made of this hash and
+   * the camera.
+   */
+  public ParsedScene seenBy(PlacedCamera camera) {
+    return seenBy(camera.placed(settings.aspect()), camera.toString());
+  }
+
+  private ParsedScene seenBy(Camera camera, String identity) {
     MessageDigest digest = Sha256.digest();
-    digest.update((hash + pose).getBytes(StandardCharsets.UTF_8));
+    digest.update((hash + identity).getBytes(StandardCharsets.UTF_8));
     String newHash = HexFormat.of().formatHex(digest.digest());
-    Scene moved = scene.seenBy(pose.place(scene.camera()));
     return new ParsedScene(
-        moved, settings, warnings, newHash, files, contents, origins, text, model);
+        scene.seenBy(camera),
+        settings,
+        warnings,
+        newHash,
+        files,
+        contents,
+        origins,
+        text,
+        model);
   }
 
   @Override

@@ -132,6 +132,11 @@ public final class Framing {
         Optional.empty());
   }
 
+  /** Returns where a camera must stand so that the corners of a box are in the frame. */
+  static Framing of(Bounds3 box) {
+    return new Framing(List.of(), box.min(), box.max(), false, Optional.empty());
+  }
+
   /** Returns where a camera must stand so that one part of this model is in the frame. */
   Framing fittedTo(Framing part) {
     return new Framing(parts, min, max, isEmpty, Optional.of(part));

@@ -352,14 +352,21 @@
   }, {passive: false});
 
   const copyCamera = async () => {
-    const answer = await fetch('camera');
-    const text = await answer.text();
-    $('cameratext').textContent = text;
-    $('copied').textContent = '';
+    const [camera, line] = await Promise.all([fetch('camera'), fetch('command')]);
+    const command = (await line.json()).command;
+    $('cameratext').textContent = await camera.text();
+    $('commandtext').textContent = command;
+    $('command').hidden = !command;
+    $('nocommand').hidden = !!command;
     $('json').showModal();
+    copy($(command ? 'commandtext' : 'cameratext'));
+  };
+  const copy = async element => {
+    const what = element.id === 'commandtext' ? 'command line' : 'JSON';
+    $('copied').textContent = '';
     try {
-      await navigator.clipboard.writeText(text);
-      $('copied').textContent = 'Copied to the clipboard.';
+      await navigator.clipboard.writeText(element.textContent);
+      $('copied').textContent = 'The ' + what + ' is in the clipboard.';
     } catch (e) { $('copied').textContent = 'Select the text to copy it.'; }
   };
 
@@ -470,6 +477,8 @@
   $('camera').onclick = copyCamera;
   $('help').onclick = () => $('keys').showModal();
   $('closekeys').onclick = () => $('keys').close();
+  $('copycommand').onclick = () => copy($('commandtext'));
+  $('copyjson').onclick = () => copy($('cameratext'));
   $('closejson').onclick = () => $('json').close();
   $('closepaths').onclick = () => { Paths.close(redraw); canvas.focus(); };
   $('show').onclick = () => { const p = Paths.pixel(); if (p) Paths.load(p[0], p[1], Math.max(0, Math.round(+$('number').value)), redraw); };

@@ -8,6 +8,7 @@ import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.internal.CameraPose;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -29,7 +30,7 @@ class CameraJsonTest {
     CameraPose pose = new CameraPose(new Vec3(1, 2, 3), new Vec3(10, 20, 30));
     byte[] before =
         scene("{\"type\": \"Camera\", \"id\": 1, \"fieldOfView\": 30, " + place + "}");
-    byte[] after = scene(CameraJson.of(before, pose));
+    byte[] after = scene(CameraJson.of(before, pose, Optional.empty()));
     Scene scene = new SceneParser().parse(after, Path.of("a.json")).scene();
     CameraPose found = CameraPose.of(scene.camera());
     assertThat(found.position()).isEqualTo(pose.position());
