@@ -118,7 +118,8 @@ public final class StagedModel {
     List<SceneFile> seen = new ArrayList<>();
     for (StagedModel each : List.of(first, second)) {
       SceneFile sized = each.sized(width, height);
-      seen.add(sized.with(second.model.asSeen(sized, (double) width / height, both)));
+      double aspect = (double) width / height;
+      seen.add(sized.with(second.model.seenOn(second.model.stage(), sized, aspect, both)));
     }
     return seen;
   }

@@ -170,6 +170,7 @@ public final class HostileScenes {
       case INVALID -> 3;
       case ASSET -> 4;
       case LIMIT -> 5;
+      case OPTION -> 2;
     };
   }
 

@@ -1,6 +1,5 @@
 package io.github.lumbre.cli.option;
 
-import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.OptionTypes.FoldersType;
@@ -9,6 +8,7 @@ import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.stage.Stage;
+import io.github.lumbre.stage.internal.CameraChoice;
 import io.github.lumbre.stage.internal.Look;
 import io.github.lumbre.stage.internal.ModelSequence.Motion;
 import java.nio.file.Path;
@@ -83,7 +83,8 @@ public final class ModelFlags extends Flags {
     for (ModelOption<?> option : Stage.all()) {
       stage = with(option, stage);
     }
-    requireOneCamera(stage);
+    Optional<String> contradiction = CameraChoice.contradiction(stage, ModelOption::flag);
+    require(contradiction.isEmpty(), contradiction.orElse(""));
     Look look = Look.of(stage.find(Stage.LOOK));
     require(
         !look.isDrawing() || !isGiven(Stage.GROUND),
@@ -98,27 +99,6 @@ public final class ModelFlags extends Flags {
     }
     checks().requireFolders(ModelOption.ASSETS.flag(), stage.options().get(ModelOption.ASSETS));
     return stage;
-  }
-
-  private void requireOneCamera(Stage stage) {
-    List.of(Stage.VIEW, Stage.EYE, Stage.FIT, Stage.PARALLEL, Stage.PERSPECTIVE)
-        .forEach(option -> requireOneOf(Stage.CAMERA, option));
-    requireOneOf(Stage.EYE, Stage.VIEW);
-    requireOneOf(Stage.PARALLEL, Stage.PERSPECTIVE);
-    requireOneOf(Stage.PARALLEL, Stage.FOV);
-    require(
-        !isGiven(Stage.TARGET) || isGiven(Stage.EYE),
-        "--target: requires --eye; --fit PART puts a part into the middle");
-    Optional<Vec3> target = stage.find(Stage.TARGET);
-    require(
-        target.isEmpty() || !target.equals(stage.find(Stage.EYE)),
-        "--eye and --target: expected two different points, found the same");
-  }
-
-  private void requireOneOf(ModelOption<?> one, ModelOption<?> other) {
-    require(
-        !isGiven(one) || !isGiven(other),
-        one.flag() + " and " + other.flag() + ": expected only one of them");
   }
 
   private <T> Stage with(ModelOption<T> option, Stage stage) {

@@ -137,9 +137,12 @@ public final class Framing {
     return new Framing(List.of(), box.min(), box.max(), false, Optional.empty());
   }
 
-  /** Returns where a camera must stand so that one part of this model is in the frame. */
-  Framing fittedTo(Framing part) {
-    return new Framing(parts, min, max, isEmpty, Optional.of(part));
+  /**
+   * Returns where a camera must stand so that one part of this model is in the frame; all of it if
+   * the part is empty.
+   */
+  Framing fittedTo(Optional<Framing> part) {
+    return new Framing(parts, min, max, isEmpty, part);
   }
 
   /** Returns what is in the frame. */

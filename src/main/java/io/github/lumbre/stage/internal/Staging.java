@@ -53,19 +53,20 @@ public final class Staging {
     this.parser = parser;
     read = parser.read(source);
     requireSky();
-    framing = framing(read.model());
+    framing = Framing.of(read.model()).fittedTo(fitted(stage));
     read.requireMeasurable(framing.box());
     model = cut(source.isFrame());
   }
 
-  private Framing framing(Model whole) throws SceneFormatException {
-    Framing all = Framing.of(whole);
-    Optional<String> part = stage.find(Stage.FIT);
+  /** Returns the part of the model that a stage frames; empty if it frames all of it. */
+  private Optional<Framing> fitted(Stage of) throws SceneFormatException {
+    Optional<String> part = of.find(Stage.FIT);
     if (part.isEmpty()) {
-      return all;
+      return Optional.empty();
     }
     try {
-      return all.fittedTo(Framing.of(PartSelection.only(whole, Stage.FIT.name(), part.get())));
+      return Optional.of(
+          Framing.of(PartSelection.only(read.model(), Stage.FIT.name(), part.get())));
     } catch (ModelFormatException e) {
       throw failure(Kind.OPTION, e.location(), PrintableText.escaped(e.detail()));
     }
@@ -161,7 +162,9 @@ public final class Staging {
       return new PlacedCamera(camera.name(), lens, camera.pose(), camera.aspect());
     }
     try {
-      return new StagedCamera(of, framed, frameAspect, model.fromFile()).camera();
+      boolean isSame = of.find(Stage.FIT).equals(stage.find(Stage.FIT));
+      Framing shown = isSame ? framed : framed.fittedTo(fitted(of));
+      return new StagedCamera(of, shown, frameAspect, model.fromFile()).camera();
     } catch (StagedCamera.Unsuited e) {
       throw failure(Kind.OPTION, e.option, e.getMessage());
     }
@@ -255,18 +258,9 @@ public final class Staging {
     return read.memory();
   }
 
-  /**
-   * Returns a scene, as it is seen by the camera of this stage with something else in its frame.
-   *
-   * @param frameAspect width over height of the frame into which it is to fit
-   */
-  public Scene asSeen(SceneFile scene, double frameAspect, Framing of) throws SceneFormatException {
-    try {
-      PlacedCamera camera = camera(stage, of, frameAspect);
-      return scene.scene().seenBy(camera.placed(scene.settings().aspect()));
-    } catch (ModelFormatException e) {
-      throw read.failure(e);
-    }
+  /** Returns the stage on which the model was read. */
+  public Stage stage() {
+    return stage;
   }
 
   /** Returns what the model's cameras have in their frames. */

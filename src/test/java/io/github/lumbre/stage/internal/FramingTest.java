@@ -147,6 +147,63 @@ class FramingTest {
     }
   }
 
+  /** Projects without perspective, by the rotation that the scene's camera gets. */
+  private static Frame projectParallel(
+      List<Vec3> vertices, View view, Framing.Parallel camera, double aspect) {
+    Transform toWorld =
+        Transform.translation(camera.eye())
+            .times(Transform.rotationDegrees(new Vec3(view.elevation(), -view.azimuth(), 0)));
+    double[] frame = {9, -9, 9, -9};
+    for (Vec3 v : vertices) {
+      Vec3 local = toWorld.inversePoint(ModelScene.TO_LEFT_HANDED.point(v));
+      assertThat(local.z()).isPositive();
+      double x = 2 * local.x() / (camera.height() * aspect);
+      double y = 2 * local.y() / camera.height();
+      frame[0] = Math.min(frame[0], x);
+      frame[1] = Math.max(frame[1], x);
+      frame[2] = Math.min(frame[2], y);
+      frame[3] = Math.max(frame[3], y);
+    }
+    return new Frame(frame[0], frame[1], frame[2], frame[3]);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"30, 20, 1.3333", "0, 0, 1", "180, 0, 0.5", "0, 90, 1", "45, 35, 3", "10, -80, 1"})
+  void aParallelFrameIsFilledAlongOneAxisAndEvenAlongBoth(
+      double azimuth, double elevation, double aspect) throws ModelFormatException, IOException {
+    for (int seed = 0; seed < 20; seed++) {
+      List<Vec3> vertices = vertices(seed);
+      View view = new View(azimuth, elevation, false, true);
+      Framing.Parallel camera = framing(vertices).parallel(view, aspect, 1, Set.of());
+      Frame frame = projectParallel(vertices, view, camera, aspect);
+      assertThat(frame.extent()).isCloseTo(FILL, within(1e-9));
+      assertThat(frame.left()).isCloseTo(-frame.right(), within(1e-9));
+      assertThat(frame.bottom()).isCloseTo(-frame.top(), within(1e-9));
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"20, 1.3333", "0, 1", "60, 0.5", "-30, 2", "90, 1"})
+  void parallelCamerasOfATurntableHaveOneHeight(double elevation, double aspect)
+      throws ModelFormatException, IOException {
+    for (int seed = 0; seed < 10; seed++) {
+      List<Vec3> vertices = vertices(seed);
+      Framing framing = framing(vertices);
+      View first = new View(30, elevation);
+      double height = framing.parallel(first.turned(0), aspect, 1, Set.of()).height();
+      double fullest = 0;
+      for (int degrees = 0; degrees < 360; degrees += 1) {
+        View view = first.turned(degrees);
+        Framing.Parallel camera = framing.parallel(view, aspect, 1, Set.of());
+        assertThat(camera.height()).isCloseTo(height, within(1e-9 * height));
+        Frame frame = projectParallel(vertices, view, camera, aspect);
+        double across = Math.max(frame.right(), -frame.left());
+        fullest = Math.max(fullest, Math.max(across, Math.max(frame.top(), -frame.bottom())));
+      }
+      assertThat(fullest).as("largest extent of all views").isBetween(FILL - .01, FILL + 1e-9);
+    }
+  }
+
   @Test
   void aModelOfOnePointIsSeenFromADistance() throws ModelFormatException, IOException {
     List<Vec3> line = List.of(new Vec3(0, 0, -1), new Vec3(0, 0, 1), new Vec3(1e-9, 0, 0));
