@@ -80,7 +80,7 @@ public record RenderLine(Path scene, List<Flag> flags) {
    *
    * @param camera the flags that place it
    */
-  RenderLine movedTo(List<String> camera, RenderSettings settings) {
+  public RenderLine movedTo(List<String> camera, RenderSettings settings) {
     List<String> replaced = MovedCamera.REPLACED.stream().map(ModelOption::flag).toList();
     List<Flag> all =
         new ArrayList<>(flags.stream().filter(flag -> !replaced.contains(flag.name())).toList());
@@ -98,7 +98,7 @@ public record RenderLine(Path scene, List<Flag> flags) {
   }
 
   /** Returns the line for a shell, with the samples of the page. */
-  String text(RenderSettings settings) {
+  public String text(RenderSettings settings) {
     List<String> words = new ArrayList<>(List.of("lumbre", "render", scene.toString()));
     flags.forEach(flag -> words.addAll(flag.words()));
     if (!has(SAMPLES) && settings.samples() < RenderSettings.MAX_SAMPLES) {

@@ -8,6 +8,8 @@ import com.google.gson.JsonParser;
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.TinyScene;
+import io.github.lumbre.cli.option.ModelFlags;
+import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.Visible;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.Image;
@@ -32,6 +34,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.testing.Pictures;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -69,6 +72,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 
 /** The server of the local page: what it shows, what it does, and what it refuses. */
 class ViewServerTest {
@@ -145,7 +151,11 @@ class ViewServerTest {
   }
 
   private void start(ViewLimits limits) throws Exception {
-    view = View.of(new Source(), options());
+    start(new Source(), limits);
+  }
+
+  private void start(SceneSource source, ViewLimits limits) throws Exception {
+    view = View.of(source, options());
     view.open(limits);
     runner =
         new Thread(
@@ -296,6 +306,77 @@ class ViewServerTest {
     act("{\"action\": \"home\"}");
     await(s -> !s.get("isMoved").getAsBoolean() && isFinished(s));
     assertThat(values("image?exact=1")).isEqualTo(rendered(scene));
+  }
+
+  /** A command with the flags of models. */
+  @Command(modelTransformer = SettingFlags.Adder.class)
+  private static final class Staged {
+    @Mixin private ModelFlags model;
+  }
+
+  /** Reads a model by the flags of a command line. */
+  private SceneFile model(List<String> flags) throws SceneFormatException, IOException {
+    Staged staged = new Staged();
+    new CommandLine(staged).parseArgs(flags.toArray(String[]::new));
+    SceneParser parser =
+        new SceneParser().overriding(s -> s.toBuilder().size(30, 20).samples(2).build());
+    return StagedModel.read(directory.resolve("a.obj"), staged.model.stage(), parser).scene();
+  }
+
+  /** The line that the page shows for a camera that was moved renders the page's picture. */
+  @ParameterizedTest
+  @ValueSource(strings = {"--view=front", "--view=20,30", "--eye=9,9,9 --parallel"})
+  void turnedCameraOfAModelIsACommandLineWithTheSameBits(String camera) throws Exception {
+    Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 6 0 0\nv 0 4 2\nf 1 2 3\n");
+    List<String> first = new ArrayList<>(List.of(camera.split(" ")));
+    first.add("--up=z");
+    RenderLine line =
+        new RenderLine(
+            Path.of("a.obj"),
+            first.stream().map(f -> new RenderLine.Flag(f.split("=")[0], List.of(f))).toList());
+    SceneSource source =
+        new SceneSource() {
+          @Override
+          public SceneFile read(Set<Layer> layers) throws SceneFormatException, IOException {
+            return model(first);
+          }
+
+          @Override
+          public byte[] text() throws IOException {
+            return new byte[0];
+          }
+
+          @Override
+          public Set<Path> files() {
+            return Set.of();
+          }
+
+          @Override
+          public Optional<RenderLine> command() {
+            return Optional.of(line);
+          }
+        };
+    start(source, ViewLimits.NONE);
+    await(ViewServerTest::isFinished);
+    assertThat(command())
+        .isEqualTo("lumbre render a.obj " + camera + " --up=z -s 2 -o a.png");
+    act("{\"action\": \"move\", \"right\": 31.4, \"up\": 8, \"zoom\": -0.3, \"still\": true}");
+    await(s -> s.get("isMoved").getAsBoolean() && isFinished(s));
+    List<String> words = List.of(command().split(" "));
+    assertThat(words).startsWith("lumbre", "render", "a.obj", "--up=z", "--size", "30x20");
+    List<String> flags = new ArrayList<>(words.subList(6, words.size() - 4));
+    flags.add("--up=z");
+    SceneFile again = model(flags);
+    assertThat(values("image?exact=1"))
+        .as("%s", words)
+        .isEqualTo(new PictureRenderer(again.settings()).render(again.scene()).rgb());
+  }
+
+  private String command() throws IOException {
+    return JsonParser.parseString(get("command").text())
+        .getAsJsonObject()
+        .get("command")
+        .getAsString();
   }
 
   @Test
