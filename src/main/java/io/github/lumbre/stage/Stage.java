@@ -75,23 +75,24 @@ public final class Stage {
               "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
                   + " 30,20 (the default).");
 
-  /** Where the camera is, in the file's axes and unit, instead of a view or the file's camera. */
-  public static final ModelOption<Vec3> EYE =
-      new ModelOption<>(
-              "eye",
-              new PointType(),
-              "Place of the camera, in the file's axes and unit; it looks at --target.")
-          .withFlag("eye", "X,Y,Z");
-
   /** What the camera at the eye looks at; without it, the middle of the box around the model. */
   public static final ModelOption<Vec3> TARGET =
       new ModelOption<>(
               "target",
               new PointType(),
-              "Point that the camera at "
-                  + EYE.flag()
-                  + " looks at (the middle of the box around the model, or of the part of --fit).")
+              "Point that the camera at the eye looks at (the middle of the box around the model,"
+                  + " or of the part that is fitted).")
           .withFlag("target", "X,Y,Z");
+
+  /** Where the camera is, in the file's axes and unit, instead of a view or the file's camera. */
+  public static final ModelOption<Vec3> EYE =
+      new ModelOption<>(
+              "eye",
+              new PointType(),
+              "Place of the camera, in the file's axes and unit; it looks at "
+                  + TARGET.flag()
+                  + ".")
+          .withFlag("eye", "X,Y,Z");
 
   /** How much larger things are in the picture than without it; the camera keeps its place. */
   public static final ModelOption<Double> ZOOM =

@@ -62,8 +62,9 @@ public record MovedCamera(List<String> flags, PlacedCamera camera) {
     Transform toWorld = ModelScene.TO_LEFT_HANDED.times(model.fromFile());
     Vec3 from = toWorld.inversePoint(eye);
     Vec3 to = toWorld.inversePoint(target);
-    int decimals = DECIMALS - (int) Math.ceil(Math.log10(to.minus(from).length()));
     try {
+      BigDecimal distance = new BigDecimal(to.minus(from).length());
+      int decimals = DECIMALS - (distance.precision() - distance.scale());
       Stage stage =
           Stage.DEFAULT
               .with(Stage.LABEL, List.copyOf(model.labels()))
@@ -84,7 +85,7 @@ public record MovedCamera(List<String> flags, PlacedCamera camera) {
   }
 
   private static double fov(double height) {
-    return rounded(2 * StrictMath.toDegrees(Elementary.atan2(height / 2, 1)));
+    return rounded(2 * Math.toDegrees(Elementary.atan2(height / 2, 1)));
   }
 
   private static PlacedCamera camera(Stage stage, ParsedScene scene)

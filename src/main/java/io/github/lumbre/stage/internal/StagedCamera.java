@@ -125,7 +125,7 @@ record StagedCamera(Stage stage, Framing framed, double aspect, Transform fromFi
   }
 
   private static double rounded(double radians) {
-    return Math.rint(StrictMath.toDegrees(radians) * ANGLES) / ANGLES + 0.; // not -0
+    return Math.rint(Math.toDegrees(radians) * ANGLES) / ANGLES + 0.; // not -0
   }
 
   private static PlacedCamera placed(Lens lens, Vec3 eye, Vec3 rotation) {
@@ -144,7 +144,7 @@ record StagedCamera(Stage stage, Framing framed, double aspect, Transform fromFi
 
   /** Returns a lens by the tangent of half of its angle; rounding does not put it out of range. */
   private static Lens pinhole(double tan) {
-    double degrees = 2 * StrictMath.toDegrees(Elementary.atan2(tan, 1));
+    double degrees = 2 * Math.toDegrees(Elementary.atan2(tan, 1));
     return Lens.pinhole(Math.max(Double.MIN_NORMAL, Math.min(degrees, Math.nextDown(180.))));
   }
 }
