@@ -3,6 +3,7 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -90,6 +91,53 @@ class CameraCommandsTest extends CommandFixture {
       runs("render T/a.json --overwrite -o T/b.pfm --size 24x18 -s 1 --no-denoise --quiet");
       Path imported = directory.resolve("b.pfm");
       assertThat(Files.readAllBytes(imported)).as(flags).isEqualTo(direct);
+    }
+  }
+
+  /** A round disk with a vertical wall between round edges. */
+  private static String disk() {
+    int sides = 90;
+    int rings = 12;
+    StringBuilder obj = new StringBuilder();
+    for (int ring = 0; ring < rings; ring++) {
+      double angle = Math.PI / 2 - Math.PI * (ring - (ring < rings / 2 ? 0 : 1)) / (rings - 2);
+      double height = (ring < rings / 2 ? .5 : -.5) + .3 * Math.sin(angle);
+      double radius = .7 + .3 * Math.cos(angle);
+      for (int i = 0; i < sides; i++) {
+        double turn = 2 * Math.PI * i / sides + .1;
+        // The wall is vertical but for rounding.
+        double r = radius * (1 + (ring < rings / 2 ? 0 : 1e-15 * (i % 5 - 2)));
+        obj.append("v " + r * Math.cos(turn) + " " + height + " " + r * Math.sin(turn) + "\n");
+      }
+    }
+    for (int ring = 0; ring + 1 < rings; ring++) {
+      for (int i = 0; i < sides; i++) {
+        int next = (i + 1) % sides;
+        int low = ring * sides + 1;
+        obj.append("f " + (low + i) + " " + (low + next) + " ");
+        obj.append(low + sides + next + " " + (low + sides + i) + "\n");
+      }
+    }
+    return obj.toString();
+  }
+
+  /** The outline of a wall along the view has no gaps: 92 % of the frame are its diameter. */
+  @Test
+  void wallsAlongTheViewHaveAnOutline() throws IOException {
+    Files.writeString(directory.resolve("disk.obj"), disk());
+    runs(
+        "render T/disk.obj -o T/disk.png --look lines --view top --size 120x120 -s 1 --no-denoise"
+            + " --line-width 2 --quiet");
+    BufferedImage picture = picture("disk.png");
+    for (int i = 0; i < 360; i++) {
+      double angle = Math.toRadians(i);
+      int x = (int) (60 + .46 * 120 * Math.cos(angle));
+      int y = (int) (60 + .46 * 120 * Math.sin(angle));
+      int darkest = 255;
+      for (int step = 0; step < 9; step++) {
+        darkest = Math.min(darkest, picture.getRGB(x - 1 + step % 3, y - 1 + step / 3) & 255);
+      }
+      assertThat(darkest).as("at %s degrees", i).isLessThan(128);
     }
   }
 

@@ -10,6 +10,9 @@ import io.github.lumbre.math.internal.Elementary;
  */
 final class EdgeKind {
   /** The angle from which on an edge between smooth normals is a crease, in degrees. */
+  /** The sine of an angle between a triangle and the view that rounding makes. */
+  private static final double EDGE_ON = 1e-12;
+
   private static final double SMOOTH_DEGREES = 60;
 
   /**
@@ -111,7 +114,10 @@ final class EdgeKind {
     return place == edges.from(edge) || place == edges.to(edge);
   }
 
-  /** Returns whether all triangles of an edge are on the same side of it in the picture. */
+  /**
+   * Returns whether all triangles of an edge are on the same side of it in the picture. Those that
+   * are seen from their edge, but for rounding, are on none.
+   */
   boolean isSilhouette(int edge, Eye eye) {
     Vec3 from = from(edge);
     Vec3 normal = eye.rayTo(from).cross(to(edge).minus(from));
@@ -119,9 +125,11 @@ final class EdgeKind {
     boolean isRight = false;
     for (int i = 0; i < edges.triangles(edge); i++) {
       int opposite = edges.opposite(edge, i);
-      double side = isOnEdge(edge, opposite) ? 0 : normal.dot(place(opposite).minus(from));
-      isLeft |= side > 0;
-      isRight |= side < 0;
+      Vec3 beside = isOnEdge(edge, opposite) ? Vec3.ZERO : place(opposite).minus(from);
+      double side = normal.dot(beside);
+      double rounding = EDGE_ON * normal.length() * beside.length();
+      isLeft |= side > rounding;
+      isRight |= side < -rounding;
     }
     return !(isLeft && isRight);
   }
