@@ -160,10 +160,6 @@ public final class StagedModel {
     return sized.with(model.seenFrom(view, sized, (double) width / height, framing));
   }
 
-  private SceneFile sized(int width, int height) {
-    return scene.with(scene.settings().toBuilder().size(width, height).build());
-  }
-
   /** Returns about how many bytes of memory the model and its scenes take. */
   public long memory() {
     return model.memory();
