@@ -72,8 +72,8 @@ public final class Stage {
           .withFlag("view", "NAME|AZ,EL")
           .inTools(
               "view",
-              "front, back, left, right, top, bottom, iso, or AZIMUTH,ELEVATION in degrees, such as"
-                  + " 30,20 (the default).");
+              "front, back, left, right, top, bottom or iso, in parallel projection, or"
+                  + " AZIMUTH,ELEVATION in degrees, in perspective, such as 30,20 (the default).");
 
   /** What the camera at the eye looks at; without it, the middle of the box around the model. */
   public static final ModelOption<Vec3> TARGET =
@@ -82,7 +82,8 @@ public final class Stage {
               new PointType(),
               "Point that the camera at the eye looks at (the middle of the box around the model,"
                   + " or of the part that is fitted).")
-          .withFlag("target", "X,Y,Z");
+          .withFlag("target", "X,Y,Z")
+          .inTools("target", "Point that the camera at the eye looks at: X,Y,Z (the middle).");
 
   /** Where the camera is, in the file's axes and unit, instead of a view or the file's camera. */
   public static final ModelOption<Vec3> EYE =
@@ -92,7 +93,8 @@ public final class Stage {
               "Place of the camera, in the file's axes and unit; it looks at "
                   + TARGET.flag()
                   + ".")
-          .withFlag("eye", "X,Y,Z");
+          .withFlag("eye", "X,Y,Z")
+          .inTools("eye", "Place of the camera, in the file's axes and unit: X,Y,Z.");
 
   /** How much larger things are in the picture than without it; the camera keeps its place. */
   public static final ModelOption<Double> ZOOM =
@@ -101,7 +103,8 @@ public final class Stage {
               new NumberType(LEAST_ZOOM, 1 / LEAST_ZOOM),
               "Factor by which things in the middle of the picture are larger ({default}).")
           .withDefault(1.)
-          .withFlag("zoom", "FACTOR");
+          .withFlag("zoom", "FACTOR")
+          .inTools("zoom", "Factor by which things in the middle of the picture are larger (1).");
 
   /** The name of the part that the camera frames, as of {@link ModelOption#HIDE}. */
   public static final ModelOption<String> FIT =
@@ -109,7 +112,8 @@ public final class Stage {
               "fit",
               new TextType("a name"),
               "Frame this part instead of the whole model; '*' stands for any text.")
-          .withFlag("fit", "PART");
+          .withFlag("fit", "PART")
+          .inTools("fit", "Part that fills the frame, instead of the whole model.");
 
   /** Whether the projection is parallel, as it is from the standard views without an angle. */
   public static final ModelOption<Boolean> PARALLEL =
@@ -119,7 +123,8 @@ public final class Stage {
               "Parallel projection, as from the views with names: lengths across the view keep"
                   + " their ratios.")
           .withDefault(false)
-          .withFlag("parallel", "");
+          .withFlag("parallel", "")
+          .inTools("parallel", "Whether the projection is parallel, also without a named view.");
 
   /** Whether a standard view is in perspective, as others are; {@link #PARALLEL} wins. */
   public static final ModelOption<Boolean> PERSPECTIVE =
@@ -128,7 +133,8 @@ public final class Stage {
               new FlagType(),
               "Perspective, also from the views with names.")
           .withDefault(false)
-          .withFlag("perspective", "");
+          .withFlag("perspective", "")
+          .inTools("perspective", "Whether named views are in perspective, as others are.");
 
   /**
    * The vertical angle of view in degrees; without it, {@link #DEFAULT_FOV}. It puts standard views
@@ -142,7 +148,7 @@ public final class Stage {
                       + " used with a camera of the file.")
                   .formatted(PrintableText.number(DEFAULT_FOV)))
           .withFlag("fov", "DEGREES")
-          .inTools("fov", "Vertical angle of view in degrees (35).");
+          .inTools("fov", "Vertical angle of view in degrees, in perspective (35).");
 
   /** The name of the {@link Sky}; without it, that of the look. */
   public static final ModelOption<String> SKY =

@@ -5,7 +5,7 @@ import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.internal.SettingTypes.FlagType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.stage.Stage;
-import io.github.lumbre.stage.Stage.View;
+import io.github.lumbre.stage.internal.CameraChoice;
 import io.github.lumbre.stage.internal.Look;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -28,7 +28,8 @@ final class ModelInputs {
               + " in JSON, whose own camera and settings count within the bounds of this tool.");
 
   /** The options that say where the camera is. */
-  private static final List<ModelOption<?>> PLACES = List.of(Stage.VIEW, Stage.CAMERA);
+  private static final List<ModelOption<?>> PLACES =
+      List.of(Stage.VIEW, Stage.CAMERA, Stage.EYE, Stage.TARGET);
 
   private static final Map<ModelOption<?>, Input<?>> INPUTS = new LinkedHashMap<>();
 
@@ -100,14 +101,13 @@ final class ModelInputs {
       stage = with(option, arguments, stage);
     }
     requireSuiting(stage);
-    Stage found = stage;
-    boolean isPlaced = PLACES.stream().anyMatch(option -> found.find(option).isPresent());
-    return isPlaced ? stage : stage.seenFrom(View.DEFAULT);
+    return stage.find(Stage.CAMERA).isPresent() ? stage : stage.framed();
   }
 
   private static void requireSuiting(Stage stage) throws ToolException {
-    if (stage.find(Stage.CAMERA).isPresent() && stage.find(Stage.VIEW).isPresent()) {
-      throw new ToolException("camera and view: expected only one of them");
+    Optional<String> contradiction = CameraChoice.contradiction(stage, ModelOption::tool);
+    if (contradiction.isPresent()) {
+      throw new ToolException(contradiction.get());
     }
     if (stage.get(Stage.GROUND) && Look.of(stage.find(Stage.LOOK)).isDrawing()) {
       throw new ToolException(
@@ -118,7 +118,8 @@ final class ModelInputs {
   /** Returns what a picture on a stage is called. */
   static String title(Arguments arguments) {
     Optional<String> camera = text(Stage.CAMERA, arguments).map(name -> "camera " + name);
-    return text(Stage.VIEW, arguments).or(() -> camera).orElse("30,20");
+    Optional<String> eye = text(Stage.EYE, arguments).map(place -> "eye " + place);
+    return text(Stage.VIEW, arguments).or(() -> eye).or(() -> camera).orElse("30,20");
   }
 
   @SuppressWarnings("unchecked") // The arguments of these options are texts.
