@@ -66,9 +66,8 @@ public final class Stage {
       new ModelOption<>(
               "view",
               new ViewType(),
-              "Look from front, back, left, right, top, bottom or iso, in parallel projection, or"
-                  + " in perspective from an azimuth and an elevation in degrees (30,20 without a"
-                  + " camera in the file).")
+              "Look from front, back, left, right, top, bottom or iso (parallel), or from an azimuth"
+                  + " and an elevation in degrees (30,20 without a camera in the file).")
           .withFlag("view", "NAME|AZ,EL")
           .inTools(
               "view",

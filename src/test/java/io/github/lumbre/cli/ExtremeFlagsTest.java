@@ -25,7 +25,7 @@ class ExtremeFlagsTest {
   private static final Pattern OTHERS =
       Pattern.compile(
           "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background"
-              + "|look|labels|variant|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
+              + "|look|labels|variant|fit|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
               + "|animation|ffmpeg|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
               + "|csv|scenes|sheet)");
 
@@ -34,6 +34,11 @@ class ExtremeFlagsTest {
     "--view N,0",
     "--view 0,N",
     "--view iso --fov N",
+    "--view iso --zoom N",
+    "--view 1,2 --zoom N",
+    "--eye N,1,2",
+    "--eye 1,2,N --parallel",
+    "--eye 1,2,3 --target 0,N,0",
     "--sky-intensity N",
     "--sky-intensity N --exposure auto",
     "--sky-intensity N --ground --background transparent",
