@@ -40,7 +40,7 @@ import org.junit.jupiter.api.Test;
 class ExportedApiTest {
   private static final Path SOURCES = Path.of("src/main/java");
   private static final Path LIST = Path.of("src/test/resources/api.txt");
-  private static final int MOST_TYPES = 141;
+  private static final int MOST_TYPES = 143;
   private static final int MOST_NESTED = 40;
   private static final Pattern EXPORT = Pattern.compile("(?m)^ *exports ([\\w.]+);");
 
