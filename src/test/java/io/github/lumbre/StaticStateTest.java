@@ -67,7 +67,7 @@ class StaticStateTest {
   /** Components of arrays, which are tables of numbers or of constants. */
   private static final Set<String> ARRAYS =
       Set.of(
-          "byte", "short", "int", "long", "float", "double", "Class", "Integer", "Layer", "Mode",
+          "byte", "short", "int", "long", "float", "double", "Class", "Integer", "Lamp", "Layer", "Mode",
           "PixelHalves", "Shape", "String", "UastcMode", "Vec3");
 
   /** Other types of Java and libraries, which are constants or state nothing of ours. */

@@ -66,8 +66,8 @@ public final class Stage {
       new ModelOption<>(
               "view",
               new ViewType(),
-              "Parallel view from front, back, left, right, top, bottom or iso, or one from an"
-                  + " azimuth and an elevation in degrees (30,20 if the file has no camera).")
+              "Look from front, back, left, right, top, bottom or iso (parallel), or azimuth and"
+                  + " elevation in degrees (30,20 without a camera in the file).")
           .withFlag("view", "NAME|AZ,EL")
           .inTools(
               "view",

@@ -9,10 +9,10 @@ import io.github.lumbre.math.internal.Elementary;
  * triangle, which many files have wrong.
  */
 final class EdgeKind {
-  /** The angle from which on an edge between smooth normals is a crease, in degrees. */
   /** The sine of an angle between a triangle and the view that rounding makes. */
   private static final double EDGE_ON = 1e-12;
 
+  /** The angle from which on an edge between smooth normals is a crease, in degrees. */
   private static final double SMOOTH_DEGREES = 60;
 
   /**
