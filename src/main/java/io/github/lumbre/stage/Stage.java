@@ -155,9 +155,8 @@ public final class Stage {
               "sky",
               new TextType("a name or a file"),
               "Light from relief (a studio with contrast), studio (softer), white, sun (a clear"
-                  + " day), or a latitude-longitude picture: HDR, OpenEXR, PFM, or PNG, JPEG and"
-                  + " the other formats of textures (relief; with a look, a ground or a background,"
-                  + " studio).")
+                  + " day), or a latitude-longitude picture (relief; with a look, ground or"
+                  + " background, studio).")
           .withFlag("sky", "NAME|FILE");
 
   /** See {@link Sky#sun}. */
