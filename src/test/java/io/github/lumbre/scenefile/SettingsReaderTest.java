@@ -158,6 +158,6 @@ class SettingsReaderTest {
     backplate("{\"top\": {\"r\": 1}, \"shadowMin\": {\"y\": 2}}");
     assertThat(problems.exception())
         .hasMessage(
-            "s.json: backplate.shadowMax: expected at least shadowMin on each axis, found less");
+            "s.json: $.backplate.shadowMax: expected at least shadowMin on each axis, found less");
   }
 }
