@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
 
 /** Pictures for tests, and helper functions to write them. */
@@ -37,8 +38,10 @@ public final class ImageFixture {
     return new Image(values.length, 1, rgb, new float[0]);
   }
 
+  /** Returns options without dithering. */
   public static ImageWriter.Options options(ToneCurve curve, int bits) {
-    return new ImageWriter.Options(Exposure.NONE, curve, bits, Map.of());
+    return new ImageWriter.Options(Exposure.NONE, curve, bits, Map.of())
+        .withDither(Optional.empty());
   }
 
   /** Writes a picture to a file and returns the file's bytes. */
