@@ -15,19 +15,22 @@ import io.github.lumbre.scene.Scene;
  * ray. Immutable.
  */
 record SeenBackplate(Scene scene, Backplate backplate) {
+  /** The rays of a sample: they are short, and fewer leave grain. */
+  private static final int RAYS = 4;
+
   /** The distance from which on nothing casts a shadow, divided by the radius of the box. */
   private static final double REACH = .5;
 
   /** The part of the light that is missing where all of the sky is blocked. */
   private static final double STRENGTH = .85;
 
-  /** The sine of the elevation above the middle of the box from which on an eye sees the shadow. */
+  /** The sine of the angle by which a camera that sees the shadow looks down at least. */
   private static final double FLAT = .02;
 
-  /** The sine of the elevation from which on an eye sees all of it. */
+  /** The sine of the angle from which on it sees all of it. */
   private static final double RAISED = .12;
 
-  /** The sines of the elevations where that ends, and where it is gone: plans show no ground. */
+  /** The sines of the angles where that ends, and where it is gone: plans show no ground. */
   private static final double STEEP = .9;
 
   private static final double UPRIGHT = .97;
@@ -51,7 +54,7 @@ record SeenBackplate(Scene scene, Backplate backplate) {
   private double shadow(Bounds3 box, Sampler sampler, RenderContext context) {
     Vec3 eye = context.hit.origin();
     Vec3 direction = context.hit.direction();
-    double strength = STRENGTH * seen(eye.minus(box.center()));
+    double strength = STRENGTH * seen();
     if (!(strength > 0) || !(direction.y() < 0)) {
       return 0;
     }
@@ -64,9 +67,9 @@ record SeenBackplate(Scene scene, Backplate backplate) {
     return isSeen ? strength * blocked(point, reach, sampler, context) : 0;
   }
 
-  /** Returns how much of a shadow an eye sees, 0 to 1. */
-  private static double seen(Vec3 fromMiddle) {
-    double sine = fromMiddle.y() / fromMiddle.length();
+  /** Returns how much of a shadow the camera sees, 0 to 1. */
+  private double seen() {
+    double sine = -scene.camera().axes().normal().y();
     return Math.min(between(FLAT, RAISED, sine), 1 - between(STEEP, UPRIGHT, sine));
   }
 
@@ -81,13 +84,17 @@ record SeenBackplate(Scene scene, Backplate backplate) {
   }
 
   /**
-   * Returns the part of a random ray towards the sky that is blocked. Its length is random, so that
-   * what is half as far away as the reach blocks half as much.
+   * Returns the part of random rays towards the sky that is blocked. Their lengths are random, so
+   * that what is half as far away as the reach blocks half as much.
    */
   private double blocked(Vec3 point, double reach, Sampler sampler, RenderContext context) {
-    int dimension = Sampler.caught(0);
-    Vec3 up = Warp.cosineHemisphere(sampler.get2d(dimension));
-    double length = reach * sampler.get1d(dimension + 2);
-    return context.blocked(scene, point, new Vec3(up.x(), up.z(), up.y()), length);
+    double blocked = 0;
+    for (int ray = 0; ray < RAYS; ray++) {
+      int dimension = Sampler.caught(ray);
+      Vec3 up = Warp.cosineHemisphere(sampler.get2d(dimension));
+      double length = reach * sampler.get1d(dimension + 2);
+      blocked += context.blocked(scene, point, new Vec3(up.x(), up.z(), up.y()), length);
+    }
+    return blocked / RAYS;
   }
 }

@@ -22,11 +22,16 @@ class StudioGroundTest extends CommandFixture {
 
   /** Checks that the first column falls from the top to the bottom, by at most 30 steps. */
   private void assertEven(String name) {
+    assertEven(name, picture(name).getHeight());
+  }
+
+  /** Checks the upper rows of the first column. */
+  private void assertEven(String name, int rows) {
     BufferedImage picture = picture(name);
     int brightest = picture.getRGB(0, 0) & 0xff;
     int last = brightest;
     int darkest = brightest;
-    for (int y = 0; y < picture.getHeight(); y++) {
+    for (int y = 0; y < rows; y++) {
       int color = picture.getRGB(0, y);
       int blue = color & 0xff;
       assertThat(color >> 16 & 0xff).as("gray").isEqualTo(blue);
@@ -48,9 +53,11 @@ class StudioGroundTest extends CommandFixture {
   @Test
   void noStandardViewSeesLamps() {
     runs("views T/sample.glb -o T/v --size 48x40 -s 2 --no-denoise");
-    for (String view : List.of("front", "back", "left", "right", "top", "bottom", "iso")) {
+    for (String view : List.of("front", "back", "left", "right", "top", "bottom")) {
       assertEven("v/" + view + ".png");
     }
+    // Below, the contact shadow reaches the edge of the frame.
+    assertEven("v/iso.png", 25);
   }
 
   /** The other backgrounds stay, and that of the sky shows the studio. */
