@@ -96,7 +96,7 @@ final class MaterialReader {
       return found;
     }
 
-    /** Returns two colors of which the sum is a reflectance. */
+    /** Returns two colors whose sum is a reflectance: at most 1. */
     List<Texture<Rgb>> sum(Key<Rgb> first, Key<Rgb> second) {
       Rgb a = get(first);
       Rgb b = get(second);

@@ -49,7 +49,7 @@ final class PartCrop {
     return whole.with(settings.toBuilder().crop(around(meant, settings)).build());
   }
 
-  /** Returns the names of the parts of which a name is that of the part, or of one around it. */
+  /** Returns the names of the parts that match the name, or are inside a part that does. */
   private static Set<String> named(String name, Shot shot) {
     Predicate<String> isMeant = text -> PartSelection.isMeant(name, text);
     Set<String> names = new HashSet<>();

@@ -74,7 +74,7 @@ final class Studio {
   /** What a picture is made of. */
   private record PictureKey(List<Object> identity, RenderSettings settings) {}
 
-  /** The last picture, of which a pixel may be asked for. */
+  /** The last picture: a caller may ask about its pixels. */
   private record Last(PictureKey key, Finished finished) {}
 
   /** Builds the scene of a camera. */

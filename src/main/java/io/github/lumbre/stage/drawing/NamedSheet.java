@@ -66,7 +66,7 @@ public final class NamedSheet {
     return new Grid(names.size(), columns, wide, high + Caption.height(wide), gap);
   }
 
-  /** Returns the number of names of which too little fits below their pictures. */
+  /** Returns the number of names that are cut so short that nobody can read them. */
   public long unreadable() {
     return names.stream().filter(name -> !Caption.hasRoom(name, width)).count();
   }
