@@ -75,7 +75,7 @@ final class FoundLights {
    */
   void addBackground(int depth, Sampler sampler, RenderContext context) {
     if (depth == 0 && backplate.isPresent()) {
-      addBackplate(backplate.get().light(sampler, context), context);
+      addBackplate(backplate.get().light(context), context);
     } else {
       addEnvironment(context, context.hit.direction());
     }

@@ -135,7 +135,7 @@ public final class RayTracer implements Integrator {
     context.listener.rayTraced(hit, depth, throughput.r(), throughput.g(), throughput.b());
     if (!isHit) {
       return depth == 0 && backplate.isPresent()
-          ? backplate(backplate.get().light(sampler, context), context)
+          ? backplate(backplate.get().light(context), context)
           : environment(hit.direction(), context);
     }
     context.hitSomething = true;

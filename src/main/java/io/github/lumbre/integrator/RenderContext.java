@@ -198,12 +198,11 @@ public final class RenderContext {
 
   /**
    * Returns the part of light along a ray that surfaces block; those that let light pass straight
-   * through block none.
+   * through block none. The ray is not counted: a table that threads share holds the result.
    *
    * @param direction of length 1
    */
   double blocked(Scene scene, Vec3 from, Vec3 direction, double length) {
-    counters.shadowRays++;
     shadow.aim(
         from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z(), length);
     if (!scene.hasTransparency()) {

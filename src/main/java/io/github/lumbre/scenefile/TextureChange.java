@@ -40,8 +40,8 @@ record TextureChange(Optional<Filter> forced, Optional<LongAdder> lookUps) {
     return EnvironmentLight.image(
         axes,
         TintedTexture.of(radiance, watched(studio)),
-        StudioSky.COLUMNS,
-        StudioSky.ROWS);
+        studio.columns(),
+        studio.columns() / 2);
   }
 
   /** Returns the light of a clear sky without the sun, multiplied by a color. */

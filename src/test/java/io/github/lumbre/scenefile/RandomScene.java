@@ -355,7 +355,7 @@ final class RandomScene {
         new Frame(rotation.vector(Vec3.X), rotation.vector(Vec3.Y), rotation.vector(Vec3.Z));
     if (kind % 2 == 0) {
       return EnvironmentLight.image(
-          axes, TintedTexture.of(rgb(1), StudioSky.SOFT), StudioSky.COLUMNS, StudioSky.ROWS);
+          axes, TintedTexture.of(rgb(1), StudioSky.SOFT), 256, 128);
     }
     Image image = linear();
     return EnvironmentLight.image(

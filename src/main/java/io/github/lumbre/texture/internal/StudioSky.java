@@ -14,6 +14,7 @@ public enum StudioSky implements Texture<Rgb> {
    * right and a rim light behind.
    */
   SOFT(
+      256,
       .22,
       .2,
       new Lamp(4, -.55, .6, -.58, .86),
@@ -25,19 +26,15 @@ public enum StudioSky implements Texture<Rgb> {
    * sides of an object differ in brightness, and dark plastics show edges and sheen.
    */
   RELIEF(
-      .05,
-      .22,
-      new Lamp(7.2, -.4, 1, -.45, .88),
-      new Lamp(3, -.4, .36, .82, .92),
-      new Lamp(2, .7, .4, .7, .94),
-      new Lamp(1.5, -.42, -.28, -.8, .8),
-      new Lamp(1.4, .45, -.32, .8, .88));
+      64,
+      .08,
+      .12,
+      new Lamp(4.1, -.6, 1.3, -.15, .8),
+      new Lamp(1.8, -.4, .36, .82, .86),
+      new Lamp(1.4, .7, .4, .7, .88),
+      new Lamp(1.1, .5, .05, -1, .2));
 
-  /** The resolution at which the sky can be tabulated without losing a light. */
-  public static final int COLUMNS = 256;
-
-  /** The number of rows that belongs to {@link #COLUMNS}. */
-  public static final int ROWS = 128;
+  private final int columns;
 
   /** The radiance of the walls straight below, and how much more there is straight above. */
   private final double floor;
@@ -45,7 +42,8 @@ public enum StudioSky implements Texture<Rgb> {
   private final double rise;
   private final Lamp[] lamps;
 
-  StudioSky(double floor, double rise, Lamp... lamps) {
+  StudioSky(int columns, double floor, double rise, Lamp... lamps) {
+    this.columns = columns;
     this.floor = floor;
     this.rise = rise;
     this.lamps = lamps;
@@ -63,6 +61,11 @@ public enum StudioSky implements Texture<Rgb> {
       double cosine = (toX * x + toY * y + toZ * z) / Math.sqrt(x * x + y * y + z * z);
       return smooth((cosine - edge) / (1 - edge));
     }
+  }
+
+  /** Returns the columns of a grid, half as high, that is fine enough to sample the lamps. */
+  public int columns() {
+    return columns;
   }
 
   @Override
