@@ -12,6 +12,8 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -77,7 +79,7 @@ final class BuildImage {
     writeLauncher();
     archiveVersion();
     archiveRender();
-    writeCompletion();
+    writeCompanions();
     printSizes();
   }
 
@@ -196,10 +198,28 @@ final class BuildImage {
     }
   }
 
-  private void writeCompletion() throws IOException, InterruptedException {
-    Path folder = share.resolve("bash-completion/completions");
-    Files.createDirectories(folder);
-    Files.writeString(folder.resolve("lumbre"), java(List.of(), "completion"));
+  /** Writes what shells, manuals and desktops look for, at the places where they do. */
+  private void writeCompanions() throws IOException, InterruptedException {
+    write("bash-completion/completions/lumbre", java(List.of(), "completion"));
+    write(
+        "fish/vendor_completions.d/lumbre.fish", java(List.of(), "completion", "--shell", "fish"));
+    write("lumbre/lumbre.ps1", java(List.of(), "completion", "--shell", "powershell"));
+    String manual = java(List.of(), "man");
+    write("man/man1/lumbre.1", manual);
+    Matcher command = Pattern.compile("lumbre\\\\-(\\w+)\\\\fR\\(1\\)").matcher(manual);
+    while (command.find()) {
+      String name = command.group(1);
+      write("man/man1/lumbre-" + name + ".1", java(List.of(), "man", name));
+    }
+    for (String file : List.of("thumbnailers/lumbre.thumbnailer", "mime/packages/lumbre.xml")) {
+      write(file, Files.readString(Path.of("release/image", file)));
+    }
+  }
+
+  private void write(String file, String text) throws IOException {
+    Path target = share.resolve(file);
+    Files.createDirectories(target.getParent());
+    Files.writeString(target, text);
   }
 
   /** Runs the program in the image and returns what it prints. */

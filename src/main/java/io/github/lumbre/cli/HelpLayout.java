@@ -104,14 +104,21 @@ final class HelpLayout {
     if (flag.usageHelp()) {
       return Optional.of(flag);
     }
-    // A sentence or clause ends outside of parentheses.
-    String first =
-        flag.description()[0].replaceFirst(
-            "^((?:[^(.;]|\\([^)]*\\)|\\.(?! ))*)[.;] .*", "$1.");
+    String first = firstClause(flag.description()[0]) + ".";
     return Arrays.stream(flag.names()).noneMatch(USED::contains)
         ? Optional.empty()
         : Optional.of(
             OptionSpec.builder(flag).description(first.replace("%", "%%")).build());
+  }
+
+  /** Returns a text up to the end of its first sentence or clause, outside of parentheses. */
+  static String firstClause(String text) {
+    return text.replaceFirst("^((?:[^(.;]|\\([^)]*\\)|\\.(?! |$))*)[.;](?: .*)?$", "$1");
+  }
+
+  /** Returns the lines of a description as one line, as picocli prints them. */
+  static String plain(String[] lines) {
+    return String.join(" ", lines).replace("%n", " ").replace("%%", "%").strip();
   }
 
   private static String commands(Help help) {

@@ -19,6 +19,7 @@ import java.lang.reflect.InaccessibleObjectException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -99,7 +100,7 @@ public final class Lumbre implements Runnable {
             CoverageCommand.class,
             SelfTestCommand.class));
     SECTIONS.put("The 2016 report", List.of(BenchmarkCommand.class));
-    SECTIONS.put("Other", List.of(CompletionCommand.class, HelpCommand.class));
+    SECTIONS.put("Other", List.of(CompletionCommand.class, ManCommand.class, HelpCommand.class));
     SECTIONS.values().stream()
         .flatMap(List::stream)
         .forEach(command -> COMMANDS.put(nameOf(command), command));
@@ -178,7 +179,7 @@ public final class Lumbre implements Runnable {
   /** Returns the commands that arguments mention: to read the annotations of all takes a while. */
   private static Set<String> mentioned(String[] args) {
     Set<String> mentioned = new LinkedHashSet<>(COMMANDS.keySet());
-    if (!List.of(args).contains("completion")) {
+    if (Collections.disjoint(List.of(args), List.of("completion", "man"))) {
       mentioned.retainAll(List.of(args));
     }
     mentioned.add("help");

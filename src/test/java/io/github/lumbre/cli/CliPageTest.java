@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Help;
@@ -112,7 +111,7 @@ All commands use the same codes. Each command below lists its own, with what the
     String synopsis = new Help(spec, Help.defaultColorScheme(Ansi.OFF)).synopsis(0).strip();
     page.append("```\n").append(synopsis.replaceAll("\\s+", " ")).append("\n```\n\n");
     if (usage.description().length > 0) {
-      page.append(plain(usage.description())).append("\n\n");
+      page.append(HelpLayout.plain(usage.description())).append("\n\n");
     }
     parameters(spec);
     flags(HelpLayout.divided(spec));
@@ -188,15 +187,6 @@ All commands use the same codes. Each command below lists its own, with what the
   }
 
   private static String meaning(ArgSpec arg) {
-    return plain(arg.description()).replace("|", "\\|");
-  }
-
-  /** Returns the lines of a description as one line, as picocli prints them. */
-  private static String plain(String[] lines) {
-    return List.of(lines).stream()
-        .collect(Collectors.joining(" "))
-        .replace("%n", " ")
-        .replace("%%", "%")
-        .strip();
+    return HelpLayout.plain(arg.description()).replace("|", "\\|");
   }
 }

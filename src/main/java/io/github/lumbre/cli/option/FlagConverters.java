@@ -40,7 +40,8 @@ public final class FlagConverters {
           new OfChoice<>(Kernel.class),
           new OfChoice<>(ImageFormat.class),
           new OfChoice<>(DenoiserFlags.Engine.class),
-          new OfChoice<>(ProgressStyle.class));
+          new OfChoice<>(ProgressStyle.class),
+          new OfChoice<>(Shell.class));
 
   private FlagConverters() {}
 
@@ -137,6 +138,14 @@ public final class FlagConverters {
       }
       return percent / 100;
     }
+  }
+
+  /** A shell that completes commands. */
+  public enum Shell {
+    BASH,
+    ZSH,
+    FISH,
+    POWERSHELL
   }
 
   /** How a render shows its progress. */

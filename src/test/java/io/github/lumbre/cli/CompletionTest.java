@@ -1,6 +1,7 @@
 package io.github.lumbre.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.cli.option.Choices;
@@ -18,8 +19,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** Runs the completion script in bash. */
-class CompletionScriptTest {
+/** Runs the completion scripts in bash and fish. */
+class CompletionTest {
   /** What a shell would do: the kind of the answer, then the words. */
   private static final String COMPLETE =
       """
@@ -97,7 +98,7 @@ class CompletionScriptTest {
   void everyNameIsAccepted() throws Exception {
     for (CommandLine command : Lumbre.commandLine().getSubcommands().values()) {
       for (OptionSpec option : command.getCommandSpec().options()) {
-        Optional<Choices> choices = CompletionScript.choices(option);
+        Optional<Choices> choices = Completion.choices(option);
         if (choices.isPresent()) {
           for (String name : choices.get().choices()) {
             assertThat(((ITypeConverter<?>) choices.get()).convert(name)).isNotNull();
@@ -123,5 +124,54 @@ class CompletionScriptTest {
     String answer = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertThat(process.waitFor()).isZero();
     return answer.lines().toList();
+  }
+
+  /** What fish offers after a line, without the descriptions. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "lumbre re                       | render resume",
+        "lumbre help re                  | render resume",
+        "lumbre render --mode            | path ray",
+        "lumbre render --layers depth,al | depth,albedo depth,all",
+        "lumbre render --tonem           | --tonemap",
+        "lumbre completion --shell f     | fish",
+      })
+  void fishOffersTheSame(String line, String words) throws Exception {
+    Path fish = Path.of("/usr/bin/fish");
+    assumeTrue(Files.isExecutable(fish), "needs fish");
+    String script = Outcome.of("completion", "--shell", "fish").out();
+    Files.writeString(folder.resolve("lumbre.fish"), script);
+    String open = line.endsWith("--mode") ? line + " " : line;
+    String command = "source lumbre.fish; complete -C '" + open + "'";
+    ProcessBuilder shell = new ProcessBuilder(fish.toString(), "--no-config", "-c", command);
+    shell.directory(folder.toFile()).redirectErrorStream(true);
+    shell.environment().put("HOME", folder.toString());
+    Process process = shell.start();
+    process.getOutputStream().close();
+    String answer = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String found = answer.lines().map(l -> l.split("\t")[0]).sorted().collect(joining(" "));
+    assertThat(found).isEqualTo(words);
+  }
+
+  /** PowerShell is not run: the tables have every command and flag, and quotes are closed. */
+  @Test
+  void powerShellHasEveryFlag() {
+    String script = Outcome.of("completion", "--shell", "powershell").out();
+    Lumbre.commandLine()
+        .getSubcommands()
+        .forEach(
+            (name, command) -> {
+              assertThat(script).contains("\n    '" + name + "' = @{\n");
+              for (OptionSpec option : command.getCommandSpec().options()) {
+                assertThat(script.contains("'" + option.longestName() + "'"))
+                    .as(option.longestName())
+                    .isEqualTo(!option.hidden());
+              }
+            });
+    for (String line : script.lines().toList()) {
+      assertThat(line.chars().filter(c -> c == '\'').count() % 2).as(line).isZero();
+    }
   }
 }
