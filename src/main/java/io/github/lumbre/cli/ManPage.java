@@ -115,7 +115,7 @@ final class ManPage {
     if (!lines.isEmpty()) {
       section("EXAMPLES");
       page.append(".nf\n");
-      lines.forEach(line -> line(escaped(line.strip())));
+      lines.forEach(line -> line(escaped(HelpLayout.plain(new String[] {line}))));
       page.append(".fi\n");
     }
     if (spec.parent() != null) {

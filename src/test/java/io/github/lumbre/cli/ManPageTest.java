@@ -57,7 +57,7 @@ class ManPageTest {
     assumeTrue(Files.isExecutable(MAN), "needs man");
     for (String command : List.of("render", "views", "check", "help")) {
       String text = formatted(page(command));
-      assertThat(text).contains("lumbre-" + command + " - ").doesNotContain("warning");
+      assertThat(text).contains("lumbre-" + command + " - ");
     }
     assertThat(formatted(page("render"))).contains("-o, --output OUT").contains("EXIT STATUS");
   }
@@ -67,12 +67,12 @@ class ManPageTest {
     ProcessBuilder man =
         new ProcessBuilder(MAN.toString(), "--warnings", "-E", "ascii", "-l", file.toString());
     man.environment().put("LC_ALL", "C.UTF-8");
-    man.redirectErrorStream(true).redirectInput(folder.resolve("none").toFile());
-    Files.createFile(folder.resolve("none"));
-    Process process = man.start();
+    Path warnings = folder.resolve("warnings");
+    Process process = man.redirectError(warnings.toFile()).start();
+    process.getOutputStream().close();
     String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertThat(process.waitFor()).as(text).isZero();
-    Files.delete(folder.resolve("none"));
+    assertThat(process.waitFor()).isZero();
+    assertThat(warnings).hasContent("");
     return text;
   }
 
