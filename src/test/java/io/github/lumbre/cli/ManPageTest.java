@@ -73,7 +73,7 @@ class ManPageTest {
     String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertThat(process.waitFor()).isZero();
     assertThat(warnings).hasContent("");
-    return text;
+    return text.replaceAll("\\s+", " ");
   }
 
   @Test
