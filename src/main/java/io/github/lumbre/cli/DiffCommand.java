@@ -120,6 +120,9 @@ final class DiffCommand extends Subcommand {
     require(
         !spec.commandLine().getParseResult().hasMatchedOption("--camera"),
         "--camera: cannot be used; one camera, from --view, frames both models");
+    require(
+        !spec.commandLine().getParseResult().hasMatchedOption(ModelOption.EXPLODE.flag()),
+        ModelOption.EXPLODE.flag() + ": cannot be used; parts are compared where they are");
     Stage stage = flags.stage();
     OutputGuard guard = overwrite.guard().reads(old, "a model").reads(now, "a model");
     page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));

@@ -111,6 +111,25 @@ public record ModelOption<T>(
                   + " plane by a point and a normal to the removed side. Two planes remove a"
                   + " quarter.");
 
+  /**
+   * How far parts are moved apart, from 0 to 1, where the boxes around no two of them overlap. They
+   * move in straight lines, along the common axis of a pair or across its thinnest overlap; parts
+   * of one node first. The planes of {@link #SECTION} are those of the model before.
+   */
+  public static final ModelOption<Double> EXPLODE =
+      new ModelOption<>(
+              "explode",
+              new NumberType(0, 1),
+              "Move the parts apart: 1 until no boxes around them overlap ({default}). A range such"
+                  + " as 0..1 is an animation.")
+          .withDefault(0.)
+          .inScenes()
+          .withFlag("explode", "FACTOR|A..B")
+          .inTools(
+              "explode",
+              "How far the parts are moved apart, from 0 to 1, where no boxes around them overlap"
+                  + " (0).");
+
   /** The animation and time whose pose is used; without it, the rest pose. */
   public static final ModelOption<ModelOptions.Pose> POSE =
       new ModelOption<>("pose", new PoseType(), "Pose of an animation at a time (the rest pose).")
@@ -187,7 +206,8 @@ public record ModelOption<T>(
           .withFlag("assets", "DIR");
 
   private static final List<ModelOption<?>> ALL =
-      List.of(UP, UNIT, POINT_RADIUS, SECTION, POSE, VARIANT, LOOK, HIDE, HIGHLIGHT, ASSETS);
+      List.of(
+          UP, UNIT, POINT_RADIUS, SECTION, EXPLODE, POSE, VARIANT, LOOK, HIDE, HIGHLIGHT, ASSETS);
 
   /** Declares an option without a default, which only Java has. */
   public ModelOption(String name, SettingType<T> type, String help) {

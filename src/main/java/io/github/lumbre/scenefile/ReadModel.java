@@ -73,7 +73,8 @@ final class ReadModel implements LoneModel {
             .map(data::counted)
             .orElseGet(() -> data.ownFolderOf(name(), options));
     try {
-      ModelOptions uncut = options.with(ModelOption.SECTION, List.of());
+      ModelOptions uncut =
+          options.with(ModelOption.SECTION, List.of()).with(ModelOption.EXPLODE, 0.);
       Model read = ModelReader.readPose(name(), content, others, uncut);
       if (!source.isFrame()) {
         read.requireSurface();

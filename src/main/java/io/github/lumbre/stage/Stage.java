@@ -499,7 +499,8 @@ public final class Stage {
     return find(CAMERA).isEmpty()
         && (Stream.of(VIEW, EYE, FIT).anyMatch(option -> find(option).isPresent())
             || get(PARALLEL)
-            || get(PERSPECTIVE));
+            || get(PERSPECTIVE)
+            || options.get(ModelOption.EXPLODE) > 0);
   }
 
   /** Returns whether a model that is framed is seen in parallel projection. */

@@ -61,6 +61,8 @@ class ExtremeFlagsTest {
     "--unit N --look clay,lines",
     "--unit N --ground --sky sun",
     "--points N",
+    "--explode N",
+    "--explode 0..N --fps 1",
     "--pose lift@N --view iso",
     "--animation lift --fps N --frames 0",
     "--animation lift --fps 2 --frames N",

@@ -11,6 +11,7 @@ import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.internal.Range;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.difference.PartChange;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
 import io.github.lumbre.scenefile.Problem;
@@ -63,7 +64,7 @@ record DiffTool(Studio studio) implements Tool {
         new ArrayList<>(
             List.of(
                 OLD, NEW, TOLERANCE, RenderTool.WIDTH, RenderTool.HEIGHT, RenderTool.SAMPLES));
-    inputs.addAll(ModelInputs.allBut(Stage.CAMERA));
+    inputs.addAll(ModelInputs.allBut(Stage.CAMERA, ModelOption.EXPLODE));
     return inputs;
   }
 

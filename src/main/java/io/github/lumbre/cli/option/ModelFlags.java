@@ -31,6 +31,9 @@ import picocli.CommandLine.ParameterException;
 public final class ModelFlags extends Flags {
   private final Map<ModelOption<?>, Object> given = new LinkedHashMap<>();
 
+  /** Whether a range of factors is an animation of this command. */
+  private boolean mayExplode;
+
   /** Returns the flags, under their heading. */
   CommandSpec flags() {
     CommandSpec flags = CommandSpec.create();
@@ -51,7 +54,7 @@ public final class ModelFlags extends Flags {
             .description(option.help().replace("%", "%%"))
             .getter(kept)
             .setter(kept);
-    if (option.type() instanceof NumberType) {
+    if (option.type() instanceof NumberType && option != ModelOption.EXPLODE) {
       return flag.type(Double.class).build();
     }
     if (option.type() instanceof FlagType) {
@@ -115,6 +118,12 @@ public final class ModelFlags extends Flags {
   @SuppressWarnings("unchecked") // Other values than texts have the type of the option.
   private <T> T value(ModelOption<T> option) {
     Object found = given.get(option);
+    if (option == ModelOption.EXPLODE) {
+      FactorRange range = FactorRange.of((String) found);
+      String refusal = "expected one factor, found a range, which 'lumbre render' animates";
+      require(mayExplode || !range.isRange(), FactorRange.FLAG + ": " + refusal);
+      return (T) Double.valueOf(range.last());
+    }
     SettingType<T> type = option.type();
     T value = found instanceof String text ? type.parse(text) : (T) found;
     if (!type.accepts(value)) {
@@ -148,6 +157,7 @@ public final class ModelFlags extends Flags {
    * @throws ParameterException that names the flag
    */
   void requireSuits(Motion motion) {
+    mayExplode = !motion.explosion().isEmpty();
     require(
         motion.turns() == 0 || !isGiven(Stage.CAMERA),
         "--turntable: cannot be combined with --camera; --view sets the first view");
@@ -155,7 +165,7 @@ public final class ModelFlags extends Flags {
         motion.turns() == 0 || !isGiven(Stage.EYE),
         "--turntable: cannot be combined with --eye; --view sets the first view");
     require(
-        motion.turns() > 0 || !isGiven(ModelOption.POSE),
+        motion.animation().isEmpty() || !isGiven(ModelOption.POSE),
         "--animation: cannot be combined with --pose, which is one picture of an animation");
   }
 

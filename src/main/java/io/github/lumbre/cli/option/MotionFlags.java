@@ -42,6 +42,9 @@ public final class MotionFlags extends Flags {
     require(
         shutter.isEmpty() || !isGiven("--turntable"),
         "--shutter: cannot be combined with --turntable, whose model stands still");
+    require(
+        shutter.isEmpty() || !isGiven(FactorRange.FLAG),
+        FactorRange.FLAG + ": cannot be combined with --shutter");
     require(poses.isEmpty() || shutter.isPresent(), "--poses: requires --shutter");
     SettingType<Integer> type = Setting.POSES.type();
     poses.ifPresent(

@@ -82,6 +82,12 @@ public final class SequenceFlags extends Flags {
     require(
         turntable.isEmpty() || animation.isEmpty(),
         "--turntable and --animation: expected only one of them");
+    require(
+        animation.isEmpty() || !isGiven(FactorRange.FLAG),
+        FactorRange.FLAG + ": cannot be combined with --animation");
+    require(
+        turntable.isEmpty() || explosion().isEmpty(),
+        FactorRange.FLAG + ": expected one number with --turntable, found a range");
     boolean isSequence = areGiven() || joined.isPresent() && scenes > 1;
     require(
         joined.isEmpty() || isSequence,
@@ -89,7 +95,11 @@ public final class SequenceFlags extends Flags {
             + ": requires --turntable, --animation or several scenes; a picture ends in one of "
             + ImageFormat.endings());
     require(
-        fps.isEmpty() || animation.isPresent() || joined.isPresent() || isGiven("--shutter"),
+        fps.isEmpty()
+            || animation.isPresent()
+            || explosion().isPresent()
+            || joined.isPresent()
+            || isGiven("--shutter"),
         "--fps: requires --animation, --shutter or a file that ends in "
             + AnimationFormat.endings());
     require(frames.isEmpty() || isSequence, "--frames: requires --turntable or --animation");
@@ -102,19 +112,32 @@ public final class SequenceFlags extends Flags {
 
   /** Returns whether several frames of a model are rendered. */
   public boolean areGiven() {
-    return turntable.isPresent() || animation.isPresent();
+    return turntable.isPresent() || animation.isPresent() || explosion().isPresent();
+  }
+
+  /** Returns the range of {@code --explode}; empty if it has one number or is not given. */
+  private Optional<FactorRange> explosion() {
+    String text = spec.commandLine().getParseResult().matchedOptionValue(FactorRange.FLAG, "0");
+    try {
+      return Optional.of(FactorRange.of(text)).filter(FactorRange::isRange);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(
+          spec.commandLine(), FactorRange.FLAG + ": " + e.getMessage(), e);
+    }
   }
 
   /** Returns the first flag that asks for several frames. */
   public String name() {
-    return turntable.isPresent() ? "--turntable" : "--animation";
+    String other = animation.isPresent() ? "--animation" : FactorRange.FLAG;
+    return turntable.isPresent() ? "--turntable" : other;
   }
 
   /** Returns what moves; empty for a single picture. */
   public Optional<Motion> motion() {
     return turntable
         .map(Motion::turntable)
-        .or(() -> animation.map(name -> Motion.animation(name, rate())));
+        .or(() -> animation.map(name -> Motion.animation(name, rate())))
+        .or(() -> explosion().map(e -> Motion.explosion(e.first(), e.last(), rate())));
   }
 
   /** Returns the frames per second. */

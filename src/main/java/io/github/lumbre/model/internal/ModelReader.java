@@ -127,7 +127,8 @@ public final class ModelReader {
       poses.add(shown(placed(pose, format, options), options, radius));
     }
     Model all = poses.isEmpty() ? shown(placed, options, radius) : Model.inMotion(poses);
-    return Sections.cut(all, options);
+    Explosion exploded = Explosion.of(all, options);
+    return exploded.moved(Sections.cut(exploded.assembled(), options));
   }
 
   /** Returns a model in the up axis and the unit of the options. */

@@ -9,7 +9,7 @@ import io.github.lumbre.scenefile.SceneFormatException;
 
 /** A model that is rendered by itself, and was read. Mutable; confined to one thread. */
 public interface LoneModel {
-  /** Returns the model as it was read, not cut. */
+  /** Returns the model as it was read, neither cut nor exploded. */
   Model model();
 
   /** Returns what is left of the limits. */

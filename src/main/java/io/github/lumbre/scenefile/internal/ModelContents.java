@@ -1,5 +1,6 @@
 package io.github.lumbre.scenefile.internal;
 
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.internal.Model;
@@ -10,6 +11,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -26,6 +28,8 @@ import java.util.Set;
  * @param fromFile from the axes and the unit of its file to world space
  * @param min the least coordinates of its vertices: right-handed, +Y up
  * @param max the largest coordinates
+ * @param assembled the box around the model before its parts moved apart, in the scene; empty if
+ *     they did not
  */
 public record ModelContents(
     List<String> cameras,
@@ -38,7 +42,8 @@ public record ModelContents(
     String title,
     Transform fromFile,
     Vec3 min,
-    Vec3 max) {
+    Vec3 max,
+    Optional<Bounds3> assembled) {
   public ModelContents {
     cameras = List.copyOf(cameras);
     animations = List.copyOf(animations);
@@ -73,7 +78,8 @@ public record ModelContents(
         around.title(),
         model.fromFile(),
         new Vec3(low.x(), low.y(), 0 - high.z()),
-        new Vec3(high.x(), high.y(), 0 - low.z()));
+        new Vec3(high.x(), high.y(), 0 - low.z()),
+        around.assembled());
   }
 
   /** Returns the parts of the model; finding connected pieces takes time. */

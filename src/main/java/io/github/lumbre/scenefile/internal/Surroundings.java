@@ -17,6 +17,7 @@ import java.util.Set;
  *     of the settings
  * @param hasGround whether the model stands on an infinite floor
  * @param box around what the camera has in its frame, on whose lowest point the floor is
+ * @param assembled the box around the model before its parts moved apart; empty if they did not
  * @param options of the model
  * @param settings of the scene
  * @param labels what to draw on its pictures
@@ -29,6 +30,7 @@ public record Surroundings(
     Optional<Backplate> backplate,
     boolean hasGround,
     Bounds3 box,
+    Optional<Bounds3> assembled,
     ModelOptions options,
     RenderSettings settings,
     Set<String> labels,

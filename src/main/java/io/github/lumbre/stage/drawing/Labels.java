@@ -62,6 +62,15 @@ public final class Labels {
     add("the dimensions", () -> BoxLabel.drawSizes(sheet, model));
   }
 
+  /** Adds the dimensions of a model as a text, in the upper right corner. */
+  public void addSizes(String text) {
+    double capital = sheet.capital();
+    Rect box = sheet.box(text, 0, 0, capital);
+    double x = sheet.frame().right() - sheet.margin() - box.right();
+    double y = sheet.margin() - box.top();
+    add("the dimensions", () -> sheet.write(text, x, y, capital, LabelSheet.Tone.INK));
+  }
+
   /** Adds the names of visible parts. Add labels in the corners before. */
   public void addParts(PartMap map) {
     unnamed = PartNames.draw(sheet, map);

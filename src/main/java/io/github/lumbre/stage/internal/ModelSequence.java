@@ -12,10 +12,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
- * The frames of a turntable or an animation of a model. They share what does not change between
- * them, and have one camera or one way of framing. Mutable; confined to one thread at a time.
+ * The frames of a turntable, an animation or an explosion of a model. They share what does not
+ * change between them, and have one camera or one way of framing. Mutable; confined to one thread
+ * at a time.
  */
 public abstract class ModelSequence {
   /** The largest number of frames. */
@@ -28,12 +30,19 @@ public abstract class ModelSequence {
    * @param views the views of these frames; empty for one turn from the view of the stage
    * @param animation name of the animation, or its index; empty without one
    * @param rate frames per second of an animation
+   * @param explosion how far the parts of the model have moved apart in each frame; empty if they
+   *     do not move
    */
-  public record Motion(int turns, List<View> views, String animation, FrameRate rate) {
+  public record Motion(
+      int turns, List<View> views, String animation, FrameRate rate, List<Double> explosion) {
     private static final double TURN_DEGREES = 360;
+
+    /** The time in which parts move apart. */
+    private static final double SECONDS_OF_EXPLOSION = 2;
 
     public Motion {
       views = List.copyOf(views);
+      explosion = List.copyOf(explosion);
       Objects.requireNonNull(animation, "animation");
       Objects.requireNonNull(rate, "rate");
       if (turns < 0 || turns > MAX_FRAMES) {
@@ -44,18 +53,29 @@ public abstract class ModelSequence {
 
     /** Returns one turn around a model. */
     public static Motion turntable(int turns) {
-      return new Motion(turns, List.of(), "", new FrameRate(1, 1));
+      return new Motion(turns, List.of(), "", new FrameRate(1, 1), List.of());
     }
 
     /** Returns the standard views of a model, in order. */
     public static Motion ofViews() {
       List<View> views = List.copyOf(View.standard().values());
-      return new Motion(views.size(), views, "", new FrameRate(1, 1));
+      return new Motion(views.size(), views, "", new FrameRate(1, 1), List.of());
     }
 
     /** Returns a whole animation. */
     public static Motion animation(String name, FrameRate rate) {
-      return new Motion(0, List.of(), name, rate);
+      return new Motion(0, List.of(), name, rate, List.of());
+    }
+
+    /** Returns parts that move apart for 2 seconds, from the first frame to the last. */
+    public static Motion explosion(double from, double to, FrameRate rate) {
+      double wanted = Math.rint(SECONDS_OF_EXPLOSION * rate.frames() / rate.seconds());
+      int last = (int) Math.max(1, Math.min(wanted, MAX_FRAMES) - 1);
+      List<Double> factors =
+          IntStream.rangeClosed(0, last)
+              .mapToObj(i -> ((last - i) * from + i * to) / last)
+              .toList();
+      return new Motion(0, List.of(), "", rate, factors);
     }
 
     /** Returns the stage of a frame around the model. */
@@ -83,10 +103,14 @@ public abstract class ModelSequence {
             ? ModelSource.of(parser, model.toString(), content.get(), ModelFolder.NONE)
             : ModelSource.of(parser, model);
     return source.timed(
-        () ->
-            motion.turns() > 0
-                ? new StagedViews(source, stage, motion)
-                : new StagedAnimation(source, stage, motion.animation(), motion.rate()));
+        () -> {
+          if (motion.turns() > 0) {
+            return new StagedViews(source, stage, motion);
+          }
+          return motion.explosion().isEmpty()
+              ? new StagedAnimation(source, stage, motion.animation(), motion.rate())
+              : new StagedExplosion(source, stage, motion.explosion());
+        });
   }
 
   /** Returns the number of frames, at least 1. */

@@ -1,5 +1,6 @@
 package io.github.lumbre.stage.internal;
 
+import io.github.lumbre.base.text.Quantities;
 import io.github.lumbre.camera.internal.Projection;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
@@ -27,6 +28,7 @@ import io.github.lumbre.stage.drawing.Strokes;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -121,13 +123,25 @@ public final class PictureDrawing {
           case ShownLabels.AXES -> labels.addAxes(model);
           case ShownLabels.SCALE -> labels.addScale(model);
           case ShownLabels.PARTS -> labels.addParts(map(scene));
-          case ShownLabels.SIZE -> labels.addSizes(model);
+          case ShownLabels.SIZE ->
+              contents
+                  .assembled()
+                  .ifPresentOrElse(
+                      box -> labels.addSizes(size(box, contents)), () -> labels.addSizes(model));
           default -> labels.addBox(model);
         }
       }
     }
     labels.leftOut().forEach(notes);
     return labels;
+  }
+
+  /** Returns the dimensions of a box in the scene, in the axes and the unit of the file. */
+  private static String size(Bounds3 box, ModelContents contents) {
+    Vec3 side = contents.fromFile().inverseVector(box.max().minus(box.min()));
+    return Stream.of(side.x(), side.y(), side.z())
+        .map(length -> Quantities.text(Math.abs(length), contents.unit()))
+        .collect(Collectors.joining(" × ", "assembled ", ""));
   }
 
   private LabeledModel model(Scene scene, ModelContents contents) {

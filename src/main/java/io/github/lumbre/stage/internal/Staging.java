@@ -2,10 +2,12 @@ package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.camera.Lens;
+import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.DecodedPictures;
+import io.github.lumbre.model.internal.Explosion;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
@@ -44,7 +46,13 @@ public final class Staging {
   private final LoneModel read;
   private final Model model;
 
-  /** Of the whole model, so that a cut one is seen from the same place, or of an animation. */
+  /** The whole model, so that a cut one is seen from the same place; its parts have moved apart. */
+  private final Model whole;
+
+  /** The dimensions of the model before its parts moved apart; empty if they did not. */
+  private Optional<Bounds3> assembled;
+
+  /** Of the whole model, or of an animation. */
   private Framing framing;
 
   Staging(ModelParser parser, Stage stage, ModelParser.Source source)
@@ -53,9 +61,29 @@ public final class Staging {
     this.parser = parser;
     read = parser.read(source);
     requireSky();
-    framing = Framing.of(read.model()).fittedTo(fitted(stage));
+    Explosion explosion = explosion();
+    assembled =
+        explosion.isNone() ? Optional.empty() : Optional.of(Framing.of(read.model()).box());
+    whole = moved(explosion.assembled(), explosion);
+    framing = Framing.of(whole).fittedTo(fitted(stage));
     read.requireMeasurable(framing.box());
-    model = cut(source.isFrame());
+    model = moved(cut(explosion.assembled(), source.isFrame()), explosion);
+  }
+
+  private Explosion explosion() throws SceneFormatException {
+    try {
+      return Explosion.of(read.model(), stage.options());
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
+  }
+
+  private Model moved(Model of, Explosion explosion) throws SceneFormatException {
+    try {
+      return explosion.moved(of);
+    } catch (ModelFormatException e) {
+      throw read.failure(e);
+    }
   }
 
   /** Returns the part of the model that a stage frames; empty if it frames all of it. */
@@ -66,7 +94,7 @@ public final class Staging {
     }
     try {
       return Optional.of(
-          Framing.of(PartSelection.only(read.model(), Stage.FIT.name(), part.get())));
+          Framing.of(PartSelection.only(whole, Stage.FIT.name(), part.get())));
     } catch (ModelFormatException e) {
       throw failure(Kind.OPTION, e.location(), PrintableText.escaped(e.detail()));
     }
@@ -77,14 +105,26 @@ public final class Staging {
     framing = other;
   }
 
+  /** Makes cameras have another pose of the model, whose parts move apart, in their frames, too. */
+  void frameWith(Staging other) {
+    framing = framing.with(other.framing);
+    assembled = assembled.or(() -> other.assembled);
+  }
+
+  /** Makes cameras and labels be those of another pose of the model. */
+  void frameAs(Staging other) {
+    framing = other.framing;
+    assembled = other.assembled;
+  }
+
   /** Keeps the files in memory, for {@link #hashOf} and {@link #seenFrom(Stage, ParsedScene)}. */
   void keepFiles() {
     read.keepFiles();
   }
 
-  private Model cut(boolean isFrame) throws SceneFormatException {
+  private Model cut(Model of, boolean isFrame) throws SceneFormatException {
     try {
-      return Sections.cut(read.model(), stage.options().limitedTo(read.left()), isFrame);
+      return Sections.cut(of, stage.options().limitedTo(read.left()), isFrame);
     } catch (ModelFormatException e) {
       throw read.failure(e);
     }
@@ -133,6 +173,7 @@ public final class Staging {
           backplate(of),
           of.get(Stage.GROUND),
           framing.box(),
+          assembled,
           of.options(),
           settings(of, camera),
           of.labels(),
