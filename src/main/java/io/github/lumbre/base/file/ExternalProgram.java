@@ -32,6 +32,9 @@ public record ExternalProgram(Path path, Duration limit) {
   private static final int LINES = 3;
   private static final int SHOWN = 300;
 
+  /** The time between two looks at what a program does. */
+  private static final long LOOK_MILLIS = 100;
+
   /** Writes the input of a program. */
   @FunctionalInterface
   public interface Input {
@@ -39,6 +42,28 @@ public record ExternalProgram(Path path, Duration limit) {
 
     /** Writes all to a stream, which the caller closes. Called by a thread of its own. */
     void writeTo(OutputStream out) throws IOException;
+  }
+
+  /**
+   * Where a program works, and how much it may write.
+   *
+   * @param folder in which it starts
+   * @param output private folder for what it writes, its temporary files included
+   * @param most bytes in that folder
+   */
+  public record Place(Path folder, PrivateFolder output, long most) {
+    private boolean isFull() throws IOException {
+      return output.bytes(most) > most;
+    }
+  }
+
+  /** A program took too long, or wrote too much. */
+  public static final class LimitException extends IOException {
+    private static final long serialVersionUID = 1;
+
+    LimitException(String message) {
+      super(message);
+    }
   }
 
   /**
@@ -90,16 +115,26 @@ public record ExternalProgram(Path path, Duration limit) {
   }
 
   /**
-   * Runs the program and returns the start of its output.
+   * Runs the program and returns the start of its output. All processes that it has started end
+   * with it.
    *
    * @throws IOException if the program does not start, takes too long, or fails, or if the input
    *     cannot be written to its end
    * @throws InterruptedException if the thread is interrupted; the program is ended
    */
   public String run(List<String> arguments, Input input) throws IOException, InterruptedException {
-    List<String> command = new ArrayList<>(List.of(path.toString()));
-    command.addAll(arguments);
-    Process process = start(command);
+    return run(arguments, input, Optional.empty());
+  }
+
+  /** Runs the program without input in a place; see {@link #run(List, Input)}. */
+  public String run(List<String> arguments, Place place) throws IOException, InterruptedException {
+    return run(arguments, Input.NONE, Optional.of(place));
+  }
+
+  private String run(List<String> arguments, Input input, Optional<Place> place)
+      throws IOException, InterruptedException {
+    ProcessTree tree = start(arguments, place);
+    Process process = tree.process();
     FutureTask<String> said = inBackground("listening to ", () -> said(process.getInputStream()));
     FutureTask<Void> fed =
         inBackground(
@@ -110,13 +145,8 @@ public record ExternalProgram(Path path, Duration limit) {
               }
               return null;
             });
-    try {
-      if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
-        throw new IOException(
-            path + ": took longer than " + limit.toMillis() / 1000.0 + " s and was ended");
-      }
-    } finally {
-      end(process);
+    try (tree) {
+      await(tree, place);
     }
     String text = text(said);
     if (process.exitValue() != 0) {
@@ -126,9 +156,44 @@ public record ExternalProgram(Path path, Duration limit) {
     return text;
   }
 
-  private Process start(List<String> command) throws IOException {
+  /** Waits for the end of the program. */
+  private void await(ProcessTree tree, Optional<Place> place)
+      throws IOException, InterruptedException {
+    long start = System.nanoTime();
+    while (true) {
+      long left = limit.minusNanos(System.nanoTime() - start).toMillis();
+      if (tree.process().waitFor(Math.min(LOOK_MILLIS, left), TimeUnit.MILLISECONDS)) {
+        return;
+      }
+      if (left <= 0) {
+        throw new LimitException(
+            path + ": took longer than " + limit.toMillis() / 1000.0 + " s and was ended");
+      }
+      tree.look();
+      if (place.isPresent() && place.get().isFull()) {
+        throw excess(place.get().most);
+      }
+    }
+  }
+
+  /** Returns the exception for a program that wrote too much. */
+  public LimitException excess(long most) {
+    return new LimitException(path + ": wrote more than " + most + " bytes and was ended");
+  }
+
+  private ProcessTree start(List<String> arguments, Optional<Place> place) throws IOException {
+    List<String> command = new ArrayList<>(List.of(path.toString()));
+    command.addAll(arguments);
+    ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+    place.ifPresent(
+        where -> {
+          builder.directory(where.folder.toFile());
+          for (String variable : List.of("TMPDIR", "TEMP", "TMP")) {
+            builder.environment().put(variable, where.output.path().toString());
+          }
+        });
     try {
-      return new ProcessBuilder(command).redirectErrorStream(true).start();
+      return ProcessTree.start(builder);
     } catch (IOException e) {
       throw new IOException(path + ": does not start: " + e.getMessage(), e);
     }
@@ -140,14 +205,6 @@ public record ExternalProgram(Path path, Duration limit) {
     thread.setDaemon(true);
     thread.start();
     return task;
-  }
-
-  private static void end(Process process) {
-    // Destroying an ended process would close what it said before it is read.
-    if (process.isAlive()) {
-      process.descendants().forEach(ProcessHandle::destroyForcibly);
-      process.destroyForcibly();
-    }
   }
 
   /** Reads all, so that the program does not wait, and keeps the start. */
@@ -179,8 +236,11 @@ public record ExternalProgram(Path path, Duration limit) {
     }
   }
 
-  /** Returns the last lines of the output as one line; the first of them is often the reason. */
-  private static String lastLines(String said) {
+  /**
+   * Returns the last lines of the output as one line, after a colon; nothing if there are none. The
+   * first of them is often the reason.
+   */
+  public static String lastLines(String said) {
     List<String> lines = said.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
     String last = String.join("; ", lines.subList(Math.max(0, lines.size() - LINES), lines.size()));
     String shown = last.substring(0, Math.min(SHOWN, last.length())).replaceAll("\\p{Cntrl}", " ");

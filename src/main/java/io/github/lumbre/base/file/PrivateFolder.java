@@ -18,6 +18,8 @@ import java.nio.file.attribute.BasicFileAttributes;
 public record PrivateFolder(Path path) implements Unfinished {
   private static final String PREFIX = ".lumbre-";
 
+  private static final int MOST_FILES = 100_000;
+
   /** Creates a folder beside a file. */
   public static PrivateFolder beside(Path file) throws IOException {
     return opened(Files.createTempDirectory(file.toAbsolutePath().getParent(), PREFIX));
@@ -48,11 +50,52 @@ public record PrivateFolder(Path path) implements Unfinished {
     return Files.size(file);
   }
 
+  /**
+   * Returns the number of bytes of all files in the folder and below, which a program may still
+   * change; a number above a limit as soon as there are more, or a great number of files.
+   */
+  long bytes(long limit) throws IOException {
+    Count count = new Count(limit);
+    Files.walkFileTree(path, count);
+    return count.files > MOST_FILES ? Long.MAX_VALUE : count.bytes;
+  }
+
   @Override
   public void close() throws IOException {
     ProcessEnd.remove(this);
     if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
       Files.walkFileTree(path, new Deletion());
+    }
+  }
+
+  /** Sums the sizes of files, and follows no link. */
+  private static final class Count extends SimpleFileVisitor<Path> {
+    private final long limit;
+    private long bytes;
+    private int files;
+
+    Count(long limit) {
+      this.limit = limit;
+    }
+
+    @Override
+    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+      bytes += attributes.size();
+      files++;
+      return bytes > limit || files > MOST_FILES
+          ? FileVisitResult.TERMINATE
+          : FileVisitResult.CONTINUE;
+    }
+
+    @Override
+    public FileVisitResult visitFileFailed(Path file, IOException failure) {
+      // The program has deleted it, or keeps it for itself.
+      return FileVisitResult.CONTINUE;
+    }
+
+    @Override
+    public FileVisitResult postVisitDirectory(Path folder, IOException failure) {
+      return FileVisitResult.CONTINUE;
     }
   }
 
