@@ -287,7 +287,11 @@ class LayersTest {
                   .filter(file -> flag.matcher(text(sources.resolve(file))).find())
                   .map(file -> file.getFileName().toString()))
           .containsExactlyInAnyOrder(
-              "ExitCode.java", "Setting.java", "OpenImageDenoise.java", "Vectors.java");
+              "ExitCode.java",
+              "KnownProgram.java",
+              "Setting.java",
+              "OpenImageDenoise.java",
+              "Vectors.java");
     }
   }
 

@@ -2,6 +2,7 @@ package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
+import io.github.lumbre.cli.option.ImportFlag;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.JsonSummary;
@@ -42,6 +43,8 @@ final class CheckCommand extends Subcommand {
 
   @Mixin private final SceneOptions options = new SceneOptions();
 
+  @Mixin private final ImportFlag imports = new ImportFlag();
+
   @Option(names = "--json", description = "Print the contents as one line of JSON.")
   private boolean json;
 
@@ -54,6 +57,8 @@ final class CheckCommand extends Subcommand {
   ExitCode run() throws Exception {
     Messages out = out();
     Messages errors = errors();
+    imports.validate();
+    options.importBy(imports);
     if (!json) {
       SceneFile file = options.load(parser(), errors);
       describe(file, out);

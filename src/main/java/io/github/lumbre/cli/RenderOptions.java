@@ -4,6 +4,7 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
 import io.github.lumbre.cli.option.FlagChecks;
+import io.github.lumbre.cli.option.ImportFlag;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.MotionFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
@@ -41,6 +42,8 @@ final class RenderOptions {
   private CommandSpec spec;
 
   @Mixin final SceneOptions scene = new SceneOptions();
+
+  @Mixin final ImportFlag imports = new ImportFlag();
 
   @Mixin final TargetFlags to = new TargetFlags();
 
@@ -85,6 +88,8 @@ final class RenderOptions {
    * @throws TaskException if standard input cannot be read
    */
   void validate(List<Path> scenes) throws TaskException {
+    imports.validate();
+    scene.importBy(imports);
     flags.validate();
     budgets.validate();
     checkpoints.validate();
@@ -119,6 +124,10 @@ final class RenderOptions {
     require(
         !flags.samples().haveShare() || checkpoint.isPresent(),
         "--share: requires --checkpoint, whose files 'lumbre merge' joins");
+    require(
+        !imports.isGiven() || checkpoint.isEmpty(),
+        "--import-with: cannot be combined with --checkpoint, because a checkpoint file does not"
+            + " hold the converted model; convert it once, and render the GLB");
     require(
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"

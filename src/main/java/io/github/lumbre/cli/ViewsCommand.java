@@ -1,9 +1,11 @@
 package io.github.lumbre.cli;
 
 import io.github.lumbre.base.ExitCode;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.cli.option.DenoisingFlags;
 import io.github.lumbre.cli.option.FrameFlags;
+import io.github.lumbre.cli.option.ImportFlag;
 import io.github.lumbre.cli.option.ModelFlags;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.RunFlags;
@@ -43,6 +45,7 @@ import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.internal.ModelSequence;
+import io.github.lumbre.stage.internal.ModelSource;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -97,6 +100,8 @@ final class ViewsCommand extends Subcommand {
 
   @Mixin private final ModelFlags flags = new ModelFlags();
 
+  @Mixin private final ImportFlag imports = new ImportFlag();
+
   @Mixin private final DenoisingFlags stored = new DenoisingFlags();
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
@@ -117,8 +122,11 @@ final class ViewsCommand extends Subcommand {
     }
   }
 
-  private Stage checkedStage() {
-    require(ModelReader.isModel(model), model + ": expected a model file: " + Models.NAMES);
+  private Stage checkedStage() throws TaskException {
+    require(
+        imports.converts(model) || ModelReader.isModel(model),
+        model + ": expected a model file: " + Models.NAMES + imports.advice(model));
+    imports.validate();
     for (String flag : List.of("--view", "--camera", "--eye", "--target")) {
       require(
           !spec.commandLine().getParseResult().hasMatchedOption(flag),
@@ -164,8 +172,9 @@ final class ViewsCommand extends Subcommand {
 
   private List<SceneFile> read(Stage stage) throws Exception {
     SceneParser parser = frame.over(new SceneParser()).overriding(this::overridden);
-    ModelSequence views =
-        ModelSequence.of(parser, model, Optional.empty(), stage, ModelSequence.Motion.ofViews());
+    ModelSource source =
+        imports.converts(model) ? imports.source(parser, model) : ModelSource.of(parser, model);
+    ModelSequence views = ModelSequence.of(source, stage, ModelSequence.Motion.ofViews());
     for (int i = 0; i < views.count(); i++) {
       files.add(views.frame(i));
     }

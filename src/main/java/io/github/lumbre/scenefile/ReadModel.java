@@ -53,7 +53,7 @@ final class ReadModel implements LoneModel {
     allowance.addBytes(content.length).ifPresent(e -> place.problemPlace().error(Kind.LIMIT, e));
     problems.throwIfAny();
     data = new AssetData(textPath(), hash, allowance, Map.of(), List.of());
-    data.note(name(), content);
+    data.note(name(), source.identity().orElse(content));
     model = read();
   }
 
@@ -75,7 +75,9 @@ final class ReadModel implements LoneModel {
     try {
       ModelOptions uncut =
           options.with(ModelOption.SECTION, List.of()).with(ModelOption.EXPLODE, 0.);
-      Model read = ModelReader.readPose(name(), content, others, uncut);
+      // The ending chooses the format.
+      String name = source.identity().isPresent() ? name() + ".glb" : name();
+      Model read = ModelReader.readPose(name, content, others, uncut);
       if (!source.isFrame()) {
         read.requireSurface();
       }

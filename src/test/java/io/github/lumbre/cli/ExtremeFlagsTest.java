@@ -26,7 +26,7 @@ class ExtremeFlagsTest {
       Pattern.compile(
           "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background"
               + "|look|labels|variant|fit|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
-              + "|animation|ffmpeg|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
+              + "|animation|ffmpeg|import-with|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
               + "|csv|scenes|sheet)");
 
   /** A place for a number in the flags of {@code render}. */

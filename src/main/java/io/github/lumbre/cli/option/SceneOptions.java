@@ -40,6 +40,7 @@ public final class SceneOptions {
   private Optional<OutputGuard> guard = Optional.empty();
   private Optional<Motion> motion = Optional.empty();
   private Optional<ModelSequence> sequence = Optional.empty();
+  private Optional<ImportFlag> importing = Optional.empty();
   private int frame;
   private final Set<String> warned = new HashSet<>();
 
@@ -85,9 +86,19 @@ public final class SceneOptions {
    * @throws TaskException if standard input cannot be read
    */
   public boolean isModel() throws TaskException {
-    return isStandardInput()
-        ? ModelReader.isModel(standardInput(), standardInput().length)
-        : ModelReader.isModel(scene);
+    if (isStandardInput()) {
+      return ModelReader.isModel(standardInput(), standardInput().length);
+    }
+    return isImported() || ModelReader.isModel(scene);
+  }
+
+  /** Makes a program convert the models. */
+  public void importBy(ImportFlag flag) {
+    importing = Optional.of(flag);
+  }
+
+  private boolean isImported() {
+    return importing.filter(flag -> flag.converts(scene)).isPresent();
   }
 
   /** Chooses one of several scenes. */
@@ -109,7 +120,9 @@ public final class SceneOptions {
       choose(one);
       guardedBy(given);
       try {
-        if (isModel()) {
+        if (isImported()) {
+          model.stage();
+        } else if (isModel()) {
           Stage stage = model.stage();
           given.readsAssets(one, stage.options().get(ModelOption.ASSETS), () -> modelFiles(one));
         } else {
@@ -195,9 +208,13 @@ public final class SceneOptions {
       Optional<byte[]> content =
           isStandardInput() ? Optional.of(standardInput()) : Optional.empty();
       Path named = isStandardInput() ? PictureOutput.STDIN : scene;
+      Motion moving = motion.orElseThrow();
       sequence =
           Optional.of(
-              ModelSequence.of(parser, named, content, model.stage(), motion.orElseThrow()));
+              isImported()
+                  ? ModelSequence.of(
+                      importing.orElseThrow().source(parser, scene), model.stage(), moving)
+                  : ModelSequence.of(parser, named, content, model.stage(), moving));
     }
     return sequence.get();
   }
@@ -278,14 +295,31 @@ public final class SceneOptions {
     if (motion.isPresent()) {
       return sequence(parser).frame(frame);
     }
+    importing.ifPresent(flag -> flag.requireSuits(scene, isStandardInput()));
     if (isStandardInput()) {
       return parsed(standardInput(), parser);
+    }
+    if (isImported()) {
+      Stage stage = model.stage();
+      return importing.orElseThrow().source(parser, scene).scene(stage);
     }
     if (isModel()) {
       return StagedModel.read(scene, model.stage(), parser).scene();
     }
-    SceneParser.requireScene(scene);
+    requireScene();
     model.requireNone();
     return parser.parse(scene);
+  }
+
+  private void requireScene() throws SceneFormatException, TaskException, IOException {
+    try {
+      SceneParser.requireScene(scene);
+    } catch (SceneFormatException e) {
+      String advice = importing.map(flag -> flag.advice(scene)).orElse("");
+      if (advice.isEmpty()) {
+        throw e;
+      }
+      throw ExitCode.SCENE.failure(ProblemText.of(e.problems().get(0)) + advice, e);
+    }
   }
 }

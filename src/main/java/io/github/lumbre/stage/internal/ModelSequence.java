@@ -98,10 +98,17 @@ public abstract class ModelSequence {
   public static ModelSequence of(
       SceneParser parser, Path model, Optional<byte[]> content, Stage stage, Motion motion)
       throws SceneFormatException, IOException {
-    ModelSource source =
+    return of(
         content.isPresent()
             ? ModelSource.of(parser, model.toString(), content.get(), ModelFolder.NONE)
-            : ModelSource.of(parser, model);
+            : ModelSource.of(parser, model),
+        stage,
+        motion);
+  }
+
+  /** Reads a model; see {@link #of(SceneParser, Path, Optional, Stage, Motion)}. */
+  public static ModelSequence of(ModelSource source, Stage stage, Motion motion)
+      throws SceneFormatException, IOException {
     return source.timed(
         () -> {
           if (motion.turns() > 0) {

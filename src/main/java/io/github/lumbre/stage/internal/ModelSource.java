@@ -4,6 +4,7 @@ import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.scenefile.internal.ModelParser;
@@ -19,14 +20,37 @@ import java.util.Optional;
  * @param parser whose limits and changes count
  * @param file absolute path of the model
  * @param content bytes of the file; empty to read it
+ * @param identity if a program has made the content, which then is GLB: what stands for it in
+ *     hashes
  * @param files has other files that the model names; empty for those beside it
  */
 public record ModelSource(
-    ModelParser parser, Path file, Optional<byte[]> content, Optional<ModelFolder> files) {
+    ModelParser parser,
+    Path file,
+    Optional<byte[]> content,
+    Optional<byte[]> identity,
+    Optional<ModelFolder> files) {
   /** Returns a model in a file. */
   public static ModelSource of(SceneParser parser, Path model) {
     Path file = model.toAbsolutePath().normalize();
-    return new ModelSource(parser.ofModels(), file, Optional.empty(), Optional.empty());
+    return new ModelSource(
+        parser.ofModels(), file, Optional.empty(), Optional.empty(), Optional.empty());
+  }
+
+  /**
+   * Returns a model that a program has converted.
+   *
+   * @param glb may name files beside the model
+   * @param identity of the model that was converted, and of how
+   */
+  public static ModelSource converted(
+      SceneParser parser, Path model, byte[] glb, byte[] identity) {
+    return new ModelSource(
+        parser.ofModels(),
+        model.toAbsolutePath().normalize(),
+        Optional.of(glb),
+        Optional.of(identity),
+        Optional.empty());
   }
 
   /**
@@ -41,7 +65,8 @@ public record ModelSource(
       throw new IllegalArgumentException(
           "name: expected a name without folders, found " + PrintableText.quoted(name));
     }
-    return new ModelSource(parser.ofModels(), file, Optional.of(content), Optional.of(files));
+    return new ModelSource(
+        parser.ofModels(), file, Optional.of(content), Optional.empty(), Optional.of(files));
   }
 
   /** Reads within the time limit; what went wrong is a problem of the model. */
@@ -57,6 +82,16 @@ public record ModelSource(
   public Staging read(Stage stage, boolean isFrame) throws SceneFormatException, IOException {
     Stage lenient = stage.reading(stage.options().mayLackFiles(true));
     return read(lenient, folder(stage), isFrame);
+  }
+
+  /**
+   * Returns the scene around the model on a stage.
+   *
+   * @throws SceneFormatException if the model cannot be used
+   * @throws IOException if a file cannot be read, or the thread is interrupted
+   */
+  public SceneFile scene(Stage stage) throws SceneFormatException, IOException {
+    return timed(() -> read(inMotion(stage), false).scene());
   }
 
   /** Returns the nearest folder that contains both the model and the sky's picture. */
@@ -83,7 +118,8 @@ public record ModelSource(
     return new Staging(
         parser,
         stage,
-        new ModelParser.Source(folder, file, content, files, stage.options(), isFrame));
+        new ModelParser.Source(
+            folder, file, content, identity, files, stage.options(), isFrame));
   }
 
   /** Returns a stage with the motion of the model's pose, if the parser's caller wants one. */
