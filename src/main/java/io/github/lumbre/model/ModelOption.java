@@ -50,13 +50,13 @@ public record ModelOption<T>(
 
   /**
    * The axis of the file that points up; without it, the one that its format states: +Y in glTF, +Z
-   * in 3MF, and +Y in STL, PLY, OBJ and OFF, which state none.
+   * in 3MF, any in COLLADA, and +Y in STL, PLY, OBJ and OFF, which state none.
    */
   public static final ModelOption<ModelOptions.Up> UP =
       new ModelOption<>(
               "up",
               new NamedType<>(Map.of("y", ModelOptions.Up.Y, "z", ModelOptions.Up.Z)),
-              "Axis of the file that points up (y; glTF and 3MF: as the file states).")
+              "Axis of the file that points up (as the file states, else y).")
           .withFlag("up", "y|z")
           .inScenes()
           .inTools(
@@ -66,13 +66,13 @@ public record ModelOption<T>(
 
   /**
    * The length of the file's unit in world units; without it, the one that the file states in
-   * meters (glTF, 3MF), and 1 for formats that state none.
+   * meters (glTF, 3MF, COLLADA), and 1 for formats that state none.
    */
   public static final ModelOption<Double> UNIT =
       new ModelOption<>(
               "unit",
               LENGTH,
-              "Length of the file's unit (1; glTF and 3MF: as the file states, in meters).")
+              "Length of the file's unit (as the file states, in meters, else 1).")
           .inScenes()
           .withFlag("unit", "LENGTH")
           .inTools("unit", "Length of the file's unit; without it, as the file states, in meters.");

@@ -36,8 +36,8 @@ public final class Models {
   }
 
   /**
-   * Reads a glTF, OBJ, PLY, STL, OFF or 3MF file, or a ZIP archive of one, and the files that it
-   * names.
+   * Reads a glTF, OBJ, PLY, STL, OFF, 3MF or COLLADA file, or a ZIP archive of one, and the files
+   * that it names.
    *
    * @throws ModelFormatException if the file is damaged, unsupported or too large
    * @throws IOException if the file cannot be read

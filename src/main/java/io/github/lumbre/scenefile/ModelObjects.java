@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF and ZIP.
+ * Reads objects that are model files: glTF, OBJ, PLY, STL, OFF, 3MF, COLLADA and ZIP.
  *
  * @param parts receives the models
  * @param settings of the scene: they have the time of the shutter

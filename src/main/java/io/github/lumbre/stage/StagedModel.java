@@ -33,7 +33,7 @@ public final class StagedModel {
    * size; otherwise its longer side is 1024, with the aspect ratio of the model's camera, or 4:3.
    * The model may lack pictures.
    *
-   * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF or ZIP file
+   * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
    * @throws IOException if the model exists but cannot be read, or the thread is interrupted
    */

@@ -121,7 +121,6 @@ class FileKindsTest {
         "a.usdz|PK\\3\\4..........................mesh.usdc|USDZ; export it to GLB",
         "a.usda|#usda 1.0|USD; export it to GLB",
         "a.rar|Rar!....|a RAR archive; unpack it",
-        "a.dae|<?xml version='1.0'?><COLLADA>|COLLADA; export it to GLB",
         "a.blend|BLENDER-v300|a Blender file; export it to GLB",
         "a.step|ISO-10303-21;|STEP; export it to GLB",
         "a.ifc|ISO-10303-21;\\nHEADER;\\nFILE_SCHEMA (('IFC4'));|IFC; export it to GLB",
@@ -151,6 +150,8 @@ class FileKindsTest {
         "a.tif|MM\\0*..|a TIFF picture; name the scene or model that uses it",
         "a.txt|hello|another kind of file",
         "a.json|# by hand\\nCOFF\\n3 1 0\\n|OFF; give its name the ending .off",
+        "a.json|<?xml version='1.0'?><COLLADA>|COLLADA; give its name the ending .dae",
+        "b.json|\\377\\376<\\0C\\0O\\0L\\0L\\0A\\0D\\0A\\0|COLLADA; give its name the ending .dae",
         "a.json|glTF\\2|GLB; give its name the ending .glb",
         "b.json|{\"asset\": {\"version\": \"2.0\"}}|glTF; give its name the ending .gltf",
         "a.exr|v/1\\1\\2...|an OpenEXR picture; name the scene or model that uses it"
@@ -159,8 +160,8 @@ class FileKindsTest {
     Path file = folder.resolve(name);
     Files.write(file, content.translateEscapes().getBytes(StandardCharsets.ISO_8859_1));
     String message =
-        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off, .3mf, .zip),"
-            + " found ";
+        "expected a scene (.json) or a model (.gltf, .glb, .obj, .ply, .stl, .off, .3mf, .dae,"
+            + " .zip), found ";
     render(file).assertFailed(ExitCodes.SCENE, name + ": " + message + found);
     Outcome.of("check", file.toString())
         .assertFailed(ExitCodes.SCENE, name + ": " + message + found);
@@ -187,7 +188,8 @@ class FileKindsTest {
         "ply|a PLY file",
         "stl|an STL file",
         "off|an OFF file",
-        "3mf|a 3MF file"
+        "3mf|a 3MF file",
+        "dae|a COLLADA file"
       })
   void modelsOfWrongContentsAreNamed(String ending, String title) throws IOException {
     for (String[] kind :

@@ -25,8 +25,8 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(RenderedSceneExtension.class)
 public @interface RenderedScene {
   /**
-   * The path of a JSON scene, or of a glTF, OBJ, PLY, STL, OFF or 3MF model, from the working
-   * directory or from {@code src/test/resources}.
+   * The path of a JSON scene, or of a glTF, OBJ, PLY, STL, OFF, 3MF or COLLADA model, from the
+   * working directory or from {@code src/test/resources}.
    */
   String value();
 

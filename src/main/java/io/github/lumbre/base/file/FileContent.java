@@ -183,7 +183,9 @@ public final class FileContent {
   }
 
   private static Optional<String> ofText(String text) {
-    String trimmed = text.startsWith("\u00ef\u00bb\u00bf") ? text.substring(3) : text;
+    boolean isWide = text.startsWith("\u00ff\u00fe") || text.startsWith("\u00fe\u00ff");
+    String narrow = isWide ? text.substring(2).replace("\0", "") : text;
+    String trimmed = narrow.startsWith("\u00ef\u00bb\u00bf") ? narrow.substring(3) : narrow;
     String begin = trimmed.stripLeading();
     if (begin.isEmpty()) {
       return text.isEmpty() ? Optional.of("an empty file") : Optional.empty();

@@ -18,14 +18,15 @@ import java.util.Optional;
 final class ModelInputs {
   static final Input<String> MODEL =
       Input.requiredText(
-          "model", "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model.");
+          "model",
+          "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP file with a 3D model.");
 
   /** The same argument of tools that show scenes, too. */
   static final Input<String> MODEL_OR_SCENE =
       Input.requiredText(
           "model",
-          "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP file with a 3D model, or of a scene"
-              + " in JSON, whose own camera and settings count within the bounds of this tool.");
+          "Path of a glTF, GLB, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP file with a 3D model, or of a"
+              + " scene in JSON, whose own camera and settings count within the bounds of this tool.");
 
   /** The options that say where the camera is. */
   private static final List<ModelOption<?>> PLACES =

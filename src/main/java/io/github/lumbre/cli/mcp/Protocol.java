@@ -33,7 +33,7 @@ final class Protocol {
   private static final long MILLIS_PER_HOUR = 3_600_000;
 
   private static final String INSTRUCTIONS =
-      "Lumbre renders 3D models (glTF, GLB, OBJ, PLY, STL, OFF, 3MF, ZIP) and its scenes in JSON"
+      "Lumbre renders 3D models (glTF, OBJ, PLY, STL, OFF, 3MF, COLLADA, ZIP) and its scenes in JSON"
           + " from files: pictures as PNG, numbers as JSON. 'views' shows a part from all sides at"
           + " once; 'describe' lists its size and parts without rendering; 'render' shows one view;"
           + " 'diff' says what changed between two models.";

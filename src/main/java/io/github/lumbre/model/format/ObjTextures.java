@@ -17,7 +17,7 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Reads each picture of an OBJ model at its first use. Mutable. */
+/** Reads each picture that a model names at its first use. Mutable. */
 public final class ObjTextures {
   /** The number of points per side at which a picture is checked for color. */
   private static final int CHECKED = 64;
@@ -36,7 +36,8 @@ public final class ObjTextures {
     return new ModelTexture(image(map), 0, map.wrap(), map.wrap(), false, map.uvTransform());
   }
 
-  private ModelImage image(MtlMap map) throws ModelFormatException, IOException {
+  /** Returns the picture of a map. */
+  public ModelImage image(MtlMap map) throws ModelFormatException, IOException {
     ModelImage known = images.get(map.file());
     if (known != null) {
       return known;

@@ -3,24 +3,35 @@ package io.github.lumbre.model.format;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.Decimals;
 import io.github.lumbre.model.internal.TextScanner;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
 /**
- * Reads the elements of an XML text in UTF-8 and their attributes, tag by tag. Texts between tags,
- * comments and processing instructions are skipped. There are no document types, so that there are
+ * Reads the elements of an XML text in UTF-8, their attributes and their texts, tag by tag.
+ * Comments and processing instructions are skipped. There are no document types, so that there are
  * no entities but the five of XML 1.0 and those by number. Mutable.
  *
  * <p>{@link #nextWithin} moves to the children of an element; the methods that return attributes
- * are about the element to which it moved last.
+ * are about the element to which it moved last. Before it moves on, the text of that element can be
+ * read once, up to its first child: whole, or word by word, in any length.
  */
 public final class XmlReader {
+  /** The most elements within each other, unless a format needs more. */
   private static final int MAX_DEPTH = 100;
+
   private static final int MAX_ATTRIBUTES = 100;
 
+  /** The largest absolute value of a number: products of two must not overflow. */
+  private static final double MAX_NUMBER = 1e150;
+
+  private static final int LONGEST_NUMBER = 400;
+
   private final XmlTags tags;
+  private final int maxDepth;
 
   private final XmlTag tag;
   private int nameStart;
@@ -36,12 +47,22 @@ public final class XmlReader {
 
   private final XmlNamespaces namespaces = new XmlNamespaces();
 
+  private String firstComma = "";
+
   /** Whether the current element is an empty one, such as {@code <a/>}. */
   private boolean isClosed;
 
-  public XmlReader(ZipInput in) {
+  public XmlReader(XmlSource in) {
+    this(in, MAX_DEPTH);
+  }
+
+  /**
+   * @param maxDepth the most elements within each other
+   */
+  public XmlReader(XmlSource in, int maxDepth) {
     tags = new XmlTags(in);
     tag = tags.tag();
+    this.maxDepth = maxDepth;
   }
 
   /** Returns the depth of the current element: 1 for the root. */
@@ -108,9 +129,9 @@ public final class XmlReader {
     if (nameEnd == 0) {
       throw error("expected the name of an element, found none");
     }
-    if (open.size() == MAX_DEPTH) {
+    if (open.size() == maxDepth) {
       throw Kind.TOO_LARGE.at(
-          location(), "expected at most " + MAX_DEPTH + " elements within each other, found more");
+          location(), "expected at most " + maxDepth + " elements within each other, found more");
     }
     if (!isClosed) {
       open.add(tag.string(0, nameEnd));
@@ -265,6 +286,76 @@ public final class XmlReader {
                   max, name, PrintableText.quoted(tag.decoded(ranges[i + 2], ranges[i + 3]))));
     }
     return (int) value;
+  }
+
+  /** Returns the text of the element before its first child. */
+  public String text() throws ModelFormatException {
+    return isClosed ? "" : tags.text();
+  }
+
+  /** Moves to the next word of the element's text; returns false if there is none. */
+  public boolean nextWord() throws ModelFormatException {
+    return !isClosed && tags.nextWord();
+  }
+
+  /** Returns where the first comma is that was taken for a decimal point; empty if none was. */
+  public String firstComma() {
+    return firstComma;
+  }
+
+  /**
+   * Returns the current word as a number; NaN if it is none, is not finite or is beyond 1e150. A
+   * comma is taken for the decimal point.
+   */
+  public double wordNumber() {
+    double simple = Decimals.exact(tags.word(), 0, tags.wordSize());
+    return Double.isNaN(simple) ? otherNumber() : simple;
+  }
+
+  private double otherNumber() {
+    if (tags.wordSize() > LONGEST_NUMBER) {
+      return Double.NaN;
+    }
+    String word = new String(tags.word(), 0, tags.wordSize(), StandardCharsets.ISO_8859_1);
+    double number = parsed(word);
+    if (firstComma.isEmpty() && word.indexOf(',') >= 0 && !Double.isNaN(number)) {
+      firstComma = wordLocation();
+    }
+    return number;
+  }
+
+  /** Returns a word as a number, as {@link #wordNumber} does. */
+  public static double parsed(String word) {
+    for (int i = 0; i < word.length(); i++) {
+      // Double.parseDouble alone would accept "NaN", "1f" and "0x1p3".
+      if (i == LONGEST_NUMBER || "0123456789.,-+eE".indexOf(word.charAt(i)) < 0) {
+        return Double.NaN;
+      }
+    }
+    try {
+      double number = Double.parseDouble(word.replace(',', '.'));
+      return Math.abs(number) <= MAX_NUMBER ? number : Double.NaN;
+    } catch (NumberFormatException e) {
+      return Double.NaN;
+    }
+  }
+
+  /** Returns the current word as an integer from 0 to 2^31 - 1; -1 if it is none. */
+  public int wordIndex() {
+    byte[] word = tags.word();
+    long value = 0;
+    for (int i = 0; i < tags.wordSize(); i++) {
+      value = 10 * value + word[i] - '0';
+      if (word[i] < '0' || word[i] > '9' || value > Integer.MAX_VALUE) {
+        return -1;
+      }
+    }
+    return (int) value;
+  }
+
+  /** Returns the place of the current word, for messages. */
+  public String wordLocation() {
+    return tags.wordLocation();
   }
 
   /** Returns the name of the part that is read, for messages. */

@@ -12,7 +12,8 @@ import java.util.regex.Pattern;
 
 /** The bytes of a tag of XML, without its brackets. Mutable. */
 final class XmlTag {
-  private static final int MAX_BYTES = 1 << 20;
+  /** The most bytes of a tag, and of a text between tags that is read as one. */
+  static final int MAX_BYTES = 1 << 20;
 
   private byte[] bytes = new byte[256];
   private int size;
@@ -32,7 +33,8 @@ final class XmlTag {
     if (size == bytes.length) {
       if (size == MAX_BYTES) {
         throw Kind.TOO_LARGE.at(
-            part + " line " + line, "expected a tag of at most " + MAX_BYTES + " bytes");
+            (part.isEmpty() ? "line " : part + " line ") + line,
+            "expected a tag of at most " + MAX_BYTES + " bytes");
       }
       bytes = Arrays.copyOf(bytes, 2 * size);
     }
@@ -72,7 +74,12 @@ final class XmlTag {
 
   /** Returns a text with its entities replaced; unknown ones stay. */
   String decoded(int from, int to) {
-    return XmlEntities.replaced(string(from, to));
+    return decoded(bytes, from, to);
+  }
+
+  /** Returns a text in UTF-8 with its entities replaced; unknown ones stay. */
+  static String decoded(byte[] text, int from, int to) {
+    return XmlEntities.replaced(new String(text, from, to - from, StandardCharsets.UTF_8));
   }
 
   /** Returns whether a word follows at an offset. */

@@ -12,7 +12,7 @@ import java.util.zip.Inflater;
  * The bytes of one part of an archive, inflated block by block. Never more than the stated size is
  * inflated; at the end, size and checksum are compared. Mutable.
  */
-public final class ZipInput implements AutoCloseable {
+public final class ZipInput implements XmlSource, AutoCloseable {
   private final String part;
   private final Inflater inflater = new Inflater(true);
   private final boolean isDeflated;
@@ -37,7 +37,7 @@ public final class ZipInput implements AutoCloseable {
     inflater.setInput(compressed);
   }
 
-  /** Returns the name of the part, for messages. */
+  @Override
   public String part() {
     return part;
   }
@@ -47,13 +47,7 @@ public final class ZipInput implements AutoCloseable {
     return size;
   }
 
-  /**
-   * Reads the next bytes.
-   *
-   * @param from index in the target of the first byte
-   * @return the number of bytes that were read; 0 at the end, or if the target is full
-   * @throws ModelFormatException if they are damaged
-   */
+  @Override
   public int read(byte[] target, int from) throws ModelFormatException {
     Interrupts.check();
     int count = (int) Math.min(left, target.length - from);

@@ -12,8 +12,15 @@ import java.util.OptionalDouble;
  * @param name empty if it has none
  * @param location in the file, such as {@code nodes[3].camera}
  * @param toWorld from the camera's local space to the model's world space
+ * @param onlyByName whether a picture has this camera only if a user names it: programs write
+ *     cameras into files of its format that nobody chose
  */
-public record ModelCamera(String name, String location, Lens lens, Transform toWorld) {
+public record ModelCamera(
+    String name, String location, Lens lens, Transform toWorld, boolean onlyByName) {
+  /** Creates a camera that a picture has unless a user wants another one. */
+  public ModelCamera(String name, String location, Lens lens, Transform toWorld) {
+    this(name, location, lens, toWorld, false);
+  }
 
   public sealed interface Lens {}
 

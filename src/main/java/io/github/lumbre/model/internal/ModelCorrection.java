@@ -69,7 +69,8 @@ final class ModelCorrection {
         camera.name(),
         camera.location(),
         lens(camera.lens()),
-        toWorld.times(camera.toWorld()).times(kept));
+        toWorld.times(camera.toWorld()).times(kept),
+        camera.onlyByName());
   }
 
   private Lens lens(Lens lens) {

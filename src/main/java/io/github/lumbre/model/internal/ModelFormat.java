@@ -4,6 +4,7 @@ import io.github.lumbre.base.file.FileContent;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.format.dae.DaeReader;
 import io.github.lumbre.model.format.gltf.GltfReader;
 import io.github.lumbre.model.format.obj.ObjModelReader;
 import io.github.lumbre.model.format.off.OffReader;
@@ -29,10 +30,11 @@ public enum ModelFormat {
   STL("an STL file", StlReader::startsIn, StlReader::read, "stl"),
   OFF("an OFF file", OffReader::startsIn, OffReader::read, "off"),
   THREE_MF("a 3MF file", ThreeMfReader::startsIn, ThreeMfReader::read, "3mf"),
+  COLLADA("a COLLADA file", DaeReader::startsIn, DaeReader::read, "dae"),
   ZIP("a ZIP archive", ZipReader::startsIn, ZipReader::read, "zip");
 
   /** The formats for texts in which a line may not break after the dot of an ending. */
-  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL, OFF, 3MF or ZIP";
+  public static final String TITLES = "glTF, GLB, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP";
 
   /** The name endings of the formats, for messages: {@code .gltf, .glb}. */
   public static final String ENDINGS =
@@ -109,8 +111,10 @@ public enum ModelFormat {
   }
 
   private String withAdvice(byte[] file) {
-    String content = this != GLTF ? title.split(" ")[1] : file[0] == 'g' ? "GLB" : "glTF";
-    return content + "; give its name the ending ." + content.toLowerCase(Locale.ROOT);
+    boolean isGlb = this == GLTF && file[0] == 'g';
+    return (isGlb ? "GLB" : title.split(" ")[1])
+        + "; give its name the ending ."
+        + endings.get(isGlb ? 1 : 0);
   }
 
   /**

@@ -135,7 +135,7 @@ public final class ModelReader {
   private static Model placed(Model read, ModelFormat format, ModelOptions options) {
     return switch (format) {
       case GLTF -> ModelCorrection.of(read, options);
-      case THREE_MF -> read; // Its reader applies them to what the file states.
+      case THREE_MF, COLLADA -> read; // Their readers apply them to what the files state.
       default -> read.from(options.toWorld(), "");
     };
   }

@@ -215,7 +215,9 @@ public final class Staging {
   private Optional<ModelCamera> own(Stage of) throws ModelFormatException {
     Optional<String> name = of.find(Stage.CAMERA);
     if (name.isEmpty()) {
-      return model.cameras().stream().findFirst().filter(c -> !of.isFramed());
+      return model.cameras().stream()
+          .findFirst()
+          .filter(first -> !first.onlyByName() && !of.isFramed());
     }
     List<String> names = ModelContents.cameraNames(model);
     int index = ModelNames.index("cameras", "a camera", names, name.get());

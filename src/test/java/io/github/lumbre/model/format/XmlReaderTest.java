@@ -103,6 +103,81 @@ class XmlReaderTest {
     assertThat(list.words("b").remainingWords()).isEqualTo("1 2 3");
   }
 
+  @Test
+  void textsAreReadBeforeTheFirstChild() throws ModelFormatException {
+    XmlReader xml =
+        reader(
+            "<a> 1 &lt;<!-- <b> --><![CDATA[ <> ]] ]]]> 2<b>3</b>4<c/><d><![CDATA[5]]></d></a>");
+    assertThat(xml.nextWithin(0)).isTrue();
+    assertThat(xml.text()).isEqualTo(" 1 < <> ]] ] 2");
+    assertThat(xml.nextWithin(1) && xml.nextWithin(1)).isTrue();
+    assertThat(xml.name()).isEqualTo("c");
+    assertThat(xml.text()).isEmpty();
+    assertThat(xml.nextWithin(1)).isTrue();
+    assertThat(xml.text()).isEqualTo("5");
+    assertThat(xml.nextWithin(1)).isFalse();
+    assertThat(xml.nextWithin(0)).isFalse();
+  }
+
+  @Test
+  void numbersOfTextsAreStreamed() throws ModelFormatException {
+    XmlReader xml =
+        reader("<a>\n 1 -2.5e1<!-- 9 -->3,5\r\n<![CDATA[4 5]]> nan 1e151 1e150 0x1<b/>7</a>");
+    assertThat(xml.nextWithin(0)).isTrue();
+    double[] expected = {1, -25, 3.5, 4, 5, Double.NaN, Double.NaN, 1e150, Double.NaN};
+    for (double number : expected) {
+      assertThat(xml.firstComma()).isEqualTo(number < 4 ? "" : "a.xml line 2");
+      assertThat(xml.nextWord()).isTrue();
+      assertThat(Double.valueOf(xml.wordNumber())).isEqualTo(Double.valueOf(number));
+    }
+    assertThat(xml.wordLocation()).isEqualTo("a.xml line 3");
+    assertThat(xml.nextWord()).isFalse();
+    assertThat(xml.nextWord()).isFalse();
+    assertThat(xml.nextWithin(1)).isTrue();
+    assertThat(xml.nextWord()).isFalse();
+    assertThat(xml.nextWithin(1)).isFalse();
+  }
+
+  @Test
+  void indicesOfTextsAreNotNegative() throws ModelFormatException {
+    XmlReader xml = reader("<a>0 007 2147483647 2147483648 -1 1.0 x 99999999999999999999</a>");
+    assertThat(xml.nextWithin(0)).isTrue();
+    for (int index : new int[] {0, 7, Integer.MAX_VALUE, -1, -1, -1, -1, -1}) {
+      assertThat(xml.nextWord()).isTrue();
+      assertThat(xml.wordIndex()).isEqualTo(index);
+    }
+  }
+
+  /** Blocks end anywhere in words, comments and tags. */
+  @Test
+  void textsMayBeLongerThanBlocks() throws ModelFormatException {
+    for (int shift = 0; shift < 12; shift++) {
+      String text = " ".repeat(shift) + "<a>" + "1234567 <!--8--> ".repeat(5000) + "</a>";
+      XmlReader xml = reader(text);
+      assertThat(xml.nextWithin(0)).isTrue();
+      int count = 0;
+      while (xml.nextWord()) {
+        assertThat(xml.wordNumber()).isEqualTo(1234567);
+        count++;
+      }
+      assertThat(count).isEqualTo(5000);
+      assertThat(xml.nextWithin(0)).isFalse();
+    }
+    assertThat(refusalOfText("<a>" + "x".repeat((1 << 20) + 1) + "</a>"))
+        .isEqualTo("a.xml line 1: expected a text of at most 1048576 bytes");
+  }
+
+  private static String refusalOfText(String text) {
+    XmlReader xml = reader(text);
+    return catchThrowableOfType(
+            ModelFormatException.class,
+            () -> {
+              xml.nextWithin(0);
+              xml.text();
+            })
+        .getMessage();
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -16,6 +16,7 @@ import io.github.lumbre.material.MaterialParameter;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.format.MtlMap;
 import io.github.lumbre.model.format.ObjTextures;
+import io.github.lumbre.model.format.PhongReflection;
 import io.github.lumbre.model.internal.MaterialInput;
 import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
@@ -51,12 +52,6 @@ import java.util.Set;
  * </ul>
  */
 final class MtlConversion {
-  /** The reflectance at normal incidence of index 1.5, which is the default. */
-  private static final double DEFAULT_REFLECTANCE = .04;
-
-  /** The reflectance at normal incidence of a Ks of 1. */
-  private static final double FULL_REFLECTANCE = .08;
-
   private static final double DEFAULT_SHEEN_ROUGHNESS = .5;
 
   /** Keys that libraries do not write with a capital letter. */
@@ -159,15 +154,15 @@ final class MtlConversion {
       return;
     }
     boolean reflects = illumination == 3 || illumination == 5 || illumination == 8;
-    double scale = (reflects ? 1 : FULL_REFLECTANCE) / DEFAULT_REFLECTANCE;
-    out.set(SPECULAR, 1);
-    out.set(SPECULAR_COLOR, reflectance.withFactor(reflectance.factor().times(scale)));
-    out.set(ROUGHNESS, phongRoughness());
+    PhongReflection.set(out, reflectance, reflects, exponent());
   }
 
   private double phongRoughness() {
-    double exponent = limited("ns", in.number("ns").orElse(0.), 0, Double.MAX_VALUE);
-    return Math.sqrt(Math.sqrt(2 / (exponent + 2)));
+    return PhongReflection.roughness(exponent());
+  }
+
+  private double exponent() {
+    return limited("ns", in.number("ns").orElse(0.), 0, Double.MAX_VALUE);
   }
 
   private void setRefraction() {
