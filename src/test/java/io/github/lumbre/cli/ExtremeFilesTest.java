@@ -52,6 +52,39 @@ class ExtremeFilesTest {
 
   private static final Pattern XML = Pattern.compile("(?<=[\" ])-?\\d+([.]\\d+)?(?=[\" ])");
 
+  /** Numbers in attributes and texts of XML; ids have no digits. */
+  private static final Pattern TEXTS =
+      Pattern.compile("(?<=[\"> ])-?\\d+([.]\\d+)?(?=[\"< ])");
+
+  private static final String COLLADA =
+      """
+      <COLLADA version="1.4.x"><asset><unit meter="0.5"/><up_axis>Z_UP</up_axis></asset>
+      <library_cameras><camera id="k"><optics><technique_common><perspective><xfov>40</xfov>
+      <aspect_ratio>1.5</aspect_ratio></perspective></technique_common></optics></camera>
+      </library_cameras><library_effects><effect id="e"><profile_COMMON><technique><phong>
+      <emission><color>0.5 0 0 1</color></emission><diffuse><color>0.5 0.5 0 1</color></diffuse>
+      <specular><color>0.5 0.5 0.5 1</color></specular><shininess><float>20</float></shininess>
+      <transparent opaque="RGB_ZERO"><color>0.1 0.2 0.3 1</color></transparent><transparency>
+      <float>0.5</float></transparency></phong></technique></profile_COMMON></effect>
+      </library_effects><library_materials><material id="m"><instance_effect url="#e"/></material>
+      </library_materials><library_geometries><geometry id="g"><mesh><source id="p">
+      <float_array id="a" count="12">0 0 0 1 0 0 1 1 0 0 1 0.5</float_array><technique_common>
+      <accessor source="#a" count="4" stride="3" offset="0"><param name="X"/><param name="Y"/>
+      <param name="Z"/></accessor></technique_common></source><source id="n">
+      <float_array count="3">0 0 1</float_array></source><source id="c"><float_array count="8">1 0 0
+       1 0 0.5 1 1</float_array></source><vertices id="v"><input semantic="POSITION"
+       source="#p"/></vertices><polylist count="1" material="s"><input semantic="VERTEX"
+       source="#v" offset="0"/><input semantic="NORMAL" source="#n" offset="1"/><input
+       semantic="COLOR" source="#c" offset="2" set="0"/><vcount>4</vcount><p>0 0 0 1 0 1 2 0 0 3 0
+       1</p></polylist></mesh></geometry></library_geometries><library_visual_scenes><visual_scene
+       id="x"><node id="r"><translate>1 2 3</translate><rotate>0 0 1 30</rotate><scale>1 2 1</scale>
+      <skew>20 0 1 0 1 0 0</skew><node><lookat>0 0 5 0 0 0 0 1 0</lookat><instance_camera url="#k"/>
+      </node><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#g">
+      <bind_material><technique_common><instance_material symbol="s" target="#m"/>
+      </technique_common></bind_material></instance_geometry></node></node></visual_scene>
+      </library_visual_scenes><scene><instance_visual_scene url="#x"/></scene></COLLADA>
+      """;
+
   private static final String MTL =
       """
       newmtl red
@@ -247,6 +280,11 @@ class ExtremeFilesTest {
           return Files.write(folder.resolve("a.3mf"), bytes.toByteArray());
         },
         MODELS);
+  }
+
+  @Test
+  void colladaFiles() throws IOException {
+    run(Extremes.variants(COLLADA, TEXTS), file("a.dae"), MODELS);
   }
 
   @Test

@@ -3,6 +3,7 @@ package io.github.lumbre.model.format.dae;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.format.XmlReader;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +19,9 @@ final class DaeDocument {
   private final DaeElement root;
   private final Map<String, DaeElement> byId;
   private final DaeFile file;
+
+  /** Images by their names; empty before the first is wanted. */
+  private Optional<Map<String, DaeElement>> images = Optional.empty();
 
   DaeDocument(DaeElement root, Map<String, DaeElement> byId, DaeFile file) {
     this.root = root;
@@ -48,6 +52,18 @@ final class DaeDocument {
   /** Returns the element of a name and an id; empty if there is none. */
   Optional<DaeElement> withId(String name, String id) {
     return Optional.ofNullable(byId.get(key(name, id)));
+  }
+
+  /** Returns the first image of a name: some programs write names for ids. */
+  Optional<DaeElement> imageOfName(String name) {
+    if (images.isEmpty()) {
+      Map<String, DaeElement> named = new HashMap<>();
+      for (DaeElement image : library("library_images", "image")) {
+        named.putIfAbsent(image.attribute("name"), image);
+      }
+      images = Optional.of(named);
+    }
+    return name.isEmpty() ? Optional.empty() : Optional.ofNullable(images.get().get(name));
   }
 
   /**

@@ -10,7 +10,6 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 
 /** The materials of a file, and how instances bind them. Mutable: effects are read once. */
 final class DaeMaterials {
@@ -46,19 +45,18 @@ final class DaeMaterials {
   /**
    * Returns the look that an instance of a geometry gives to a symbol of it; empty if it has none.
    *
-   * @param instance with or without {@code <bind_material>}
+   * @param bound what the {@code <bind_material>} of the instance has, by {@link #bound}
    */
-  Optional<Look> look(DaeElement instance, String symbol) {
-    for (DaeElement bound : bound(instance)) {
-      if (bound.attribute("symbol").equals(symbol)) {
-        Optional<DaeElement> material =
-            document.find("material", bound.attribute("target"), bound.location());
-        Map<String, Integer> sets = new TreeMap<>();
-        for (DaeElement input : bound.children("bind_vertex_input")) {
-          sets.put(input.attribute("semantic"), input.integer("input_set", 0));
-        }
-        return material.flatMap(m -> look(m, sets));
+  Optional<Look> look(DaeElement instance, Map<String, DaeElement> bound, String symbol) {
+    DaeElement stated = bound.get(symbol);
+    if (stated != null) {
+      Optional<DaeElement> material =
+          document.find("material", stated.attribute("target"), stated.location());
+      Map<String, Integer> sets = new HashMap<>();
+      for (DaeElement input : stated.children("bind_vertex_input")) {
+        sets.put(input.attribute("semantic"), input.integer("input_set", 0));
       }
+      return material.flatMap(m -> look(m, sets));
     }
     if (symbol.isEmpty()) {
       return Optional.empty();
@@ -75,11 +73,14 @@ final class DaeMaterials {
     return named.flatMap(material -> look(material, Map.of()));
   }
 
-  private static List<DaeElement> bound(DaeElement instance) {
-    List<DaeElement> all = new ArrayList<>();
+  /** Returns the instances of materials that an instance of a geometry has, by their symbols. */
+  static Map<String, DaeElement> bound(DaeElement instance) {
+    Map<String, DaeElement> all = new HashMap<>();
     for (DaeElement bind : instance.children("bind_material")) {
       for (DaeElement technique : bind.children("technique_common")) {
-        all.addAll(technique.children("instance_material"));
+        for (DaeElement material : technique.children("instance_material")) {
+          all.putIfAbsent(material.attribute("symbol"), material);
+        }
       }
     }
     return all;

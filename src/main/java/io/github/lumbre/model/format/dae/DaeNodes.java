@@ -5,6 +5,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.ModelLimits;
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -48,9 +49,10 @@ final class DaeNodes {
     return scene;
   }
 
-  /** Returns the places of all nodes of a scene, without instances of nodes. */
+  /** Returns the places of all nodes of a scene, in their order, without instances of nodes. */
   Map<DaeElement, Transform> places(DaeElement scene, DaeTransforms transforms) {
-    Map<DaeElement, Transform> places = new IdentityHashMap<>();
+    // Elements are compared by identity.
+    Map<DaeElement, Transform> places = new LinkedHashMap<>();
     scene.children("node").forEach(node -> place(node, Transform.IDENTITY, transforms, places));
     return places;
   }

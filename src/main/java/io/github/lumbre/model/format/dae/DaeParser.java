@@ -21,6 +21,8 @@ final class DaeParser {
   static final Set<String> PRIMITIVES =
       Set.of("triangles", "polylist", "polygons", "tristrips", "trifans");
 
+  private static final Set<String> INDICES = Set.of("p", "ph", "vcount");
+
   /** The memory of an element without its texts. */
   private static final long ELEMENT_BYTES = 200;
 
@@ -116,7 +118,7 @@ final class DaeParser {
 
   private void addChild(DaeElement parent) throws ModelFormatException {
     String name = xml.name();
-    boolean isIndices = parent.indices().isPresent() && Set.of("p", "ph", "vcount").contains(name);
+    boolean isIndices = parent.indices().isPresent() && INDICES.contains(name);
     if (isIndices) {
       readIndices(name, parent.indices().get());
     } else if (name.equals("library_animations")) {

@@ -11,6 +11,9 @@ import java.util.TreeMap;
  * A list of triangles, strips, fans or polygons, and the vectors of its corners. Mutable.
  */
 final class DaePrimitive {
+  /** More inputs of vertices are not needed. */
+  private static final int MAX_INPUTS = 64;
+
   /** More indices of a corner are not needed. */
   private static final int MAX_OFFSET = 1000;
 
@@ -51,7 +54,8 @@ final class DaePrimitive {
       if (input.attribute("semantic").equals("VERTEX")) {
         Optional<DaeElement> vertices =
             document.find("vertices", input.attribute("source"), input.location());
-        for (DaeElement each : vertices.map(v -> v.children("input")).orElse(List.of())) {
+        List<DaeElement> inputs = vertices.map(v -> v.children("input")).orElse(List.of());
+        for (DaeElement each : inputs.subList(0, Math.min(MAX_INPUTS, inputs.size()))) {
           primitive.add(each, offset, sources, false);
         }
       } else {

@@ -86,15 +86,8 @@ final class DaeSamplers {
     String id = from.map(e -> e.find("ref").orElse(e).text()).orElse(name);
     return document
         .withId("image", id)
-        .or(() -> withName(id))
+        .or(() -> document.imageOfName(id))
         .or(() -> document.find("image", id, use.location()));
-  }
-
-  /** Returns the image of a name: some programs write names for ids. */
-  private Optional<DaeElement> withName(String name) {
-    return document.library("library_images", "image").stream()
-        .filter(image -> !name.isEmpty() && image.attribute("name").equals(name))
-        .findFirst();
   }
 
   /** Returns the name of an image's file; empty, with a warning, if its bytes are in this file. */

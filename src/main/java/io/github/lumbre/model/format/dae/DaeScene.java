@@ -154,8 +154,9 @@ final class DaeScene {
       throws ModelFormatException {
     ModelLimits.require(
         instance.location(), "parts", ModelLimits.MAX_PARTS, placed.size() + groups.size());
+    Map<String, DaeElement> bound = DaeMaterials.bound(instance);
     for (DaeGeometry.Group group : groups) {
-      placed.add(new Placed(node, group, materials.look(instance, group.symbol()), place));
+      placed.add(new Placed(node, group, materials.look(instance, bound, group.symbol()), place));
     }
   }
 

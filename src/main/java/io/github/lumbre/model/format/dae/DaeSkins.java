@@ -1,7 +1,7 @@
 package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.math.Transform;
-import java.util.IdentityHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,17 +15,26 @@ final class DaeSkins {
   /** The most controllers between an instance and its geometry. */
   private static final int MAX_LEVELS = 10;
 
+  /** The most nodes that are searched for bones, for all skins. */
+  private static final int MAX_SEARCHED = 10_000_000;
+
   private static final Pattern SPACE = Pattern.compile("\\s+");
 
   private final DaeDocument document;
   private final Map<DaeElement, Transform> places;
 
+  /** The nodes of the scene by their names for joints. */
+  private final Map<String, DaeElement> joints = new HashMap<>();
+
+  private int searched;
+
   /**
-   * @param places of all nodes of the scene, in the space of the scene
+   * @param places of all nodes of the scene, in its space, in the order of the file
    */
   DaeSkins(DaeDocument document, Map<DaeElement, Transform> places) {
     this.document = document;
-    this.places = new IdentityHashMap<>(places);
+    this.places = places;
+    places.keySet().forEach(node -> joints.putIfAbsent(node.attribute("sid"), node));
   }
 
   /**
@@ -105,21 +114,23 @@ final class DaeSkins {
         skeletons.stream().flatMap(root -> joint(root, first).stream()).findFirst();
     return joint
         .or(() -> document.withId("node", first))
-        .or(() -> places.keySet().stream().filter(n -> isNamed(n, first)).findFirst())
+        .or(() -> Optional.ofNullable(joints.get(first)))
         .flatMap(node -> Optional.ofNullable(places.get(node)));
   }
 
-  private static Optional<DaeElement> joint(DaeElement node, String name) {
-    if (isNamed(node, name)) {
+  private Optional<DaeElement> joint(DaeElement node, String name) {
+    if (node.attribute("sid").equals(name) || node.attribute("id").equals(name)) {
       return Optional.of(node);
     }
-    return node.children("node").stream()
-        .flatMap(child -> joint(child, name).stream())
-        .findFirst();
-  }
-
-  private static boolean isNamed(DaeElement node, String name) {
-    return node.attribute("sid").equals(name) || node.attribute("id").equals(name);
+    searched++;
+    for (DaeElement child : node.children()) {
+      Optional<DaeElement> found =
+          child.is("node") && searched < MAX_SEARCHED ? joint(child, name) : Optional.empty();
+      if (found.isPresent()) {
+        return found;
+      }
+    }
+    return Optional.empty();
   }
 
   /** Returns the inverse of the place of the first bone when the skin was bound. */
