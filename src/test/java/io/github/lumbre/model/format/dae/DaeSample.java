@@ -60,12 +60,12 @@ public final class DaeSample {
 
   static String material(String id, String shader, String content) {
     return """
-    <library_effects><effect id="%1$s-fx"><profile_COMMON>%4$s<technique sid="common"><%2$s>%3$s
+    <library_effects><effect id="%1$s-fx"><profile_COMMON><technique sid="common"><%2$s>%3$s
     </%2$s></technique></profile_COMMON></effect></library_effects>
     <library_materials><material id="%1$s" name="paint %1$s"><instance_effect url="#%1$s-fx"/>
     </material></library_materials>
     """
-        .formatted(id, shader, content, "");
+        .formatted(id, shader, content);
   }
 
   /** Returns an instance of the geometry g whose symbol m is the material a. */
@@ -103,9 +103,20 @@ public final class DaeSample {
         .formatted(asset, libraries, nodes);
   }
 
-  /** Returns a file with a square of side 1. */
-  public static String squareFile() {
-    return file(square(), "<instance_geometry url=\"#g\"/>").replace(" material=\"m\"", "");
+  /** Returns a square of side 1, with z up in half meters, and a camera that looks away from it. */
+  public static String squareWithCamera() {
+    String camera =
+        """
+        <library_cameras><camera id="k"><optics><technique_common><perspective><yfov>30</yfov>
+        </perspective></technique_common></optics></camera></library_cameras>
+        """;
+    String nodes =
+        """
+        <node name="away"><lookat>0 0 5 0 0 9 0 1 0</lookat><instance_camera url="#k"/></node>
+        <node><instance_geometry url="#g"/></node>
+        """;
+    return ofNodes("<unit meter=\"0.5\"/><up_axis>Z_UP</up_axis>", square() + camera, nodes)
+        .replace(" material=\"m\"", "");
   }
 
   static ModelFixture fixture(String text) {
