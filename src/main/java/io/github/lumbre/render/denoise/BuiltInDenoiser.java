@@ -111,7 +111,7 @@ public final class BuiltInDenoiser {
         noisy.light().isNoiseKnown()
             ? OptionalDouble.of(relativeError(light))
             : OptionalDouble.empty();
-    return Denoised.of(noisy, light, Network.get().name(), error);
+    return Denoised.of(noisy, light, Network.NAME, error);
   }
 
   /** Filters the whole picture. */

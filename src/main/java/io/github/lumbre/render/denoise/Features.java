@@ -165,7 +165,7 @@ final class Features {
   }
 
   /**
-   * Writes the features of some pixels of a row of a tile.
+   * Writes the features of some pixels of a row of a tile, {@linkplain Loops#rounded rounded}.
    *
    * @param first the tile's first column
    * @param y the tile's row
@@ -175,31 +175,39 @@ final class Features {
    */
   void write(int first, int y, Maps maps, int row, int left, int right) {
     int at = maps.at(row);
+    float[] values = new float[Network.FEATURES];
     for (int x = left; x < right; x++) {
-      int i = index(first + x, y);
-      float deviation = 0;
-      float brightness = 0;
-      float noisiest = 0;
-      float largest = Math.max(divisor(i), Math.max(divisor(i + 1), divisor(i + 2)));
-      for (int c = 0; c < 3; c++) {
-        float value = light[i + c] * scale;
-        float divisor = divisor(i + c);
-        float error = noise.length == 0 ? 0 : limited(Math.abs(noise[i + c])) * scale;
-        maps.plane(c)[at + x] = tone(value);
-        maps.plane(3 + c)[at + x] = tone(value / divisor);
-        brightness += value;
-        deviation += error;
-        noisiest = Math.max(noisiest, error / (value + DARK * divisor / largest));
-        maps.plane(8 + c)[at + x] = albedo.length == 0 ? 0 : clamp(albedo[i + c], 0);
-        maps.plane(11 + c)[at + x] = normal.length == 0 ? 0 : clamp(normal[i + c], -1);
+      write(index(first + x, y), values);
+      for (int i = 0; i < values.length; i++) {
+        maps.plane(i)[at + x] = Loops.rounded(values[i]);
       }
-      deviation /= 3;
-      maps.plane(6)[at + x] = tone(deviation);
-      float relative = relative(deviation / (brightness / 3 + DARK), noisiest);
-      maps.plane(7)[at + x] = Math.min(LARGEST_RELATIVE_NOISE, .5f * relative);
-      maps.plane(14)[at + x] = length(albedoNoise, i);
-      maps.plane(15)[at + x] = length(normalNoise, i);
     }
+  }
+
+  /** Writes the features of a pixel. */
+  private void write(int i, float[] values) {
+    float deviation = 0;
+    float brightness = 0;
+    float noisiest = 0;
+    float largest = Math.max(divisor(i), Math.max(divisor(i + 1), divisor(i + 2)));
+    for (int c = 0; c < 3; c++) {
+      float value = light[i + c] * scale;
+      float divisor = divisor(i + c);
+      float error = noise.length == 0 ? 0 : limited(Math.abs(noise[i + c])) * scale;
+      values[c] = tone(value);
+      values[3 + c] = tone(value / divisor);
+      brightness += value;
+      deviation += error;
+      noisiest = Math.max(noisiest, error / (value + DARK * divisor / largest));
+      values[8 + c] = albedo.length == 0 ? 0 : clamp(albedo[i + c], 0);
+      values[11 + c] = normal.length == 0 ? 0 : clamp(normal[i + c], -1);
+    }
+    deviation /= 3;
+    values[6] = tone(deviation);
+    float relative = relative(deviation / (brightness / 3 + DARK), noisiest);
+    values[7] = Math.min(LARGEST_RELATIVE_NOISE, .5f * relative);
+    values[14] = length(albedoNoise, i);
+    values[15] = length(normalNoise, i);
   }
 
   /**

@@ -1,11 +1,14 @@
 package io.github.lumbre.render.denoise;
 
+import io.github.lumbre.math.internal.FusedMultiplyAdd;
 import io.github.lumbre.render.denoise.Network.Layer;
 import java.util.Arrays;
 
 /** Filters rows of a level with predicted kernels, and pools their light into the next level. */
 final class LevelFilter {
-  private static final int CHUNK = 256;
+  /** Pixels that are computed together, an even number; whole cache lines, as in convolutions. */
+  private static final int CHUNK = 268;
+
   private static final int RADIUS = Network.SIDE / 2;
   private static final float LARGEST_EXPONENT = 8;
 
@@ -35,7 +38,7 @@ final class LevelFilter {
     this.next = next;
     this.source = source;
     planes = level.filtered.length;
-    inputs = new float[head.inputs()][CHUNK];
+    inputs = new float[head.stride()][CHUNK];
     outputs = new float[(head.outputs() + 1) / 2 * 2][CHUNK];
     wide = new float[planes][CHUNK + 2 * RADIUS];
     shifted = new float[Network.SIDE][planes][Network.SIDE][CHUNK];
@@ -105,14 +108,16 @@ final class LevelFilter {
     for (int i = 0; i < head.inputs(); i++) {
       System.arraycopy(decoded.plane(i), decoded.at(y) + x, inputs[i], 0, count);
     }
+    boolean isFused = FusedMultiplyAdd.isFast();
     for (int o = 0; o < outputs.length; o += 2) {
       int second = Math.min(o + 1, head.outputs() - 1);
       Arrays.fill(outputs[o], head.biases()[o]);
       Arrays.fill(outputs[o + 1], head.biases()[second]);
-      for (int i = 0; i < head.inputs(); i++) {
-        float a = head.weights()[o * head.inputs() + i];
-        float b = head.weights()[second * head.inputs() + i];
-        Loops.addOne(inputs[i], outputs[o], outputs[o + 1], count, a, b);
+      for (int i = 0; i < head.stride(); i += 3) {
+        int at = o * head.stride() + i;
+        int otherAt = second * head.stride() + i;
+        float[] all = head.weights();
+        Loops.addThree(inputs, i, outputs[o], outputs[o + 1], count, all, at, otherAt, isFused);
       }
     }
     Loops.sigmoids(outputs[Network.SHARE], count);
@@ -131,11 +136,9 @@ final class LevelFilter {
       Arrays.fill(result, 0);
       for (int d = 0; d < Network.SIDE; d++) {
         float[][] near = row(y + d - RADIUS)[c];
-        int t = d * Network.SIDE;
-        Loops.addProducts(
-            outputs[t], near[0], outputs[t + 1], near[1], outputs[t + 2], near[2], result, count);
-        Loops.addProduct(outputs[t + 3], near[3], result, count);
-        Loops.addProduct(outputs[t + 4], near[4], result, count);
+        for (int t = 0; t < Network.SIDE; t++) {
+          Loops.addProduct(outputs[d * Network.SIDE + t], near[t], result, count);
+        }
       }
       Loops.divide(result, sums, result, count);
       System.arraycopy(result, 0, level.filtered[c], y * level.width + x, count);

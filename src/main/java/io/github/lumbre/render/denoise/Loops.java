@@ -2,16 +2,45 @@ package io.github.lumbre.render.denoise;
 
 /**
  * The inner loops. Each uses all of its arrays at the same index, as the optimizing compiler needs
- * to make vector code of it. Each result is a sum in a fixed order without fused operations, so
- * that its bits do not depend on the compiler.
+ * to make vector code of it. Each result is a sum in a fixed order, of products that are the same
+ * fused or not, so that its bits depend neither on the compiler nor on the processor.
  */
 final class Loops {
   private static final float SMALLEST_EXPONENT = -16;
   private static final float LARGEST_EXPONENT = 16;
 
+  /** Adding and subtracting it leaves multiples of 2^-64. */
+  private static final float SMALL = 0x1p-40f;
+
+  /** Splits a float of 24 significant bits into 13 and 11 (Dekker 1971). */
+  private static final float SPLIT = 0x1p11f + 1;
+
   private Loops() {}
 
-  /** Adds three weighted rows to each of two sums. */
+  /**
+   * Returns a near value that has at most 13 significant bits and is a multiple of 2^-64. Its
+   * product with a weight of the network, which has 11 and is a multiple of 2^-24, is a float: a
+   * sum with that product has the same bits whether both operations are fused or not.
+   */
+  static float rounded(float value) {
+    float coarse = value + SMALL - SMALL;
+    float split = coarse * SPLIT;
+    return split - (split - coarse);
+  }
+
+  /**
+   * Adds three weighted rows to each of two sums: nearly all of the network's work.
+   *
+   * <p>Its two loops are in one method, because that is too long to be inlined: else the compiler
+   * would make vector code of them in each of the callers, too.
+   *
+   * @param rows {@linkplain #rounded rounded} values
+   * @param first the first of the three rows
+   * @param weights of the network
+   * @param at index of the three weights of a sum
+   * @param otherAt index of those of the other sum
+   * @param isFused whether the operations are fused; the results are the same
+   */
   static void addThree(
       float[][] rows,
       int first,
@@ -20,54 +49,37 @@ final class Loops {
       int count,
       float[] weights,
       int at,
-      int otherAt) {
-    addThree(
-        rows[first],
-        rows[first + 1],
-        rows[first + 2],
-        sum,
-        otherSum,
-        count,
-        weights[at],
-        weights[at + 1],
-        weights[at + 2],
-        weights[otherAt],
-        weights[otherAt + 1],
-        weights[otherAt + 2]);
-  }
-
-  private static void addThree(
-      float[] p,
-      float[] q,
-      float[] r,
-      float[] sum,
-      float[] otherSum,
-      int count,
-      float a,
-      float b,
-      float c,
-      float d,
-      float e,
-      float f) {
-    for (int i = 0; i < count; i++) {
-      sum[i] = sum[i] + a * p[i] + b * q[i] + c * r[i];
-      otherSum[i] = otherSum[i] + d * p[i] + e * q[i] + f * r[i];
-    }
-  }
-
-  /** Adds a weighted row to each of two sums. */
-  static void addOne(float[] p, float[] sum, float[] otherSum, int count, float a, float b) {
-    for (int i = 0; i < count; i++) {
-      sum[i] = sum[i] + a * p[i];
-      otherSum[i] = otherSum[i] + b * p[i];
-    }
-  }
-
-  /** Adds the products of two pairs of rows. */
-  static void addProducts(
-      float[] a, float[] p, float[] b, float[] q, float[] c, float[] r, float[] sum, int count) {
-    for (int i = 0; i < count; i++) {
-      sum[i] = sum[i] + a[i] * p[i] + b[i] * q[i] + c[i] * r[i];
+      int otherAt,
+      boolean isFused) {
+    float[] p = rows[first];
+    float[] q = rows[first + 1];
+    float[] r = rows[first + 2];
+    float a = weights[at];
+    float b = weights[at + 1];
+    float c = weights[at + 2];
+    float d = weights[otherAt];
+    float e = weights[otherAt + 1];
+    float f = weights[otherAt + 2];
+    if (isFused) {
+      for (int i = 0; i < count; i++) {
+        float x = p[i];
+        float y = q[i];
+        float z = r[i];
+        float one = Math.fma(c, z, Math.fma(b, y, Math.fma(a, x, sum[i])));
+        float other = Math.fma(f, z, Math.fma(e, y, Math.fma(d, x, otherSum[i])));
+        sum[i] = one;
+        otherSum[i] = other;
+      }
+    } else {
+      for (int i = 0; i < count; i++) {
+        float x = p[i];
+        float y = q[i];
+        float z = r[i];
+        float one = sum[i] + a * x + b * y + c * z;
+        float other = otherSum[i] + d * x + e * y + f * z;
+        sum[i] = one;
+        otherSum[i] = other;
+      }
     }
   }
 
@@ -78,9 +90,10 @@ final class Loops {
     }
   }
 
+  /** Replaces negative values by 0, and rounds the others. */
   static void rectify(float[] values, int count) {
     for (int i = 0; i < count; i++) {
-      values[i] = Math.max(0f, values[i]);
+      values[i] = rounded(Math.max(0f, values[i]));
     }
   }
 

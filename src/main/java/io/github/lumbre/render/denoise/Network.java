@@ -1,11 +1,10 @@
 package io.github.lumbre.render.denoise;
 
-import io.github.lumbre.math.internal.Sha256;
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 
 /**
  * The weights of the network: a U-Net of five levels, each half the size of the one before. Each
@@ -31,17 +30,23 @@ final class Network {
   static final int MIX = TAPS + 2;
 
   static final String RESOURCE = "weights.f16";
-  private static final int HASH_DIGITS = 8;
+
+  /** {@code builtin} and the start of the SHA-256 hash of the weights. */
+  static final String NAME = "builtin 1b77145c";
+
   private static final int[] DOWN = {16, 32, 48, 64, 64};
   private static final int[] UP = {24, 32, 48, 64};
 
   /**
    * A layer: each output is a weighted sum of taps of all inputs.
    *
-   * @param weights by output, input and tap
+   * @param stride the distance of an output's weights from those of the output before: their
+   *     number, rounded up to a multiple of three
+   * @param weights by output, input and tap; then zeros up to the next output. They have at most 11
+   *     significant bits, as {@link Loops#rounded} expects.
    * @param biases a number that each output is added to
    */
-  record Layer(int inputs, int outputs, float[] weights, float[] biases) {}
+  record Layer(int inputs, int outputs, int stride, float[] weights, float[] biases) {}
 
   private static final class Holder {
     static final Network NETWORK = read();
@@ -50,11 +55,9 @@ final class Network {
   private final Layer[][] down = new Layer[LEVELS][];
   private final Layer[][] up = new Layer[LEVELS - 1][];
   private final Layer[] heads = new Layer[LEVELS];
-  private final String name;
 
-  private Network(byte[] weights) throws IOException {
-    name = "builtin " + Sha256.of(weights).substring(0, HASH_DIGITS);
-    DataInputStream in = new DataInputStream(new ByteArrayInputStream(weights));
+  private Network(byte[] weights) {
+    ByteBuffer in = ByteBuffer.wrap(weights).order(ByteOrder.LITTLE_ENDIAN);
     for (int level = 0; level < LEVELS; level++) {
       int inputs = level == 0 ? FEATURES : DOWN[level - 1];
       down[level] = new Layer[] {layer(in, inputs, DOWN[level], 9), null};
@@ -84,31 +87,32 @@ final class Network {
     }
   }
 
-  private static Layer layer(DataInputStream in, int inputs, int outputs, int taps)
-      throws IOException {
-    return new Layer(inputs, outputs, halves(in, inputs * outputs * taps), halves(in, outputs));
+  private static Layer layer(ByteBuffer in, int inputs, int outputs, int taps) {
+    int count = inputs * taps;
+    int stride = (count + 2) / 3 * 3;
+    float[] weights = new float[stride * outputs];
+    for (int o = 0; o < outputs; o++) {
+      readHalves(in, weights, o * stride, count);
+    }
+    float[] biases = new float[outputs];
+    readHalves(in, biases, 0, outputs);
+    return new Layer(inputs, outputs, stride, weights, biases);
   }
 
-  private static float[] halves(DataInputStream in, int count) throws IOException {
-    float[] values = new float[count];
-    for (int i = 0; i < count; i++) {
-      values[i] = half(Short.toUnsignedInt(Short.reverseBytes(in.readShort())));
+  private static void readHalves(ByteBuffer in, float[] values, int first, int count) {
+    for (int i = first; i < first + count; i++) {
+      values[i] = half(in.getShort());
     }
-    return values;
   }
 
   /** Returns the value of the bits of a finite IEEE 754 binary16 number. */
-  private static float half(int bits) {
-    int exponent = bits >> 10 & 31;
-    int fraction = bits & 1023;
-    float magnitude =
-        exponent == 0 ? fraction * 0x1p-24f : Math.scalb((float) (1024 + fraction), exponent - 25);
-    return bits >> 15 == 0 ? magnitude : -magnitude;
-  }
-
-  /** Returns {@code builtin} and the start of the SHA-256 hash of the weights. */
-  String name() {
-    return name;
+  static float half(short bits) {
+    int magnitude = bits & 0x7fff;
+    float value =
+        magnitude < 1024
+            ? magnitude * 0x1p-24f
+            : Float.intBitsToFloat((magnitude << 13) + (127 - 15 << 23));
+    return bits < 0 ? -value : value;
   }
 
   /** Returns the two convolutions of a level on the way down. */

@@ -171,13 +171,20 @@ final class TileFilter {
               y,
               (left, right) -> {
                 for (int c = 0; c < coarser.count(); c++) {
-                  for (int x = left; x < right; x++) {
-                    doubled.plane(c)[to + x] = coarser.plane(c)[from + x / 2];
-                  }
+                  twice(coarser.plane(c), from, doubled.plane(c), to, left / 2, right / 2);
                 }
               });
     }
     return new Maps[] {doubled, encoded};
+  }
+
+  /** Writes each value of a row, from one to another, to two pixels of a finer one. */
+  private static void twice(float[] row, int from, float[] fine, int to, int left, int right) {
+    for (int x = left; x < right; x++) {
+      float value = row[from + x];
+      fine[to + 2 * x] = value;
+      fine[to + 2 * x + 1] = value;
+    }
   }
 
   private void filterFinest(Maps coarser, Maps encoded, FilterLevel[] levels)

@@ -20,6 +20,7 @@ class NetworkTest {
       assertThat(hash)
           .isEqualTo("1b77145cf0810314231b27f153b09a107e7aa026ed905b5625647baee7be49b9");
       assertThat(bytes).hasSize(2 * 425_960);
+      assertThat(Network.NAME).isEqualTo("builtin " + hash.substring(0, 8));
     }
   }
 
@@ -30,7 +31,9 @@ class NetworkTest {
     assertThat(first.weights()[0]).isEqualTo(.07342529f);
     assertThat(first.biases()[15]).isEqualTo(-.009819031f);
     Network.Layer last = Network.get().head(4);
-    assertThat(last.weights()[last.weights().length - 1]).isEqualTo(.053375244f);
+    int end = last.weights().length - last.stride() + last.inputs();
+    assertThat(last.weights()[end - 1]).isEqualTo(.053375244f);
+    assertThat(last.weights()[end]).isZero();
     assertThat(last.biases()[26]).isZero();
   }
 }
