@@ -107,11 +107,12 @@ public final class BuiltInDenoiser {
   private Denoised denoised(int tile, Optional<CaughtShadow> shadow) throws InterruptedException {
     float[] light = light(tile);
     shadow.ifPresent(s -> s.blacken(light));
+    OptionalDouble before = Denoised.noise(noisy, light);
     OptionalDouble error =
-        noisy.light().isNoiseKnown()
-            ? OptionalDouble.of(relativeError(light))
+        before.isPresent()
+            ? OptionalDouble.of(relativeError(before.getAsDouble()))
             : OptionalDouble.empty();
-    return Denoised.of(noisy, light, Network.NAME, error);
+    return Denoised.of(noisy, light, Network.NAME, before, error);
   }
 
   /** Filters the whole picture. */
@@ -130,12 +131,11 @@ public final class BuiltInDenoiser {
     }
   }
 
-  private double relativeError(float[] light) {
+  private double relativeError(double before) {
     double sum = 0;
     for (double error : errors) {
       sum += error;
     }
-    double before = Denoised.relative(light, i -> noisy.light().noise()[i]);
     double factor = before > 0 ? UNSEEN * Elementary.exp(Elementary.log(before) / 3) : 0;
     return Math.sqrt(factor * sum / result.length);
   }

@@ -93,7 +93,7 @@ final class Convolution {
     for (int i = 0; i < runCount; i++) {
       int[] run = runs[i];
       int from = maps.at(run[1] - 1) + run[0] - 1;
-      for (int t = 0; t < TAPS; t++) {
+      for (int t = 0; t < taps.length; t++) {
         System.arraycopy(plane, from + t / 3 * maps.stride() + t % 3, taps[t], to, run[2]);
       }
       to += run[2];

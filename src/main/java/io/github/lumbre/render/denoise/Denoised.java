@@ -2,7 +2,6 @@ package io.github.lumbre.render.denoise;
 
 import io.github.lumbre.image.Image;
 import java.util.OptionalDouble;
-import java.util.function.IntToDoubleFunction;
 
 /**
  * A picture after denoising.
@@ -28,22 +27,38 @@ public record Denoised(
   /** Keeps dark pixels from dominating; in units of squared light. */
   static final double FLOOR = .01;
 
-  static Denoised of(NoisyPicture noisy, float[] light, String engine, OptionalDouble error) {
-    float[] mean = noisy.light().mean();
-    double change = relative(light, i -> light[i] - (double) mean[i]);
-    OptionalDouble before =
-        noisy.light().isNoiseKnown()
-            ? OptionalDouble.of(relative(light, i -> noisy.light().noise()[i]))
-            : OptionalDouble.empty();
+  /**
+   * Makes a denoised picture.
+   *
+   * @param before the {@link #noise} of the picture
+   */
+  static Denoised of(
+      NoisyPicture noisy,
+      float[] light,
+      String engine,
+      OptionalDouble before,
+      OptionalDouble error) {
+    double change = relative(light, 1, noisy.light().mean());
     return new Denoised(noisy.withLight(light), engine, change, before, error);
   }
 
-  /** Returns the root of the mean of squared differences, each divided by squared light + 0.01. */
-  static double relative(float[] light, IntToDoubleFunction differences) {
+  /** Returns the noise of a picture, relative to its denoised light, if it is known. */
+  static OptionalDouble noise(NoisyPicture noisy, float[] light) {
+    return noisy.light().isNoiseKnown()
+        ? OptionalDouble.of(relative(light, 0, noisy.light().noise()))
+        : OptionalDouble.empty();
+  }
+
+  /**
+   * Returns the root of the mean of squared differences, each divided by squared light + 0.01. They
+   * are those of a factor times light to other values.
+   */
+  private static double relative(float[] light, double factor, float[] others) {
     double sum = 0;
     for (int i = 0; i < light.length; i++) {
-      double difference = differences.applyAsDouble(i);
-      sum += difference * difference / ((double) light[i] * light[i] + FLOOR);
+      double value = light[i];
+      double difference = factor * value - others[i];
+      sum += difference * difference / (value * value + FLOOR);
     }
     return Math.sqrt(sum / light.length);
   }

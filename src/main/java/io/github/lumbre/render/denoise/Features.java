@@ -124,16 +124,21 @@ final class Features {
 
   /** Returns the values themselves if all are within the limits. */
   private static float[] limited(float[] light) {
-    float[] limited = light;
+    int largest = Float.floatToRawIntBits(BRIGHTEST);
+    for (float value : light) {
+      // Bits of positive numbers are in their order, and those of negative ones below 0.
+      int bits = Float.floatToRawIntBits(value);
+      if (bits < 0 || bits > largest) {
+        return copyWithinLimits(light);
+      }
+    }
+    return light;
+  }
+
+  private static float[] copyWithinLimits(float[] light) {
+    float[] limited = new float[light.length];
     for (int i = 0; i < light.length; i++) {
-      float value = limited(light[i]);
-      // Compared like this, -0 differs from 0.
-      if (limited == light && Float.compare(value, light[i]) != 0) {
-        limited = light.clone();
-      }
-      if (limited != light) {
-        limited[i] = value;
-      }
+      limited[i] = limited(light[i]);
     }
     return limited;
   }

@@ -9,6 +9,7 @@ final class LevelFilter {
   /** Pixels that are computed together, an even number; whole cache lines, as in convolutions. */
   private static final int CHUNK = 268;
 
+  private static final float[] ONES = ones();
   private static final int RADIUS = Network.SIDE / 2;
   private static final float LARGEST_EXPONENT = 8;
 
@@ -153,29 +154,37 @@ final class LevelFilter {
       System.arraycopy(level.weight, y * level.width + x, weights, 0, count);
     }
     Loops.scaleByExponentials(weights, outputs[Network.WEIGHT], LARGEST_EXPONENT, count);
-    boolean isFirst = (y & 1) == 0;
     int at = y / 2 * next.width + x / 2;
-    pool(next.weight, at, null, count, isFirst);
+    pool(weights, ONES, next.weight, at, count);
     for (int c = 0; c < planes; c++) {
-      pool(next.light[c], at, row(y)[c][RADIUS], count, isFirst);
+      pool(weights, row(y)[c][RADIUS], next.light[c], at, count);
     }
-    if (!isFirst) {
+    if (y % 2 != 0) {
+      for (float[] plane : next.light) {
+        divide(plane, next.weight, at, at + count / 2);
+      }
       for (int i = at; i < at + count / 2; i++) {
-        for (float[] plane : next.light) {
-          plane[i] /= next.weight[i];
-        }
         next.weight[i] *= .25f;
       }
     }
   }
 
-  private void pool(float[] to, int at, float[] values, int count, boolean isFirst) {
-    for (int i = 0; i < count; i += 2) {
-      float sum =
-          values == null
-              ? weights[i] + weights[i + 1]
-              : weights[i] * values[i] + weights[i + 1] * values[i + 1];
-      to[at + i / 2] = isFirst ? sum : to[at + i / 2] + sum;
+  /** Adds the weighted values of every two pixels to one. */
+  private static void pool(float[] weights, float[] values, float[] to, int at, int count) {
+    for (int i = 0; i < count / 2; i++) {
+      to[at + i] += weights[2 * i] * values[2 * i] + weights[2 * i + 1] * values[2 * i + 1];
     }
+  }
+
+  private static void divide(float[] values, float[] divisors, int from, int to) {
+    for (int i = from; i < to; i++) {
+      values[i] /= divisors[i];
+    }
+  }
+
+  private static float[] ones() {
+    float[] ones = new float[CHUNK];
+    Arrays.fill(ones, 1);
+    return ones;
   }
 }

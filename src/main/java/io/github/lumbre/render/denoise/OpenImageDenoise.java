@@ -111,7 +111,8 @@ public final class OpenImageDenoise {
     float[] light = result(noisy, output).rgb();
     Matcher version = VERSION.matcher(said);
     String name = "Open Image Denoise" + (version.find() ? " " + version.group(1) : "");
-    return Denoised.of(noisy, light, name, OptionalDouble.empty());
+    OptionalDouble before = Denoised.noise(noisy, light);
+    return Denoised.of(noisy, light, name, before, OptionalDouble.empty());
   }
 
   /** Denoises a guide and returns the file of the result. */
