@@ -69,7 +69,7 @@ echo lumbre: another build seems to have been ended; delete "%LUMBRE_LOCK%">&2
 exit /b 7
 
 :locked
-echo lumbre: building, which takes a moment>&2
+echo lumbre: building, which takes about a minute>&2
 rem The build replaces the jar in one step. It gets the time of the build's beginning, so that whatever changes meanwhile counts
 rem as newer.
 pushd "%LUMBRE_HOME%"
@@ -100,10 +100,12 @@ if "%LUMBRE_STARTED%%LUMBRE_RUNS%"=="0yes" goto parts
 echo lumbre: LUMBRE_JAVA_OPTS: Java does not %LUMBRE_VERB% with "%LUMBRE_JAVA_OPTS%">&2
 exit /b 2
 
-rem From Java 24 on, the virtual machine itself writes an archive of the classes at the end of a run, and again when
-rem it does not fit the jar or Java. It starts faster from it; what does not fit is no news to the user.
+rem From Java 24 on, the virtual machine itself writes an archive of the classes at the end of a render, and again when
+rem it does not fit the jar or Java. All starts are faster from it; what does not fit is no news to the user.
 :archive
-if %LUMBRE_MAJOR% GEQ 24 set LUMBRE_ARCHIVE=-XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%LUMBRE_HOME%target\lumbre-java-%LUMBRE_VERSION%.jsa" -Xlog:cds*=off -Xlog:aot*=off
+if %LUMBRE_MAJOR% LSS 24 goto parts
+set LUMBRE_ARCHIVE="-XX:SharedArchiveFile=%LUMBRE_HOME%target\lumbre-java-%LUMBRE_VERSION%.jsa" -Xlog:cds*=off -Xlog:aot*=off
+if "%~1"=="render" set LUMBRE_ARCHIVE=-XX:+AutoCreateSharedArchive %LUMBRE_ARCHIVE%
 
 :parts
 "%LUMBRE_JAVA%" "@%LUMBRE_HOME%src\main\jvm\options" %LUMBRE_ARCHIVE% %LUMBRE_JAVA_OPTS% "-Dlumbre.home=%LUMBRE_HOME%." -jar "%LUMBRE_JAR%" %*

@@ -172,6 +172,7 @@ final class BuildImage {
       "render",
       "scenes/cornell-box.json",
       "scenes/models/lantern.glb",
+      "src/main/jvm/rehearsal.gltf",
       "--size",
       "16x12",
       "--samples",

@@ -58,9 +58,14 @@ class LauncherIT {
 
   private Process start(String name, Path launcher, Map<String, String> environment)
       throws IOException {
+    return start(name, environment, launcher.toString(), "--version");
+  }
+
+  private Process start(String name, Map<String, String> environment, String... command)
+      throws IOException {
     Path workplace = Files.createDirectories(directory.resolve(name));
     ProcessBuilder builder =
-        new ProcessBuilder(launcher.toString(), "--version")
+        new ProcessBuilder(Program.interruptible(List.of(command)))
             .directory(workplace.toFile())
             .redirectOutput(workplace.resolve("out.txt").toFile())
             .redirectError(workplace.resolve("err.txt").toFile());
@@ -76,6 +81,13 @@ class LauncherIT {
 
   private Outcome launch() throws IOException, InterruptedException {
     return launch(home.resolve("lumbre"), Map.of());
+  }
+
+  private Outcome run(String... arguments) throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>(List.of(home.resolve("lumbre").toString()));
+    command.addAll(List.of(arguments));
+    return Program.await(
+        directory.resolve("one"), start("one", Map.of(), command.toArray(String[]::new)));
   }
 
   @Test
@@ -95,7 +107,7 @@ class LauncherIT {
   @Test
   void programIsBuiltOnceAndAgainWhenItsSourcesChange() throws IOException, InterruptedException {
     Outcome first = launch();
-    assertThat(first.err()).isEqualTo("lumbre: building, which takes a moment\n");
+    assertThat(first.err()).isEqualTo("lumbre: building, which takes about a minute\n");
     assertThat(first.out()).startsWith("Lumbre ");
     assertThat(launch().err()).isEmpty();
     assertThat(builds()).isEqualTo(1);
@@ -310,16 +322,28 @@ class LauncherIT {
     }
   }
 
+  /** Moves the project to where JDK 17 archives classes: a path without spaces. */
+  private void moveToPlainPath() throws IOException {
+    home = Files.move(home, directory.resolve("home"));
+    copy("src/main/jvm/rehearsal.gltf");
+  }
+
+  private void copyScenes() throws IOException {
+    Files.createDirectories(home.resolve("scenes/models"));
+    copy("scenes/cornell-box.json");
+    copy("scenes/models/lantern.glb");
+  }
+
+  private void copy(String file) throws IOException {
+    Files.copy(Path.of(file), home.resolve(file));
+  }
+
   @Test
   void classesAreReadFromAnArchiveOfThisJavaAndThisJar() throws IOException, InterruptedException {
-    // JDK 17 archives no classes from a path with spaces.
-    home = Files.move(home, directory.resolve("home"));
-    Files.createDirectories(home.resolve("scenes/models"));
-    for (String file : List.of("scenes/cornell-box.json", "scenes/models/lantern.glb")) {
-      Files.copy(Path.of(file), home.resolve(file));
-    }
+    moveToPlainPath();
+    copyScenes();
     launch();
-    assertThat(archive()).isNotEmptyFile();
+    assertThat(Files.size(archive())).isGreaterThan(1_000_000);
     Map<String, String> options = Map.of("LUMBRE_JAVA_OPTS", "-Xlog:class+load");
     assertThat(launch(home.resolve("lumbre"), options).out())
         .contains("io.github.lumbre.cli.Main source: shared objects file");
@@ -330,12 +354,48 @@ class LauncherIT {
     assertThat(damaged.out()).startsWith("Lumbre ");
     assertThat(damaged.err()).isEmpty();
     assertThat(archive()).hasContent("damaged");
+  }
 
-    Files.setLastModifiedTime(
-        home.resolve("target/lumbre-all.jar"), FileTime.from(Instant.now().minusSeconds(5)));
-    Files.setLastModifiedTime(archive(), FileTime.from(Instant.now().minusSeconds(50)));
+  /** The build makes no archive here, as if another Java had built the jar. */
+  @Test
+  void theArchiveOfAnotherJavaIsMadeAfterTheFirstRenderAlone()
+      throws IOException, InterruptedException {
+    moveToPlainPath();
     launch();
+    Files.delete(archive());
+    copyScenes();
+    String scene = home.resolve("scenes/cornell-box.json").toString();
+    assertThat(run("check", scene).exitCode()).isZero();
+    assertThat(run("help", "check").exitCode()).isZero();
+    assertThat(Folders.names(home.resolve("target"))).containsExactly("lumbre-all.jar");
+    assertThat(run("render", scene, "-s", "1", "--size", "32").exitCode()).isZero();
+    while (Folders.names(home.resolve("target")).size() != 2 || Files.size(archive()) == 0) {
+      Thread.sleep(50);
+    }
     assertThat(Files.size(archive())).isGreaterThan(1_000_000);
+    assertThat(run("check", scene).err()).isEmpty();
+  }
+
+  @Test
+  void anArchiveThatIsInterruptedLeavesTheBuiltProgram() throws IOException, InterruptedException {
+    moveToPlainPath();
+    copyScenes();
+    Process first = start("one", home.resolve("lumbre"), Map.of());
+    Path target = home.resolve("target");
+    while (!Files.exists(target) || Folders.names(target).stream().noneMatch(this::isArchive)) {
+      assertThat(first.isAlive()).isTrue();
+      Thread.sleep(5);
+    }
+    first.descendants().forEach(ProcessHandle::destroy);
+    first.destroy();
+    assertThat(first.waitFor()).isEqualTo(143);
+    assertThat(Folders.names(target)).containsExactly("lumbre-all.jar");
+    assertThat(launch().err()).isEmpty();
+    assertThat(builds()).isEqualTo(1);
+  }
+
+  private boolean isArchive(String name) {
+    return name.endsWith(".jsa");
   }
 
   @Test
