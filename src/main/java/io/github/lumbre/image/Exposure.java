@@ -38,6 +38,18 @@ public record Exposure(OptionalDouble stops) {
     return stops.isPresent() ? StrictMath.pow(2, stops.getAsDouble()) : automatic(image);
   }
 
+  // Java would make the code of the next two at the first call, which delays each start.
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Exposure exposure && stops.equals(exposure.stops);
+  }
+
+  @Override
+  public int hashCode() {
+    return stops.hashCode();
+  }
+
   private static double automatic(Image image) {
     double sum = 0;
     long count = 0;

@@ -50,6 +50,21 @@ public record Rgb(double r, double g, double b) {
     return r == 0 && g == 0 && b == 0;
   }
 
+  // Java would make the code of the next two at the first call, which delays each start.
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Rgb o
+        && Double.compare(r, o.r) == 0
+        && Double.compare(g, o.g) == 0
+        && Double.compare(b, o.b) == 0;
+  }
+
+  @Override
+  public int hashCode() {
+    return (Double.hashCode(r) * 31 + Double.hashCode(g)) * 31 + Double.hashCode(b);
+  }
+
   /** Returns whether all components are finite. */
   public boolean isFinite() {
     return Double.isFinite(r) && Double.isFinite(g) && Double.isFinite(b);

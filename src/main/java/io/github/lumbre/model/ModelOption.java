@@ -256,6 +256,26 @@ public record ModelOption<T>(
     return ALL;
   }
 
+  // Java would make the code of the next two at the first call, which delays each start.
+
+  @Override
+  public boolean equals(Object other) {
+    return this == other
+        || other instanceof ModelOption<?> option
+            && name.equals(option.name)
+            && parts().equals(option.parts());
+  }
+
+  private List<Object> parts() {
+    return List.of(
+        help, flag, label, tool, toolHelp, isInScenes, type, defaultValue, toolValue);
+  }
+
+  @Override
+  public int hashCode() {
+    return name.hashCode();
+  }
+
   @Override
   public String toString() {
     return name;

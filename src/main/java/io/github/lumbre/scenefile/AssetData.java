@@ -3,7 +3,6 @@ package io.github.lumbre.scenefile;
 import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.base.text.PrintableText;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
@@ -11,6 +10,7 @@ import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
+import io.github.lumbre.scenefile.internal.LateHash;
 import java.io.IOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.charset.StandardCharsets;
@@ -42,7 +42,11 @@ final class AssetData {
   private final Path sceneFile;
   private final ContentHash hash;
   private final Allowance allowance;
-  private final Map<String, String> hashes = new TreeMap<>();
+  private final Map<String, LateHash> hashes = new TreeMap<>();
+
+  /** Bytes of files that wait to be hashed. */
+  private long waiting;
+
 
   /** Files that need not exist: their bytes by the names that assets use. */
   private final Map<String, byte[]> inMemory;
@@ -253,7 +257,7 @@ final class AssetData {
   }
 
   /** Returns the SHA-256 of each file that was read, in hexadecimal, by its name in the scene. */
-  Map<String, String> hashes() {
+  Map<String, LateHash> hashes() {
     return Map.copyOf(hashes);
   }
 
@@ -344,7 +348,13 @@ final class AssetData {
   /** Notes the bytes of a file of the scene that has been read. */
   void note(String name, byte[] bytes) {
     hash.add(bytes);
-    hashes.put(name, Sha256.of(bytes));
+    LateHash own = LateHash.of(bytes);
+    hashes.put(name, own);
+    waiting += bytes.length;
+    if (waiting > LateHash.MOST_WAITING) {
+      own.value();
+      waiting -= bytes.length;
+    }
   }
 
   private byte[] fileBytes(String name) throws IOException, Unusable {

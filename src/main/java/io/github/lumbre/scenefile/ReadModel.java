@@ -2,7 +2,6 @@ package io.github.lumbre.scenefile;
 
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.math.Bounds3;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
@@ -14,6 +13,7 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import io.github.lumbre.scenefile.internal.FileHashes;
+import io.github.lumbre.scenefile.internal.LateHash;
 import io.github.lumbre.scenefile.internal.LoneModel;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ModelParser.Source;
@@ -152,7 +152,7 @@ final class ReadModel implements LoneModel {
         settings,
         problems.warnings(),
         hash.value(),
-        new FileHashes(Sha256.of(text), data.hashes()),
+        new FileHashes(LateHash.of(text), data.hashes()),
         world.contents(),
         world.origins(),
         Optional.of(new SceneText(text, textPath())),
@@ -166,8 +166,8 @@ final class ReadModel implements LoneModel {
         built.scene().seenBy(around.camera().placed(built.settings().aspect())),
         built.settings(),
         built.warnings(),
-        hashOf(text),
-        new FileHashes(Sha256.of(text), built.files().assets()),
+        new LateHash(() -> hashOf(text)),
+        new FileHashes(LateHash.of(text), built.files().assets()),
         built.contents(),
         built.origins(),
         Optional.of(new SceneText(text, textPath())),

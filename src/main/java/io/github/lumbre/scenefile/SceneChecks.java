@@ -11,6 +11,7 @@ import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.internal.SceneInside;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import java.util.List;
+import java.util.Set;
 
 /** Checks whether a scene has what its settings ask for. */
 final class SceneChecks {
@@ -42,12 +43,14 @@ final class SceneChecks {
       throws SceneFormatException {
     SceneInside middle = SceneInside.of(scene);
     List<SceneInside> poses = scene.poses().stream().map(SceneInside::of).toList();
-    boolean haveParts = poses.stream().allMatch(pose -> pose.names().equals(middle.names()));
-    boolean haveLights =
-        poses.stream().allMatch(pose -> pose.lightGroups().isLike(middle.lightGroups()));
-    boolean areParts =
-        settings.layers().contains(Layer.OBJECT) || settings.layers().contains(Layer.MATERIAL);
-    if (areParts && !haveParts || settings.layers().contains(Layer.LIGHTS) && !haveLights) {
+    Set<Layer> layers = settings.layers();
+    boolean areParts = layers.contains(Layer.OBJECT) || layers.contains(Layer.MATERIAL);
+    boolean lackParts =
+        areParts && !poses.stream().allMatch(pose -> pose.names().equals(middle.names()));
+    boolean lackLights =
+        layers.contains(Layer.LIGHTS)
+            && !poses.stream().allMatch(pose -> pose.lightGroups().isLike(middle.lightGroups()));
+    if (lackParts || lackLights) {
       problems.error(
           Kind.INVALID,
           () -> "layers",

@@ -4,13 +4,13 @@ import io.github.lumbre.base.file.FileContent;
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import io.github.lumbre.scenefile.internal.FileHashes;
+import io.github.lumbre.scenefile.internal.LateHash;
 import io.github.lumbre.scenefile.internal.ModelParser;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.texture.internal.ImageTexture.Filter;
@@ -293,7 +293,7 @@ public final class SceneParser {
         used,
         problems.warnings(),
         hash.value(),
-        new FileHashes(Sha256.of(text), data.hashes()),
+        new FileHashes(LateHash.of(text), data.hashes()),
         world.contents(),
         world.origins(),
         source,

@@ -398,6 +398,28 @@ class LauncherIT {
     return name.endsWith(".jsa");
   }
 
+  /** The check of a large file would be slower with the fast compiler alone. */
+  @Test
+  void checksOfSmallFilesUseTheFastCompilerAlone() throws IOException, InterruptedException {
+    Path small = directory.resolve("small.txt");
+    Files.writeString(small, "no scene");
+    Path large = directory.resolve("large.txt");
+    Files.write(large, new byte[8_000_001]);
+    script(home.resolve("java/bin/java"), "#!/bin/sh\necho \"$@\"\n");
+    Files.writeString(home.resolve("java/release"), "JAVA_VERSION=\"17.0.1\"\n");
+    launch();
+    Map<String, String> echo = Map.of("JAVA_HOME", home.resolve("java").toString());
+    String launcher = home.resolve("lumbre").toString();
+    assertThat(echoed(echo, launcher, "check", "" + small, "--json")).contains("check-options");
+    assertThat(echoed(echo, launcher, "check", "" + large)).doesNotContain("check-options");
+    assertThat(echoed(echo, launcher, "render", "" + small)).doesNotContain("check-options");
+  }
+
+  private String echoed(Map<String, String> environment, String... command)
+      throws IOException, InterruptedException {
+    return Program.await(directory.resolve("one"), start("one", environment, command)).out();
+  }
+
   @Test
   void startsWithoutAnArchiveIfItCannotBeMade() throws IOException, InterruptedException {
     assertThat(launch().out()).startsWith("Lumbre ");

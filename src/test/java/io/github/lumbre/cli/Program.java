@@ -44,11 +44,12 @@ final class Program {
     }
   }
 
-  /** Copies the JVM options file to a copy of the project. */
+  /** Copies the files of JVM options to a copy of the project. */
   static void copyOptions(Path home) throws IOException {
-    Path options = Path.of("src", "main", "jvm", "options");
-    Files.createDirectories(home.resolve(options).getParent());
-    Files.copy(options, home.resolve(options));
+    Path folder = Files.createDirectories(home.resolve("src/main/jvm"));
+    for (String name : List.of("options", "check-options")) {
+      Files.copy(Path.of("src/main/jvm", name), folder.resolve(name));
+    }
   }
 
   /** Starts a program in a directory that receives its output. */

@@ -1,6 +1,7 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.scenefile.internal.FileHashes;
+import io.github.lumbre.scenefile.internal.LateHash;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -19,8 +20,8 @@ final class FilmFiles {
 
   /** Returns the text for the header; empty if it is too long. */
   static Optional<String> text(FileHashes files) {
-    StringBuilder text = new StringBuilder(files.scene()).append(' ');
-    files.assets().forEach((name, hash) -> text.append('\n').append(hash + " " + name));
+    StringBuilder text = new StringBuilder(files.scene().value()).append(' ');
+    files.assets().forEach((name, hash) -> text.append('\n').append(hash.value() + " " + name));
     return text.length() > MAX_LENGTH ? Optional.empty() : Optional.of(text.toString());
   }
 
@@ -39,13 +40,14 @@ final class FilmFiles {
       }
     }
     List<String> changed = new ArrayList<>();
-    if (!now.scene().equals(before.get(""))) {
+    if (!now.scene().value().equals(before.get(""))) {
       changed.add(sceneName);
     }
     before.remove("");
     before.forEach(
         (name, hash) -> {
-          if (!hash.equals(now.assets().get(name))) {
+          LateHash present = now.assets().get(name);
+          if (present == null || !hash.equals(present.value())) {
             changed.add(name);
           }
         });

@@ -16,6 +16,20 @@ import java.util.stream.Stream;
 record MapCoordinates(int uvSet, UvTransform transform) {
   private static final MapCoordinates FIRST = new MapCoordinates(0, UvTransform.IDENTITY);
 
+  // Java would make the code of the next two at the first call, which delays each start.
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof MapCoordinates map
+        && uvSet == map.uvSet
+        && transform.equals(map.transform);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * transform.hashCode() + uvSet;
+  }
+
   /**
    * Returns the coordinates whose tangents a mesh needs and lacks: the coordinates of the normal
    * map, or else of a layer's normal map. It is empty if the material has no normal map, if the
@@ -51,7 +65,7 @@ record MapCoordinates(int uvSet, UvTransform transform) {
   /** Returns two numbers per vertex, or an empty array if the mesh has no texture coordinates. */
   private double[] of(ModelGeometry geometry) {
     double[] plain = uvSet == 1 ? geometry.uv1() : geometry.uv0();
-    if (transform.equals(UvTransform.IDENTITY)) {
+    if (transform.isIdentity()) {
       return plain;
     }
     double[] mapped = new double[plain.length];

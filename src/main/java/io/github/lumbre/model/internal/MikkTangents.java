@@ -52,11 +52,24 @@ final class MikkTangents {
     return groups;
   }
 
-  /** The attributes that make two vertices one. */
-  private record Key(Vec3 position, Vec3 normal, double u, double v) {
+  /** The attributes that make two vertices one: position, normal and coordinates. */
+  private record Key(double[] numbers) {
     static Key of(ModelGeometry mesh, double[] uvs, int i) {
-      return new Key(
-          vector(mesh.positions(), i), vector(mesh.normals(), i), uvs[2 * i], uvs[2 * i + 1]);
+      double[] numbers = new double[8];
+      System.arraycopy(mesh.positions(), 3 * i, numbers, 0, 3);
+      System.arraycopy(mesh.normals(), 3 * i, numbers, 3, 3);
+      System.arraycopy(uvs, 2 * i, numbers, 6, 2);
+      return new Key(numbers);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Key key && Arrays.equals(numbers, key.numbers);
+    }
+
+    @Override
+    public int hashCode() {
+      return Arrays.hashCode(numbers);
     }
   }
 

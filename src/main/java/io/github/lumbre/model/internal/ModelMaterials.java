@@ -280,7 +280,7 @@ final class ModelMaterials {
       throws ModelFormatException {
     SampledTexture texture = sampled(source, role);
     UvTransform map = source.uvTransform();
-    return map.equals(UvTransform.IDENTITY)
+    return map.isIdentity()
         ? texture
         : (u, v) -> texture.at(map.u(u, v), map.v(u, v));
   }

@@ -47,6 +47,12 @@ public record FrameSize(int width, OptionalInt height) {
         .build();
   }
 
+  /** Returns the text that {@link #of} reads. Picocli asks for it. */
+  @Override
+  public String toString() {
+    return height.isPresent() ? width + "x" + height.getAsInt() : Integer.toString(width);
+  }
+
   private int scaled(double ofLonger) {
     return (int) Math.max(Math.min(1, width), Math.round(width * ofLonger));
   }

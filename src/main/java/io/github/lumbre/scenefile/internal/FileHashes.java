@@ -5,12 +5,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * SHA-256 of each file of a scene, in hexadecimal. Separate hashes show which file has changed.
+ * SHA-256 of each file of a scene. Separate hashes show which file has changed.
  *
  * @param scene hash of the scene file
  * @param assets hashes of the asset files that the scene uses, by their names in the scene
  */
-public record FileHashes(String scene, Map<String, String> assets) {
+public record FileHashes(LateHash scene, Map<String, LateHash> assets) {
   public FileHashes {
     assets = Collections.unmodifiableSortedMap(new TreeMap<>(assets));
   }

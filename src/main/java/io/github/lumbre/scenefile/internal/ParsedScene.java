@@ -9,8 +9,6 @@ import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneText;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -19,6 +17,7 @@ import java.util.stream.Collectors;
 /**
  * A scene file, with what reports, audits and checkpoint files state of it.
  *
+ * @param sha256 over the scene's text and each file it uses
  * @param files the SHA-256 of the scene file and of every asset file it uses
  * @param contents numbers of objects and assets
  * @param origins places of objects and assets in the file
@@ -28,7 +27,7 @@ public record ParsedScene(
     Scene scene,
     RenderSettings settings,
     List<Problem> warnings,
-    String hash,
+    LateHash sha256,
     FileHashes files,
     SceneContents contents,
     SceneOrigins origins,
@@ -37,6 +36,11 @@ public record ParsedScene(
     implements SceneFile {
   public ParsedScene {
     warnings = List.copyOf(warnings);
+  }
+
+  @Override
+  public String hash() {
+    return sha256.value();
   }
 
   @Override
@@ -54,7 +58,7 @@ public record ParsedScene(
 
   @Override
   public ParsedScene with(Scene other) {
-    return new ParsedScene(other, settings, warnings, hash, files, contents, origins, text, model);
+    return new ParsedScene(other, settings, warnings, sha256, files, contents, origins, text, model);
   }
 
   /**
@@ -74,14 +78,14 @@ public record ParsedScene(
   }
 
   private ParsedScene seenBy(Camera camera, String identity) {
-    MessageDigest digest = Sha256.digest();
-    digest.update((hash + identity).getBytes(StandardCharsets.UTF_8));
-    String newHash = HexFormat.of().formatHex(digest.digest());
+    LateHash changed =
+        new LateHash(
+            () -> Sha256.of((sha256.value() + identity).getBytes(StandardCharsets.UTF_8)));
     return new ParsedScene(
         scene.seenBy(camera),
         settings,
         warnings,
-        newHash,
+        changed,
         files,
         contents,
         origins,
@@ -91,6 +95,6 @@ public record ParsedScene(
 
   @Override
   public ParsedScene with(RenderSettings other) {
-    return new ParsedScene(scene, other, warnings, hash, files, contents, origins, text, model);
+    return new ParsedScene(scene, other, warnings, sha256, files, contents, origins, text, model);
   }
 }

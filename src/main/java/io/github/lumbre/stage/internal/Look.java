@@ -57,7 +57,7 @@ public record Look(boolean isClay, boolean hasLines) {
 
   /** Returns the color behind the model, if nothing else is asked for; empty for the sky. */
   public Optional<Rgb> background() {
-    return equals(OF_FILE) ? Optional.empty() : Optional.of(Rgb.WHITE);
+    return isClay || hasLines ? Optional.of(Rgb.WHITE) : Optional.empty();
   }
 
   /** Returns the width of lines in pixels, if nothing else is asked for; 0 for no lines. */

@@ -54,11 +54,17 @@ public enum StudioSky implements Texture<Rgb> {
    *
    * @param strength radiance in its middle
    * @param edge cosine of the angle between its middle and its edge
+   * @param length of the vector to its middle
    */
-  private record Lamp(double strength, double x, double y, double z, double edge) {
+  private record Lamp(
+      double strength, double x, double y, double z, double edge, double length) {
+    Lamp(double strength, double x, double y, double z, double edge) {
+      this(strength, x, y, z, edge, Math.sqrt(x * x + y * y + z * z));
+    }
+
     /** Returns 1 towards the lamp's middle, falling smoothly to 0 at its edge. */
     double lobe(double toX, double toY, double toZ) {
-      double cosine = (toX * x + toY * y + toZ * z) / Math.sqrt(x * x + y * y + z * z);
+      double cosine = (toX * x + toY * y + toZ * z) / length;
       return smooth((cosine - edge) / (1 - edge));
     }
   }

@@ -13,7 +13,7 @@ final class GltfAttributes {
   private final GltfDocument document;
   private final GltfAccessors accessors;
   private final Map<GltfAccessor, BitSet> broken = new HashMap<>();
-  private final Map<Key, double[]> arrays = new HashMap<>();
+  private final Map<Map.Entry<GltfAccessor, Role>, double[]> arrays = new HashMap<>();
   private final Map<GltfAccessor, float[]> colors = new HashMap<>();
 
   /** The meanings of numbers. */
@@ -30,9 +30,6 @@ final class GltfAttributes {
     }
   }
 
-  /** An accessor and the meaning of its numbers. */
-  private record Key(GltfAccessor accessor, Role role) {}
-
   GltfAttributes(GltfDocument document, GltfAccessors accessors) {
     this.document = document;
     this.accessors = accessors;
@@ -40,12 +37,12 @@ final class GltfAttributes {
 
   /** Returns positions; {@link #broken} vertices are at 0. */
   double[] positions(GltfAccessor accessor) throws ModelFormatException {
-    double[] array = arrays.get(new Key(accessor, Role.POSITION));
+    double[] array = arrays.get(Map.entry(accessor, Role.POSITION));
     if (array == null) {
       document.budget().addVertices(accessor.location(), accessor.count());
       array = accessors.numbers(accessor.requireComponents(3));
       broken.put(accessor, GltfVectors.removeBroken(array));
-      arrays.put(new Key(accessor, Role.POSITION), array);
+      arrays.put(Map.entry(accessor, Role.POSITION), array);
     }
     return array;
   }
@@ -82,7 +79,7 @@ final class GltfAttributes {
       return new double[0];
     }
     GltfAccessor accessor = of(attributes, name, vertices).requireComponents(role.components);
-    double[] array = arrays.get(new Key(accessor, role));
+    double[] array = arrays.get(Map.entry(accessor, role));
     if (array == null) {
       array = converted(accessors.numbers(accessor), accessor, role);
       if (GltfAccessors.indexOfInfinite(array) >= 0) {
@@ -91,7 +88,7 @@ final class GltfAttributes {
             .add(accessor.location(), "NaN or infinite numbers; " + name + " is ignored");
         array = new double[0];
       }
-      arrays.put(new Key(accessor, role), array);
+      arrays.put(Map.entry(accessor, role), array);
     }
     return array;
   }

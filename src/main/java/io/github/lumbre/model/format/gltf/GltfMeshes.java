@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -24,14 +25,30 @@ final class GltfMeshes {
   private final GltfMorph morph;
   private final GltfDraco draco;
   private final GltfPoints points;
-  private final Map<Form, Optional<ModelGeometry>> forms = new HashMap<>();
+
+  /** The geometries by the location of the primitive and the weights of its morph targets. */
+  private final Map<Map.Entry<String, List<Double>>, Optional<ModelGeometry>> forms =
+      new HashMap<>();
+
   private final Map<Corners, int[]> corners = new HashMap<>();
 
-  /** A primitive with weights of its morph targets. */
-  private record Form(String primitive, List<Double> weights) {}
-
   /** Which vertices the triangles of a primitive use. */
-  private record Corners(Optional<GltfAccessor> indices, int mode, int vertices) {}
+  private record Corners(Optional<GltfAccessor> indices, int mode, int vertices) {
+    // Java would make the code of the next two at the first call, which delays each start.
+
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Corners corners
+          && indices.equals(corners.indices)
+          && mode == corners.mode
+          && vertices == corners.vertices;
+    }
+
+    @Override
+    public int hashCode() {
+      return Objects.hash(indices, mode, vertices);
+    }
+  }
 
   GltfMeshes(
       GltfDocument document, GltfAccessors accessors, GltfAttributes attributes, GltfDraco draco) {
@@ -53,7 +70,7 @@ final class GltfMeshes {
       throws ModelFormatException, IOException {
     boolean isRest = Arrays.stream(weights).allMatch(w -> w == 0) || !primitive.has("targets");
     List<Double> applied = isRest ? List.of() : Arrays.stream(weights).boxed().toList();
-    Form form = new Form(primitive.location(), applied);
+    Map.Entry<String, List<Double>> form = Map.entry(primitive.location(), applied);
     Optional<ModelGeometry> geometry = forms.get(form);
     if (geometry == null) {
       geometry = isRest ? rest(primitive) : morphed(primitive, weights);
