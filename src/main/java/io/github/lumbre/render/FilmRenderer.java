@@ -37,7 +37,7 @@ public final class FilmRenderer extends OpenRenderer implements PassRenderer {
    * The revision of sample values. It increases whenever a change of the program changes any bit of
    * any sample for the same scene, settings and seed. Films of other revisions cannot be resumed.
    */
-  public static final int REVISION = 13;
+  public static final int REVISION = 14;
 
   /**
    * The samples per pixel of an adaptive render's pilot, which gives all pixels the same number.
