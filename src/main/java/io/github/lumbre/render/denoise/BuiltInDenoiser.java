@@ -23,6 +23,12 @@ public final class BuiltInDenoiser {
   /** Memory for each pixel of the picture, its guides and the result. */
   private static final int BYTES_PER_PICTURE_PIXEL = 135;
 
+  /**
+   * Pixels for each thread of the first picture, at least. Until the loops are compiled, more
+   * threads would spend the time of processors, which the compilers need, on interpreting them.
+   */
+  private static final int FIRST_PIXELS_PER_THREAD = 1 << 16;
+
   private static final int SMALLEST_TILE = 640 * 640;
   private static final int LARGEST_TILE = 2200 * 1200;
 
@@ -36,6 +42,9 @@ public final class BuiltInDenoiser {
    * docs/measurements/2026-11-denoising.md.
    */
   static final double UNSEEN = 4.5;
+
+  /** Whether a picture was denoised before. */
+  private static volatile boolean isWarm;
 
   private final NoisyPicture noisy;
   private final Features features;
@@ -87,14 +96,22 @@ public final class BuiltInDenoiser {
 
   /** Denoises a picture in tiles of at most about a number of pixels, margins included. */
   static Denoised denoise(NoisyPicture noisy, int threads, int tile) throws InterruptedException {
-    try (Workers workers = new Workers(threads)) {
+    try (Workers workers = new Workers(useful(threads, noisy))) {
       Optional<CaughtShadow> shadow = CaughtShadow.of(noisy);
       if (shadow.isEmpty()) {
         return new BuiltInDenoiser(noisy, workers).denoised(tile, Optional.empty());
       }
       float[] gray = new BuiltInDenoiser(shadow.get().picture(), workers).light(tile);
       return new BuiltInDenoiser(shadow.get().denoised(gray), workers).denoised(tile, shadow);
+    } finally {
+      isWarm = true;
     }
+  }
+
+  /** Returns how many of a number of threads are used for a picture. */
+  private static int useful(int threads, NoisyPicture noisy) {
+    int pixels = noisy.width() * noisy.height();
+    return isWarm ? threads : Math.min(threads, 1 + pixels / FIRST_PIXELS_PER_THREAD);
   }
 
   /** Returns the denoised light. */
