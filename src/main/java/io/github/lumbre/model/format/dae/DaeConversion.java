@@ -6,12 +6,13 @@ import static io.github.lumbre.material.MaterialParameter.OPACITY;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.PhongReflection;
 import io.github.lumbre.model.format.dae.DaeEffect.Transparency;
 import io.github.lumbre.model.internal.MaterialInput;
 import io.github.lumbre.model.internal.ModelImage;
-import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
+import io.github.lumbre.model.internal.ModelMaterial;
 import io.github.lumbre.model.internal.ModelTexture;
 import io.github.lumbre.model.internal.PlainModel;
 import java.io.IOException;
@@ -39,10 +40,10 @@ final class DaeConversion {
 
   private final DaeEffect effect;
   private final DaeElement material;
-  private final DaeFile file;
+  private final FormatFile file;
   private final Map<String, DaeTexture> textures = new LinkedHashMap<>();
 
-  DaeConversion(DaeEffect effect, DaeElement material, DaeFile file) {
+  DaeConversion(DaeEffect effect, DaeElement material, FormatFile file) {
     this.effect = effect;
     this.material = material;
     this.file = file;

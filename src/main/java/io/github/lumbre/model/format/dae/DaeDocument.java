@@ -1,6 +1,7 @@
 package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.base.text.PrintableText;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.XmlReader;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,12 +19,12 @@ final class DaeDocument {
 
   private final DaeElement root;
   private final Map<String, DaeElement> byId;
-  private final DaeFile file;
+  private final FormatFile file;
 
   /** Images by their names; empty before the first is wanted. */
   private Optional<Map<String, DaeElement>> images = Optional.empty();
 
-  DaeDocument(DaeElement root, Map<String, DaeElement> byId, DaeFile file) {
+  DaeDocument(DaeElement root, Map<String, DaeElement> byId, FormatFile file) {
     this.root = root;
     this.byId = byId;
     this.file = file;
@@ -38,7 +39,7 @@ final class DaeDocument {
     return root;
   }
 
-  DaeFile file() {
+  FormatFile file() {
     return file;
   }
 

@@ -1,6 +1,7 @@
 package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.internal.ModelGeometry;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -67,11 +68,11 @@ final class DaeGeometry {
   }
 
   private final PolygonDivision division;
-  private final DaeFile file;
+  private final FormatFile file;
   private final Map<Key, Group> groups = new LinkedHashMap<>();
   private final boolean isOneSided;
 
-  private DaeGeometry(DaeElement element, PolygonDivision division, DaeFile file) {
+  private DaeGeometry(DaeElement element, PolygonDivision division, FormatFile file) {
     this.division = division;
     this.file = file;
     isOneSided = element.below("double_sided").filter(e -> e.text().equals("0")).isPresent();

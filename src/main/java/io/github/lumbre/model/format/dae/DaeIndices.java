@@ -1,6 +1,7 @@
 package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.XmlReader;
 import io.github.lumbre.model.internal.ModelLimits;
 import java.util.Arrays;
@@ -11,7 +12,7 @@ import java.util.BitSet;
  * indices, and the numbers of corners of polygons. What is no index is -1. Mutable.
  */
 final class DaeIndices {
-  private final DaeFile file;
+  private final FormatFile file;
   private int[] values = new int[16];
   private int size;
 
@@ -23,7 +24,7 @@ final class DaeIndices {
   private int[] counts = new int[0];
   private int polygons;
 
-  DaeIndices(DaeFile file) {
+  DaeIndices(FormatFile file) {
     this.file = file;
   }
 

@@ -2,6 +2,7 @@ package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.internal.ModelMaterial;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -32,7 +33,7 @@ final class DaeMaterials {
   private record Key(DaeConversion material, List<Integer> slots, boolean isOneSided) {}
 
   private final DaeDocument document;
-  private final DaeFile file;
+  private final FormatFile file;
   private final Map<DaeElement, Optional<DaeConversion>> known = new IdentityHashMap<>();
   private final Map<Key, ModelMaterial> made = new HashMap<>();
   private boolean isOpaque;

@@ -1,6 +1,7 @@
 package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.XmlReader;
 import io.github.lumbre.model.format.XmlSource;
 import io.github.lumbre.model.internal.ModelLimits;
@@ -65,11 +66,11 @@ final class DaeParser {
           "lambert", "phong", "blinn", "constant");
 
   private final XmlReader xml;
-  private final DaeFile file;
+  private final FormatFile file;
   private final int length;
   private final Map<String, DaeElement> byId = new HashMap<>();
 
-  private DaeParser(byte[] utf8, int start, DaeFile file) {
+  private DaeParser(byte[] utf8, int start, FormatFile file) {
     xml = new XmlReader(XmlSource.of(utf8, start), MAX_DEPTH);
     this.file = file;
     length = utf8.length;
@@ -80,7 +81,7 @@ final class DaeParser {
    *
    * @param start index of the first byte
    */
-  static DaeDocument parsed(byte[] utf8, int start, DaeFile file) throws ModelFormatException {
+  static DaeDocument parsed(byte[] utf8, int start, FormatFile file) throws ModelFormatException {
     DaeParser parser = new DaeParser(utf8, start, file);
     if (!parser.xml.nextWithin(0) || !parser.xml.name().equals("COLLADA")) {
       throw parser.xml.error("expected a <COLLADA> element, found something else");

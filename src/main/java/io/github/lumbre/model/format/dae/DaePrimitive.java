@@ -1,6 +1,7 @@
 package io.github.lumbre.model.format.dae;
 
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.internal.Tally;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,14 +28,14 @@ final class DaePrimitive {
 
   private final DaeElement element;
   private final DaeIndices indices;
-  private final DaeFile file;
+  private final FormatFile file;
   private int stride = 1;
   private Optional<Input> positions = Optional.empty();
   private Optional<Input> normals = Optional.empty();
   private Optional<Input> colors = Optional.empty();
   private final TreeMap<Integer, Input> uvs = new TreeMap<>();
 
-  private DaePrimitive(DaeElement element, DaeFile file) {
+  private DaePrimitive(DaeElement element, FormatFile file) {
     this.element = element;
     indices = element.indices().orElseThrow();
     this.file = file;

@@ -8,8 +8,9 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.ModelOptions.Up;
+import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.XmlEncoding;
 import io.github.lumbre.model.format.XmlReader;
 import io.github.lumbre.model.internal.LengthUnit;
@@ -38,7 +39,7 @@ public final class DaeReader {
   /** Returns the content of a COLLADA file. */
   public static Model read(byte[] bytes, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
-    DaeFile file = new DaeFile(folder, options);
+    FormatFile file = new FormatFile(folder, options);
     byte[] utf8 = XmlEncoding.utf8(bytes, options.limits());
     DaeDocument document = DaeParser.parsed(utf8, XmlEncoding.start(utf8), file);
     warnOfVersion(document);

@@ -3,11 +3,13 @@ package io.github.lumbre.model.format.dae;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.dae.DaeMaterials.Look;
 import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelMaterial;
+import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.ModelReach;
@@ -29,7 +31,7 @@ final class DaeScene {
       ModelNode node, DaeGeometry.Group group, Optional<Look> look, Transform toWorld) {}
 
   private final DaeDocument document;
-  private final DaeFile file;
+  private final FormatFile file;
   private final DaeTransforms transforms;
   private final DaeMaterials materials;
   private final DaeCameras cameraReader;
@@ -170,12 +172,14 @@ final class DaeScene {
     if (geometry.triangleCount() == 0 || isBeyond(surface, geometry)) {
       return Optional.empty();
     }
-    ModelMaterial material;
+    ModelMaterial material = PlainModel.material(geometry.colors());
     if (surface.look.isPresent()) {
-      material =
-          materials.material(surface.look.get(), used, group.sets(), group.isOneSided());
-    } else {
-      material = PlainModel.material(geometry.colors());
+      boolean hasAlpha = material.alphaMode() != AlphaMode.OPAQUE;
+      material = materials.material(surface.look.get(), used, group.sets(), group.isOneSided());
+      if (hasAlpha && material.alphaMode() == AlphaMode.OPAQUE) {
+        file.warnings()
+            .add(group.location(), "ignored alpha of vertices, whose material is opaque");
+      }
     }
     return Optional.of(
         new ModelPart(surface.node, group.location(), geometry, material, surface.toWorld));

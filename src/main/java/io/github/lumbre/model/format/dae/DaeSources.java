@@ -3,6 +3,7 @@ package io.github.lumbre.model.format.dae;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.internal.Srgb;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
@@ -27,7 +28,7 @@ final class DaeSources {
   private static final double MAX_BYTE = 255;
 
   private final DaeDocument document;
-  private final DaeFile file;
+  private final FormatFile file;
   private final Map<DaeElement, Map<Integer, double[]>> known = new IdentityHashMap<>();
 
   DaeSources(DaeDocument document) {

@@ -3,10 +3,12 @@ package io.github.lumbre.model.format.dae;
 import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.dae.DaePrimitive.Input;
 import io.github.lumbre.model.internal.Corners;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.TriangleList;
 import java.util.List;
@@ -22,7 +24,7 @@ final class DaeSurface implements PolygonDivision.Target {
 
   private static final double[] NONE = {};
 
-  private final DaeFile file;
+  private final FormatFile file;
   private final Corners corners = new Corners();
 
   /** Combinations of two texture coordinates and a color, if there is more than one of them. */
@@ -50,7 +52,7 @@ final class DaeSurface implements PolygonDivision.Target {
   private int uv1Start;
   private int colorStart;
 
-  private DaeSurface(DaeFile file) {
+  private DaeSurface(FormatFile file) {
     this.file = file;
   }
 
@@ -60,7 +62,7 @@ final class DaeSurface implements PolygonDivision.Target {
    * @param sets the sets of texture coordinates to use, at most two; others are ignored
    */
   static ModelGeometry geometry(
-      List<DaePrimitive> primitives, List<Integer> sets, PolygonDivision division, DaeFile file)
+      List<DaePrimitive> primitives, List<Integer> sets, PolygonDivision division, FormatFile file)
       throws ModelFormatException {
     DaeSurface surface = new DaeSurface(file);
     for (DaePrimitive each : primitives) {
@@ -200,6 +202,7 @@ final class DaeSurface implements PolygonDivision.Target {
     float[] rgba = new float[0];
     if (color.isPresent()) {
       rgba = floats(corners.gather(1, pairs.gather(2, colors.values(), 4), 4));
+      PlainModel.showInvisible(primitive.location(), rgba, file.warnings());
     }
     return new ModelGeometry(
         corners.gather(0, positions.values(), 3),

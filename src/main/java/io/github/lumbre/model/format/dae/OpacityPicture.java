@@ -5,6 +5,7 @@ import io.github.lumbre.image.ImageFormatException;
 import io.github.lumbre.image.ImageReader;
 import io.github.lumbre.image.Pixels;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.format.FormatFile;
 import io.github.lumbre.model.format.dae.DaeEffect.Transparency;
 import io.github.lumbre.model.internal.ModelImage;
 import io.github.lumbre.model.internal.ModelTexture;
@@ -21,7 +22,7 @@ final class OpacityPicture {
    * decoded.
    */
   static Optional<ModelTexture> of(
-      ModelTexture stated, Transparency kind, double transparency, DaeFile file)
+      ModelTexture stated, Transparency kind, double transparency, FormatFile file)
       throws ModelFormatException {
     Pixels pixels;
     try {

@@ -11,6 +11,7 @@ import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
+import io.github.lumbre.model.internal.ModelMaterial.AlphaMode;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -214,6 +215,27 @@ class DaeMeshTest {
     ModelGeometry read = mesh(colored).geometry();
     assertThat(read.vertexCount()).isEqualTo(6);
     assertThat(read.colors()).startsWith(0, 1, 0, 1).endsWith(1, 0, 0, .25f);
+  }
+
+  @Test
+  void alphaOfVerticesNeedsASurfaceThatIsTransparent() throws ModelFormatException {
+    String faces =
+        "<triangles material=\"m\">"
+            + VERTEX
+            + "<input semantic=\"COLOR\" source=\"#c\" offset=\"1\"/>"
+            + "<p>0 0 1 0 2 0</p></triangles>";
+    String half = SQUARE + source("c", "R G B A", "1 0 0 .5") + VERTICES + faces;
+    String plain = half.replace(" material=\"m\"", "");
+    assertThat(mesh(plain).part().material().alphaMode()).isEqualTo(AlphaMode.BLEND);
+    String libraries = DaeSample.geometry(half) + DaeSample.material("lambert", "");
+    Model painted = DaeSample.fixture(DaeSample.file(libraries, DaeSample.instance())).read();
+    assertThat(painted.parts().get(0).material().alphaMode()).isEqualTo(AlphaMode.OPAQUE);
+    assertThat(painted.warnings())
+        .containsExactly("line 10: ignored alpha of vertices, whose material is opaque");
+    Model invisible = mesh(plain.replace("1 0 0 .5", "1 0 0 0")).read();
+    assertThat(invisible.parts().get(0).material().alphaMode()).isEqualTo(AlphaMode.OPAQUE);
+    assertThat(invisible.warnings())
+        .containsExactly("line 10: ignored alpha, which is 0 everywhere");
   }
 
   @ParameterizedTest

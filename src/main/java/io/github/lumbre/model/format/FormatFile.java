@@ -1,41 +1,40 @@
-package io.github.lumbre.model.format.dae;
+package io.github.lumbre.model.format;
 
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
-import io.github.lumbre.model.format.ObjTextures;
 import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.Warnings;
 
-/** What all parts of the reader of one COLLADA file share. Mutable. */
-final class DaeFile {
+/** What all parts of the reader of one file share. Mutable. */
+public class FormatFile {
   private final ModelOptions options;
   private final Warnings warnings = new Warnings();
   private final Tally tally = new Tally();
   private final ObjTextures pictures;
   private long bytes;
 
-  DaeFile(ModelFolder folder, ModelOptions options) {
+  public FormatFile(ModelFolder folder, ModelOptions options) {
     this.options = options;
     pictures =
         new ObjTextures(new ModelFiles(folder, options.limits(), warnings), options.limits());
   }
 
-  ModelOptions options() {
+  public ModelOptions options() {
     return options;
   }
 
-  Warnings warnings() {
+  public Warnings warnings() {
     return warnings;
   }
 
-  Tally tally() {
+  public Tally tally() {
     return tally;
   }
 
-  ObjTextures pictures() {
+  public ObjTextures pictures() {
     return pictures;
   }
 
@@ -44,7 +43,7 @@ final class DaeFile {
    *
    * @throws ModelFormatException if the file needs more than the limits allow
    */
-  void take(String location, long more) throws ModelFormatException {
+  public void take(String location, long more) throws ModelFormatException {
     bytes += more;
     ModelLimits.requireMemory(location, bytes, options.limits());
   }
