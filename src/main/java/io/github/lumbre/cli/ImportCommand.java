@@ -63,6 +63,9 @@ final class ImportCommand extends Subcommand {
         !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
         "--labels: cannot be used; a scene file holds no labels");
     require(
+        !spec.commandLine().getParseResult().hasMatchedOption("--hidden"),
+        "--hidden: cannot be used; a scene file does not hold which lines are hidden");
+    require(
         !spec.commandLine().getParseResult().hasMatchedOption("--assets"),
         "--assets: cannot be used; a scene may use only files in its own folder or below");
     Stage stage = flags.stage();

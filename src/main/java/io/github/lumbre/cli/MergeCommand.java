@@ -4,6 +4,7 @@ import io.github.lumbre.base.ExitCode;
 import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.cli.option.DevelopFlags;
+import io.github.lumbre.cli.option.FlagChecks;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.Messages;
@@ -23,6 +24,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -72,7 +74,11 @@ final class MergeCommand extends Subcommand {
   @Override
   ExitCode run() throws TaskException, FilmMismatchException {
     flags.validate();
-    boolean isPicture = ImageFormat.of(output).isPresent();
+    Optional<ImageFormat> format = ImageFormat.of(output);
+    if (format.filter(ImageFormat::isVector).isPresent()) {
+      new FlagChecks(spec).requirePicture(output);
+    }
+    boolean isPicture = format.isPresent();
     OutputGuard guard = overwrite.guard();
     films.forEach(film -> guard.readsFilm(film));
     if (isPicture) {

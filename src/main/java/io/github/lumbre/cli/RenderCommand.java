@@ -13,6 +13,7 @@ import io.github.lumbre.cli.output.PictureHint;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.DrawingJob;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
@@ -231,7 +232,10 @@ final class RenderCommand extends Subcommand {
               invocation.receiver,
               report);
       invocation.interruption.requireRender();
-      ExitCode code = job.run(options.flags.samples().first());
+      ExitCode code =
+          options.isDrawing()
+              ? new DrawingJob(job).run()
+              : job.run(options.flags.samples().first());
       if (!spec.commandLine().getParseResult().hasMatchedOption("--up")) {
         options.run.hint(() -> PictureHint.ofAxes(scene.scene(), file));
       }

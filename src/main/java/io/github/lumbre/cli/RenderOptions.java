@@ -15,6 +15,7 @@ import io.github.lumbre.cli.option.RunFlags;
 import io.github.lumbre.cli.option.SceneOptions;
 import io.github.lumbre.cli.option.SequenceFlags;
 import io.github.lumbre.cli.option.TargetFlags;
+import io.github.lumbre.cli.option.VectorFlags;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.output.PictureOutput;
@@ -24,7 +25,9 @@ import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.model.Models;
 import io.github.lumbre.scenefile.SceneParser;
+import io.github.lumbre.stage.internal.StagedSheet;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -75,6 +78,18 @@ final class RenderOptions {
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
+  /**
+   * Returns whether the picture is lines alone, so that it takes no samples; those of a checkpoint
+   * file, of shares and of layers are taken.
+   *
+   * @throws TaskException if standard input cannot be read
+   */
+  boolean isDrawing() throws TaskException {
+    boolean isSampled =
+        checkpoint.isPresent() || flags.samples().haveRange() || !flags.layers().isEmpty();
+    return scene.isModel() && !isSampled && StagedSheet.of(scene.model().stage()).isAlone();
+  }
+
   /** Returns the path of the checkpoint file; empty if there is none. */
   Optional<Path> checkpoint() {
     return checkpoint;
@@ -90,6 +105,9 @@ final class RenderOptions {
   void validate(List<Path> scenes) throws TaskException {
     imports.validate();
     scene.importBy(imports);
+    if (to.isVector()) {
+      requireVectors(scenes);
+    }
     flags.validate();
     budgets.validate();
     checkpoints.validate();
@@ -116,6 +134,17 @@ final class RenderOptions {
     }
   }
 
+  /** Makes the pictures drawings of lines, and requires that no flag asks for more. */
+  private void requireVectors(List<Path> scenes) throws TaskException {
+    for (Path each : scenes) {
+      scene.choose(each);
+      require(scene.isModel(), each + ": expected a model for an .svg file: " + Models.NAMES);
+    }
+    scene.choose(scenes.get(0));
+    VectorFlags.require(spec);
+    scene.model().drawLines();
+  }
+
   private void validateCheckpoint() {
     require(
         !quality.isAdaptive() || checkpoint.isEmpty() && !flags.samples().haveRange(),
@@ -132,10 +161,13 @@ final class RenderOptions {
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
             + " the clamped energy");
-    require(
-        checkpoint.isEmpty() || !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
-        "--labels: cannot be combined with --checkpoint, because a checkpoint file does not record"
-            + " the labels");
+    for (String drawn : List.of("labels", "hidden")) {
+      require(
+          checkpoint.isEmpty() || !spec.commandLine().getParseResult().hasMatchedOption("--" + drawn),
+          ("--%s: cannot be combined with --checkpoint, because a checkpoint file does not record"
+                  + " the %s")
+              .formatted(drawn, drawn.equals("hidden") ? "hidden lines" : drawn));
+    }
     require(
         checkpoint.isEmpty() || !scene.isStandardInput() && !to.isStandardOutput(),
         "--checkpoint: expected files for the scene and the picture, found -; 'lumbre resume' needs"
@@ -169,7 +201,8 @@ final class RenderOptions {
             && !flags.isRayMode()
             && checkpoint.isEmpty()
             && engine == Engine.LOCAL;
-    Optional<Denoising> denoising = stored.denoising().denoising(isDefault);
+    Optional<Denoising> denoising =
+        isDrawing() ? Optional.empty() : stored.denoising().denoising(isDefault);
     boolean isUsual = denoising.isPresent() && scene.isModel() && !quality.isAdaptive();
     flags.recordForDenoising(
         denoising.isPresent(),

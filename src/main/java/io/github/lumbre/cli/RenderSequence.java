@@ -312,11 +312,15 @@ final class RenderSequence {
   /** Returns the metadata of a frame as it would be rendered now. */
   private Map<String, String> expected(int index, SceneFile file)
       throws SceneFormatException, TaskException, IOException {
-    Map<String, String> expected = PictureMetadata.of(options.scene.scene(), file, file.settings());
+    boolean isDrawing = options.isDrawing();
+    Map<String, String> expected =
+        isDrawing
+            ? PictureMetadata.ofDrawing(options.scene.scene(), file)
+            : PictureMetadata.of(options.scene.scene(), file, file.settings());
     if (options.sequence.areGiven()) {
       expected.put(PictureMetadata.SCENE_HASH, options.scene.hash(index));
     }
-    OptionalDouble error = options.targetError();
+    OptionalDouble error = isDrawing ? OptionalDouble.empty() : options.targetError();
     error.ifPresent(e -> expected.put(PictureMetadata.TARGET_ERROR, Numbers.percent(e)));
     options
         .denoising(all.get(index), engine)

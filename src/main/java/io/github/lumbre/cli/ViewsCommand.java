@@ -11,6 +11,7 @@ import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.RunFlags;
 import io.github.lumbre.cli.option.SamplesFlag;
 import io.github.lumbre.cli.option.SettingFlags;
+import io.github.lumbre.cli.option.VectorFlags;
 import io.github.lumbre.cli.output.Fallback;
 import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.MemoryCheck;
@@ -18,6 +19,7 @@ import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
 import io.github.lumbre.cli.run.Deadline;
 import io.github.lumbre.cli.run.Denoising;
+import io.github.lumbre.cli.run.DrawingJob;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.Frames;
@@ -31,6 +33,8 @@ import io.github.lumbre.image.Dither;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ContactSheet;
+import io.github.lumbre.image.internal.ImageFormat;
+import io.github.lumbre.image.internal.VectorPicture;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
@@ -46,6 +50,8 @@ import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.stage.internal.ModelSequence;
 import io.github.lumbre.stage.internal.ModelSource;
+import io.github.lumbre.stage.internal.PictureDrawing;
+import io.github.lumbre.stage.internal.StagedSheet;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -87,7 +93,10 @@ final class ViewsCommand extends Subcommand {
       names = {"-o", "--output"},
       paramLabel = "DIR",
       required = true,
-      description = "Folder of the pictures; it is created if it does not exist.")
+      description = {
+        "Folder of the pictures; it is created if it does not exist. Or a name that ends in .svg:"
+            + " one sheet of lines as vectors, in third-angle projection."
+      })
   private Path folder;
 
   @Mixin private final SamplesFlag samples = new SamplesFlag();
@@ -132,14 +141,26 @@ final class ViewsCommand extends Subcommand {
           !spec.commandLine().getParseResult().hasMatchedOption(flag),
           flag + ": cannot be used; 'lumbre views' renders all standard views");
     }
+    if (isVector()) {
+      VectorFlags.require(spec);
+      flags.drawLines();
+    }
     samples.validate();
     work.validate(spec);
     frame.validate();
-    return flags.stage();
+    return isVector() ? VectorViews.inCells(flags.stage()) : flags.stage();
+  }
+
+  /** Returns whether the views are drawn on one sheet of vectors. */
+  private boolean isVector() {
+    return ImageFormat.of(folder).filter(ImageFormat::isVector).isPresent();
   }
 
   /** Returns the paths of the views in their order, and of the contact sheet. */
   private List<Path> targets() {
+    if (isVector()) {
+      return List.of(folder);
+    }
     List<Path> targets = new ArrayList<>();
     View.standard().keySet().forEach(name -> targets.add(folder.resolve(name + ".png")));
     targets.add(folder.resolve(SHEET));
@@ -152,21 +173,28 @@ final class ViewsCommand extends Subcommand {
     OutputGuard guard = overwrite.guard().reads(model, "the model");
     targets().forEach(target -> guard.writes("-o", target, OutputContent.PICTURE));
     guard.check();
-    denoising = stored.denoising(true);
+    boolean isDrawing = StagedSheet.of(stage).isAlone();
+    denoising = isDrawing ? Optional.empty() : stored.denoising(true);
     try (RenderMonitor monitor = run.monitor(interruption, deadline)) {
       monitor.reading(model, () -> read(stage));
     }
     SceneFile first = files.get(0);
     guard.checkAssets(model, first.assetPaths(first.text().orElseThrow().path()));
     errors().warnings(first.warnings());
-    MemoryCheck.require(first.settings(), FilmLayers.of(first.settings(), first.scene()));
+    if (!isDrawing) {
+      MemoryCheck.require(first.settings(), FilmLayers.of(first.settings(), first.scene()));
+    }
     frames.reserve(Fallback.TEMPORARY);
     long start = System.nanoTime();
-    ExitCode code = frames.each(index -> render(index, frames, interruption, deadline));
+    ExitCode code =
+        isVector()
+            ? draw(frames, interruption, deadline)
+            : frames.each(index -> render(index, frames, interruption, deadline));
     if (run.isJson()) {
       describe(report);
     }
-    run.summarize(summary(first.settings()), Duration.ofNanos(System.nanoTime() - start));
+    run.summarize(
+        summary(first.settings(), isDrawing), Duration.ofNanos(System.nanoTime() - start));
     return code;
   }
 
@@ -174,7 +202,7 @@ final class ViewsCommand extends Subcommand {
     SceneParser parser = frame.over(new SceneParser()).overriding(this::overridden);
     ModelSource source =
         imports.converts(model) ? imports.source(parser, model) : ModelSource.of(parser, model);
-    ModelSequence views = ModelSequence.of(source, stage, ModelSequence.Motion.ofViews());
+    ModelSequence views = ModelSequence.of(source, stage, ModelSequence.Motion.ofViews(isVector()));
     for (int i = 0; i < views.count(); i++) {
       files.add(views.frame(i));
     }
@@ -208,7 +236,10 @@ final class ViewsCommand extends Subcommand {
               interruption.requireRender();
               try (FilmKeeper keeper = FilmKeeper.none(run.errors());
                   RenderMonitor monitor = run.monitor(interruption, deadline)) {
-                return job(files.get(index), frames, keeper, monitor, report).run(0);
+                RenderJob job = job(files.get(index), frames, keeper, monitor, report);
+                return PictureDrawing.isAlone(files.get(index).parsed())
+                    ? new DrawingJob(job).run()
+                    : job.run(0);
               }
             });
   }
@@ -236,6 +267,23 @@ final class ViewsCommand extends Subcommand {
         Engine.LOCAL);
   }
 
+  /** Draws all views on one sheet of vectors. */
+  private ExitCode draw(Frames frames, Interruption interruption, Deadline deadline)
+      throws Exception {
+    List<VectorPicture> views = new ArrayList<>();
+    List<String> names = List.copyOf(View.standard().keySet());
+    try (RenderMonitor monitor = run.monitor(interruption, deadline)) {
+      for (int i = 0; i < files.size(); i++) {
+        String about = folder + ", " + names.get(i) + ": ";
+        views.add(
+            DrawingJob.vectors(
+                files.get(i).parsed(), monitor, note -> run.errors().note(about + note)));
+      }
+    }
+    frames.picture().write(VectorViews.sheet(names, views));
+    return ExitCode.OK;
+  }
+
   private void writeSheet(Frames frames) throws Exception {
     List<DisplayLight> whole = pictures.stream().map(DisplayLight::withBackground).toList();
     List<Image> images = whole.stream().map(DisplayLight::image).toList();
@@ -249,11 +297,25 @@ final class ViewsCommand extends Subcommand {
   private void describe(JsonSummary report) {
     report.putScene(files.get(0));
     Map<Path, SceneFile> seen = new LinkedHashMap<>();
-    files.forEach(file -> seen.put(targets().get(seen.size()), file));
+    List<String> names = List.copyOf(View.standard().keySet());
+    files.forEach(
+        file -> {
+          String name = names.get(seen.size());
+          seen.put(isVector() ? Path.of(name) : targets().get(seen.size()), file);
+        });
     report.putPictures(seen);
   }
 
-  private String summary(RenderSettings settings) {
+  private String summary(RenderSettings settings, boolean isDrawing) {
+    if (isDrawing) {
+      return "%s: %d views%s, lines; %dx%d pixels each"
+          .formatted(
+              folder,
+              files.size(),
+              isVector() ? " on one sheet" : " and a contact sheet, " + SHEET,
+              settings.width(),
+              settings.height());
+    }
     return "%s: %d views and a contact sheet, %s; %dx%d pixels, %s per pixel%s"
         .formatted(
             folder,

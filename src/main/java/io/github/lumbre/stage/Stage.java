@@ -9,6 +9,7 @@ import io.github.lumbre.math.internal.Range;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.OptionTypes;
+import io.github.lumbre.model.internal.OptionTypes.NamedType;
 import io.github.lumbre.model.internal.OptionTypes.TextType;
 import io.github.lumbre.model.internal.OptionValues;
 import io.github.lumbre.scene.Backplate;
@@ -23,7 +24,9 @@ import io.github.lumbre.stage.internal.ShownLabels;
 import io.github.lumbre.stage.internal.StageTypes;
 import io.github.lumbre.stage.internal.StageTypes.BackgroundType;
 import io.github.lumbre.stage.internal.StageTypes.LookType;
+import io.github.lumbre.stage.internal.StageTypes.PageType;
 import io.github.lumbre.stage.internal.StageTypes.PointType;
+import io.github.lumbre.stage.internal.StageTypes.ScaleType;
 import io.github.lumbre.stage.internal.StageTypes.ViewType;
 import io.github.lumbre.texture.internal.ClearSky;
 import io.github.lumbre.texture.internal.SunPosition;
@@ -247,6 +250,33 @@ public final class Stage {
           .withDefault(Setting.CREASE_ANGLE.defaultValue())
           .withFlag("crease", "DEGREES");
 
+  /** Whether hidden lines are drawn as dashes; otherwise they are left out. */
+  public static final ModelOption<Boolean> HIDDEN =
+      new ModelOption<>(
+              "hidden",
+              new NamedType<>(Map.of("dashed", true, "none", false)),
+              "Draw hidden lines as dashes, or none (none).")
+          .withDefault(false)
+          .withFlag("hidden", "dashed|none");
+
+  /** How long things are on paper in parallel projection: 1:2, 5:1. */
+  public static final ModelOption<String> SCALE =
+      new ModelOption<>(
+              "scale",
+              new ScaleType(),
+              "Scale on paper of a parallel view, such as 1:2; a pixel is 1/96 inch, and a file"
+                  + " without a unit is in millimeters.")
+          .withFlag("scale", "N:N");
+
+  /** The sheet of paper of a picture: {@code a4}, {@code a3-landscape}, {@code 200x100}. */
+  public static final ModelOption<String> PAGE =
+      new ModelOption<>(
+              "page",
+              new PageType(),
+              "Sheet of paper, instead of a size: a0 to a5 or letter, perhaps with -landscape, or"
+                  + " millimeters such as 200x100.")
+          .withFlag("page", "PAGE");
+
   /** What is drawn on finished pictures: {@code all}, or some of {@link #LABELS}. */
   public static final ModelOption<List<String>> LABEL =
       new ModelOption<>(
@@ -282,6 +312,9 @@ public final class Stage {
           LOOK,
           LINE_WIDTH,
           CREASE,
+          HIDDEN,
+          SCALE,
+          PAGE,
           LABEL);
 
   /**

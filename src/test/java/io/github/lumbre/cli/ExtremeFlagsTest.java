@@ -25,9 +25,9 @@ class ExtremeFlagsTest {
   private static final Pattern OTHERS =
       Pattern.compile(
           "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background"
-              + "|look|labels|variant|fit|hide|highlight|up|mode|guide|filter|quality|kernel|progress"
-              + "|animation|ffmpeg|import-with|fallback-dir|scene|compare|root|png|error-map|knobs|without|json"
-              + "|csv|scenes|sheet)");
+              + "|look|hidden|page|labels|variant|fit|hide|highlight|up|mode|guide|filter|quality"
+              + "|kernel|progress|animation|ffmpeg|import-with|fallback-dir|scene|compare|root|png|error-map"
+              + "|knobs|without|json|csv|scenes|sheet)");
 
   /** A place for a number in the flags of {@code render}. */
   private static final String[] OF_MODELS = {
@@ -49,6 +49,8 @@ class ExtremeFlagsTest {
     "--sky sun --sun 48,N@2026-06-21T12:00Z",
     "--look lines --line-width N",
     "--look lines --crease N",
+    "--view front --scale N:2",
+    "--view front --scale 1:N",
     "--section x=N",
     "--section y=N%",
     "--section -z=N",

@@ -159,7 +159,7 @@ class StoppedStepsTest extends CommandFixture {
 
   @Test
   void framesThatLackAStepAreRenderedAnew() throws Exception {
-    String line = "render T/sample.glb --look lines --turntable 3 -o T/";
+    String line = "render T/sample.glb --look clay,lines --turntable 3 -o T/";
     assertThat(run(line + "whole.png" + SLOW).exitCode()).isZero();
     sleep(5, "60");
     Outcome outcome = stopped("TERM", line + "a.png" + SLOW);
@@ -255,7 +255,7 @@ class StoppedStepsTest extends CommandFixture {
     Random random = new Random(Effort.seed(461));
     List<String> lines =
         List.of(
-            "render T/sample.glb --turntable 3 --look lines --labels all -o T/N/a.png",
+            "render T/sample.glb --turntable 3 --look clay,lines --labels all -o T/N/a.png",
             "render T/sample.glb --turntable 3 -o T/N/a.gif",
             "render T/sample.glb T/sample.glb --labels all -o T/N/a.apng",
             "render T/sample.glb --turntable 2 --look clay,lines --denoise -o T/N/a.exr");

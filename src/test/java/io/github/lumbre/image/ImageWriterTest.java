@@ -30,7 +30,7 @@ class ImageWriterTest {
   @TempDir Path directory;
 
   @ParameterizedTest
-  @EnumSource
+  @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "SVG")
   void aFullDiskIsReportedWhereverItStrikes(ImageFormat format) throws IOException {
     Image image = ImageFixture.random(40, 40, true);
     Path file = directory.resolve("a" + format.ending());
@@ -76,11 +76,12 @@ class ImageWriterTest {
       case PFM -> image.toPfm();
       case EXR -> image.toExr(options);
       case JPG -> image.toJpeg(options);
+      case SVG -> throw new IllegalArgumentException("no pixels");
     };
   }
 
   @ParameterizedTest
-  @EnumSource
+  @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "SVG")
   void aPictureHasTheBytesOfItsFile(ImageFormat format) throws IOException {
     Image image = ImageFixture.random(70, 133, true);
     ImageWriter.Options options =
@@ -115,7 +116,7 @@ class ImageWriterTest {
   }
 
   @ParameterizedTest
-  @EnumSource
+  @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "SVG")
   void theSamePictureGivesTheSameBytes(ImageFormat format) throws IOException {
     Image image = ImageFixture.random(17, 33, true);
     Path file = directory.resolve("a" + format.ending());

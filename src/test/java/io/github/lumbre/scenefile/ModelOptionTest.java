@@ -146,7 +146,10 @@ class ModelOptionTest {
     }
     String look = (String) values.getOrDefault(Stage.LOOK, "");
     if (!look.contains("lines")) {
-      values.keySet().removeAll(List.of(Stage.LINE_WIDTH, Stage.CREASE));
+      values.keySet().removeAll(List.of(Stage.LINE_WIDTH, Stage.CREASE, Stage.HIDDEN));
+    }
+    if (values.containsKey(Stage.SCALE)) {
+      values.remove(Stage.ZOOM);
     }
     if (look.equals("lines")) {
       values.remove(Stage.GROUND);
@@ -201,7 +204,7 @@ class ModelOptionTest {
           .filter(text -> random.nextBoolean() && texts.accepts(List.of(text)))
           .toList();
     }
-    String[] texts = {"front", "-40.25,15", "0,90", "transparent", "#123456", "lines", "é b"};
+    String[] texts = {"front", "-40.25,15", "0,90", "transparent", "#123456", "lines", "1:2", "a4", "é b"};
     List<Object> fitting = new ArrayList<>();
     for (String text : texts) {
       parsed(type, text).ifPresent(fitting::add);

@@ -40,7 +40,7 @@ public record FlagChecks(CommandSpec spec) {
    */
   public void requirePicture(Path file) {
     require(
-        ImageFormat.of(file).isPresent(),
+        ImageFormat.of(file).filter(format -> !format.isVector()).isPresent(),
         file + ": expected a name that ends in one of " + ImageFormat.endings());
   }
 

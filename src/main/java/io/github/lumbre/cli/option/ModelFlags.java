@@ -95,7 +95,7 @@ public final class ModelFlags extends Flags {
     require(
         !isGiven(Stage.SUN) || stage.sky().name().equals("sun"),
         Stage.SUN.flag() + ": requires --sky sun");
-    for (ModelOption<?> ofLines : List.of(Stage.LINE_WIDTH, Stage.CREASE)) {
+    for (ModelOption<?> ofLines : List.of(Stage.LINE_WIDTH, Stage.CREASE, Stage.HIDDEN)) {
       require(
           !isGiven(ofLines) || look.hasLines(),
           ofLines.flag() + ": requires --look lines or clay,lines");
@@ -130,6 +130,22 @@ public final class ModelFlags extends Flags {
       throw failure(option, type.refusal(value));
     }
     return value;
+  }
+
+  /**
+   * Makes the look lines, for drawings as vectors.
+   *
+   * @throws ParameterException if another look is given
+   */
+  public void drawLines() {
+    Object look = given.getOrDefault(Stage.LOOK, Look.LINES);
+    require(
+        look.equals(Look.LINES),
+        Stage.LOOK.flag() + ": expected " + Look.LINES + " for an .svg file, found " + look);
+    boolean isSky = "sky".equalsIgnoreCase(String.valueOf(given.get(Stage.BACKGROUND)));
+    require(
+        !isSky, Stage.BACKGROUND.flag() + ": expected a color or transparent for an .svg file");
+    given.put(Stage.LOOK, Look.LINES);
   }
 
   private boolean isGiven(ModelOption<?> option) {

@@ -76,6 +76,11 @@ public final class SceneOptions {
     return scene;
   }
 
+  /** Returns the flags of models. */
+  public ModelFlags model() {
+    return model;
+  }
+
   public boolean isStandardInput() {
     return scene.equals(PictureOutput.STANDARD);
   }

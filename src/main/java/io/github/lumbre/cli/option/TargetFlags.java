@@ -32,9 +32,9 @@ public final class TargetFlags extends Flags {
       names = {"-o", "--output"},
       paramLabel = "OUT",
       description = {
-        "Picture to write: PNG or JPEG for the screen, OpenEXR or PFM for linear light, by its"
-            + " ending; - for standard output. Or a folder, which exists or has a name without an"
-            + " ending: its pictures have the names of their scenes.",
+        "Picture to write, by its ending: PNG, JPEG, OpenEXR or PFM (linear light) or SVG (lines);"
+            + " - for standard output. Or a folder, which exists or has a name without an ending:"
+            + " its pictures have the names of their scenes.",
         "Default: the scene's name with .png, in the working directory."
       })
   private Optional<Path> output;
@@ -42,7 +42,8 @@ public final class TargetFlags extends Flags {
   @Option(
       names = "--format",
       paramLabel = "NAME",
-      description = "Format of the pictures with -o - or a folder: png, exr, pfm or jpg (png).")
+      description =
+          "Format of the pictures with -o - or a folder: png, exr, pfm, jpg or svg (png).")
   private Optional<ImageFormat> format;
 
   @Option(
@@ -67,6 +68,17 @@ public final class TargetFlags extends Flags {
   /** Returns the path of the one file that the pictures are joined to; empty if there is none. */
   public Optional<Path> animation() {
     return output.filter(out -> !isFolder() && AnimationFormat.of(out).isPresent());
+  }
+
+  /** Returns whether a picture of the command has lines and areas instead of pixels. */
+  public boolean isVector() {
+    return isStandardOutput() || output.isEmpty() || isFolder()
+        ? format().isVector()
+        : isVector(output.get());
+  }
+
+  private static boolean isVector(Path target) {
+    return ImageFormat.of(target).filter(ImageFormat::isVector).isPresent();
   }
 
   /** Returns the format of a picture that {@code -o} does not name. */
@@ -170,7 +182,7 @@ public final class TargetFlags extends Flags {
 
   private Path single(Path scene) {
     Path target = output.orElseGet(() -> PictureOutput.defaultFor(scene, ImageFormat.PNG));
-    if (!isStandardOutput() && animation().isEmpty()) {
+    if (!isStandardOutput() && animation().isEmpty() && !isVector(target)) {
       checks().requirePicture(target);
     }
     return target;

@@ -12,7 +12,7 @@ import java.util.function.Predicate;
 
 /** The kinds of files that commands write, and tests that recognize existing ones. */
 public enum OutputContent {
-  PICTURE("a PNG, JPEG, OpenEXR, PFM or HDR picture", ImageFormat::startsPicture),
+  PICTURE("a PNG, JPEG, OpenEXR, PFM, HDR or SVG picture", OutputContent::startsPicture),
   ANIMATION("a GIF, PNG, MP4 or WebM file", OutputContent::startsAnimation),
   FILM("a checkpoint file", FilmFile::startsIn),
   SCENE("a JSON scene", text(start -> start.contains("\"mainCameraId\""))),
@@ -46,6 +46,10 @@ public enum OutputContent {
 
   private static Predicate<byte[]> text(Predicate<String> isStart) {
     return start -> isStart.test(new String(start, StandardCharsets.UTF_8));
+  }
+
+  private static boolean startsPicture(byte[] start) {
+    return ImageFormat.startsPicture(start) || text(t -> t.contains("<svg ")).test(start);
   }
 
   private static boolean startsAnimation(byte[] start) {

@@ -40,6 +40,23 @@ public final class PictureMetadata {
   /** The keyword that marks a picture that lacks samples, or a step after them. */
   public static final String PARTIAL = "Partial";
 
+  private static final String HIDDEN = "HiddenLines";
+
+  /** The keywords of pictures of lines alone. */
+  private static final Set<String> OF_DRAWINGS =
+      Set.of(
+          "Software",
+          SCENE,
+          SCENE_HASH,
+          "Size",
+          "Crop",
+          "Labels",
+          HIDDEN,
+          keyword(Setting.LINE_WIDTH),
+          keyword(Setting.CREASE_ANGLE),
+          keyword(Setting.BACKPLATE),
+          keyword(Setting.TRANSPARENT));
+
   private static final Set<Setting<?>> HAVE_OTHER_NAMES =
       Set.of(
           Setting.WIDTH,
@@ -91,6 +108,20 @@ public final class PictureMetadata {
     metadata.put("Size", settings.width() + "x" + settings.height());
     settings.crop().ifPresent(crop -> metadata.put("Crop", crop.toString()));
     labels(file).ifPresent(labels -> metadata.put("Labels", labels));
+    file.parsed()
+        .model()
+        .filter(model -> model.sheet().hasHidden())
+        .ifPresent(model -> metadata.put(HIDDEN, "dashed"));
+    return metadata;
+  }
+
+  /**
+   * Returns the metadata by keyword of a picture of lines alone, which does not depend on the flags
+   * of sampling.
+   */
+  public static Map<String, String> ofDrawing(Path scene, SceneFile file) {
+    Map<String, String> metadata = of(scene, file, file.settings());
+    metadata.keySet().retainAll(OF_DRAWINGS);
     return metadata;
   }
 
@@ -107,6 +138,7 @@ public final class PictureMetadata {
                 "Size",
                 "Crop",
                 "Labels",
+                HIDDEN,
                 TARGET_ERROR,
                 DENOISED));
     settings().map(PictureMetadata::keyword).forEach(keywords::add);

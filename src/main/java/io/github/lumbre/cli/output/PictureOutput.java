@@ -9,6 +9,7 @@ import io.github.lumbre.image.ImageLayer;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.image.internal.PictureEncoder;
+import io.github.lumbre.image.internal.VectorPicture;
 import io.github.lumbre.scene.RenderSettings;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -194,6 +195,20 @@ public final class PictureOutput implements AutoCloseable {
     write(image, List.of(), options);
   }
 
+  /** Returns whether the picture's format has lines and areas instead of pixels. */
+  public boolean isVector() {
+    return ImageFormat.of(path).filter(ImageFormat::isVector).isPresent();
+  }
+
+  /**
+   * Writes a drawing; if that fails, writes it to the fallback directory instead.
+   *
+   * @throws TaskException if that failed; it names the path of the rescued drawing
+   */
+  public void write(VectorPicture picture) throws TaskException {
+    write(output -> PictureEncoder.write(picture, output));
+  }
+
   /**
    * Writes the picture with layers; if that fails, writes it to the fallback directory instead. A
    * picture that is a part of a file is not written.
@@ -205,11 +220,20 @@ public final class PictureOutput implements AutoCloseable {
     if (isPart) {
       return;
     }
+    write(output -> PictureEncoder.write(image, layers, output, options));
+  }
+
+  /** Writes a picture to an open file. */
+  private interface Encoding {
+    void write(OutputFile output) throws IOException;
+  }
+
+  private void write(Encoding encoding) throws TaskException {
     try {
-      PictureEncoder.write(image, layers, opened(), options);
+      encoding.write(opened());
     } catch (IOException e) {
       String failure = path + ": cannot be written: " + e.getMessage();
-      String rescue = isStandardOutput() ? "" : "; " + rescue(image, layers, options);
+      String rescue = isStandardOutput() ? "" : "; " + rescue(encoding);
       throw ExitCode.OUTPUT.failure(failure + rescue, e);
     }
     if (isStandardOutput()) {
@@ -236,11 +260,11 @@ public final class PictureOutput implements AutoCloseable {
     }
   }
 
-  private String rescue(Image image, List<ImageLayer> layers, ImageWriter.Options options) {
+  private String rescue(Encoding encoding) {
     try {
       Path other = fallback.newFile(target());
-      try {
-        ImageWriter.write(image, layers, other, options);
+      try (OutputFile output = OutputFile.open(other)) {
+        encoding.write(output);
       } finally {
         Fallback.deleteIfEmpty(other);
       }

@@ -55,8 +55,10 @@ public record Suggestions(Collection<String> commands, Supplier<CommandLine> pro
     flag("--quiet", "silent q");
     flag("--stats", "verbose v");
     flag("--up z", "zup upaxis");
-    flag("--unit LENGTH", "scale units");
+    flag("--unit LENGTH", "units");
     flag("--crop x,y,w,h", "region window");
+    flag("-o drawing.svg", "svg vector vectors");
+    flag("--hidden dashed", "hidden-lines dashed dashes hlr");
     flag("--labels LIST", "annotate annotations axes");
     flag("--no-denoise", "nodenoising raw");
     flag("--variant NAME", "materialvariant");

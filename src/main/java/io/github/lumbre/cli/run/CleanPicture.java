@@ -30,8 +30,13 @@ public final class CleanPicture {
   public static DisplayLight of(
       SceneFile file, String title, Consumer<String> notes, Progress progress)
       throws InterruptedException {
+    PictureDrawing drawing = PictureDrawing.of(file.parsed(), notes);
+    if (PictureDrawing.isAlone(file.parsed())) {
+      return drawing.aloneOnDisplay(
+          file.scene(), Optional.of(title), file.settings().development());
+    }
     Image light = light(file, progress);
-    return PictureDrawing.of(file.parsed(), notes)
+    return drawing
         .onDisplay(file.scene(), Optional.of(title), light, file.settings().development())
         .withBackground();
   }

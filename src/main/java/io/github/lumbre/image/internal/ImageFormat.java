@@ -18,6 +18,7 @@ import io.github.lumbre.image.format.pfm.PfmReader;
 import io.github.lumbre.image.format.pfm.PfmWriter;
 import io.github.lumbre.image.format.png.PngFile;
 import io.github.lumbre.image.format.png.PngWriter;
+import io.github.lumbre.image.format.svg.SvgWriter;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.SeekableByteChannel;
@@ -44,7 +45,9 @@ public enum ImageFormat {
    * JPEG, for display: 8 bits per channel, lossy, without alpha; exposure and tone curve are
    * applied.
    */
-  JPG;
+  JPG,
+  /** SVG: lines and areas of a {@link VectorPicture}; pixels cannot be written. */
+  SVG;
 
   private static final String LONG_JPEG = ".jpeg";
 
@@ -142,7 +145,22 @@ public enum ImageFormat {
       case JPG -> JpegWriter.write(image, options, out);
       case PFM -> PfmWriter.write(light, out);
       case EXR -> ExrWriter.write(light, layers, options.metadata(), channel);
+      case SVG -> throw new IllegalArgumentException("expected a drawing, found pixels");
     }
+    out.flush();
+  }
+
+  /**
+   * Writes a drawing to a channel at position 0 and leaves the channel open.
+   *
+   * @throws IllegalArgumentException if the format has pixels
+   */
+  public void write(VectorPicture picture, SeekableByteChannel channel) throws IOException {
+    if (!isVector()) {
+      throw new IllegalArgumentException("expected pixels, found a drawing");
+    }
+    OutputStream out = PictureEncoder.buffered(channel);
+    SvgWriter.write(picture, out);
     out.flush();
   }
 
@@ -166,20 +184,27 @@ public enum ImageFormat {
     return this == PNG || this == JPG;
   }
 
-  /** Returns all extensions, for messages: {@code .png, .pfm, .exr, .jpg, .jpeg}. */
+  /** Returns whether the format has lines and areas instead of pixels. */
+  public boolean isVector() {
+    return this == SVG;
+  }
+
+  /** Returns the extensions of pixels, for messages: {@code .png, .pfm, .exr, .jpg, .jpeg}. */
   public static String endings() {
     return Arrays.stream(values())
+        .filter(format -> !format.isVector())
         .map(ImageFormat::ending)
         .collect(Collectors.joining(", ", "", ", " + LONG_JPEG));
   }
 
   /**
-   * Returns the format that the ending of a name stands for.
+   * Returns the format of pixels that the ending of a name stands for.
    *
    * @throws IllegalArgumentException if there is none
    */
   public static ImageFormat require(Path file) {
     return of(file)
+        .filter(format -> !format.isVector())
         .orElseThrow(
             () ->
                 new IllegalArgumentException(

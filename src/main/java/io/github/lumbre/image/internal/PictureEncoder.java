@@ -50,6 +50,16 @@ public final class PictureEncoder {
   }
 
   /**
+   * Writes a drawing to a reserved file and commits it.
+   *
+   * @throws IOException if the file cannot be written
+   */
+  public static void write(VectorPicture picture, OutputFile output) throws IOException {
+    ImageFormat.SVG.write(picture, output.restart());
+    output.commit();
+  }
+
+  /**
    * Writes a layer as PNG without a tone curve: values from {@code low} to {@code high} become 0 to
    * 2^bits - 1. One channel is gray; two or three are red, green and blue.
    *

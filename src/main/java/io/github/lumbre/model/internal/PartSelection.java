@@ -170,6 +170,11 @@ public final class PartSelection {
         && color.max() - least <= GRAY * color.max();
   }
 
+  /** Returns whether a material is that of parts beside highlighted ones, perhaps cut. */
+  public static boolean isPale(ModelMaterial material) {
+    return material.equals(PALE) || material.equals(PALE.fromBothSides());
+  }
+
   private ModelPart painted(ModelPart part, ModelMaterial look) {
     ModelGeometry geometry = part.geometry();
     return part.with(

@@ -12,9 +12,9 @@ import io.github.lumbre.texture.Texture;
  * @param across unit vector across the lines, divided by their distance: its first component
  * @param upwards second component
  */
-record Hatch(Rgb paper, Rgb ink, double across, double upwards) implements Texture<Rgb> {
+public record Hatch(Rgb paper, Rgb ink, double across, double upwards) implements Texture<Rgb> {
   /** The width of lines, relative to their distance. */
-  private static final double WIDTH = .16;
+  public static final double WIDTH = .16;
 
   /** Sines and cosines of 45°, 135°, 30° and 120°, each a direction across the lines. */
   private static final double[][] DIRECTIONS = {

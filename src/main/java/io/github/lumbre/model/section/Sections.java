@@ -132,7 +132,7 @@ public final class Sections {
   }
 
   /** Returns the box around all triangles and points, in the model's world space. */
-  private static Bounds3 bounds(Model model) {
+  public static Bounds3 bounds(Model model) {
     double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
     for (ModelPart part : model.parts()) {

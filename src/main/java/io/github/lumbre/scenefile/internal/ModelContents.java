@@ -3,9 +3,11 @@ package io.github.lumbre.scenefile.internal;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.model.internal.ModelCamera;
+import io.github.lumbre.model.section.Sections;
 import io.github.lumbre.scene.Scene;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -25,11 +27,13 @@ import java.util.Set;
  * @param surfaces its surfaces in the scene, by the numbers of their primitives
  * @param labels what to draw on its pictures
  * @param title the name of the view
+ * @param sheet how lines are drawn on its pictures
  * @param fromFile from the axes and the unit of its file to world space
  * @param min the least coordinates of its vertices: right-handed, +Y up
  * @param max the largest coordinates
  * @param assembled the box around the model before its parts moved apart, in the scene; empty if
  *     they did not
+ * @param seen the box around what sections leave, in the same space
  */
 public record ModelContents(
     List<String> cameras,
@@ -40,10 +44,12 @@ public record ModelContents(
     Map<Integer, PartSurface> surfaces,
     Set<String> labels,
     String title,
+    DrawingSheet sheet,
     Transform fromFile,
     Vec3 min,
     Vec3 max,
-    Optional<Bounds3> assembled) {
+    Optional<Bounds3> assembled,
+    Bounds3 seen) {
   public ModelContents {
     cameras = List.copyOf(cameras);
     animations = List.copyOf(animations);
@@ -62,6 +68,11 @@ public record ModelContents(
       Model model, Map<Integer, PartSurface> surfaces, Surroundings around) {
     Vec3 low = around.box().min();
     Vec3 high = around.box().max();
+    Bounds3 all =
+        new Bounds3(
+            new Vec3(low.x(), low.y(), 0 - high.z()), new Vec3(high.x(), high.y(), 0 - low.z()));
+    boolean isCut = !around.options().get(ModelOption.SECTION).isEmpty();
+    Bounds3 left = isCut ? Sections.bounds(model) : all;
     Map<String, String> materials = new LinkedHashMap<>();
     model.parts().stream()
         .map(part -> part.material())
@@ -76,10 +87,12 @@ public record ModelContents(
         surfaces,
         around.labels(),
         around.title(),
+        around.sheet(),
         model.fromFile(),
-        new Vec3(low.x(), low.y(), 0 - high.z()),
-        new Vec3(high.x(), high.y(), 0 - low.z()),
-        around.assembled());
+        all.min(),
+        all.max(),
+        around.assembled(),
+        left.isEmpty() ? all : left);
   }
 
   /** Returns the parts of the model; finding connected pieces takes time. */

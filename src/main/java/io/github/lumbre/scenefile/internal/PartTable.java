@@ -189,9 +189,14 @@ public final class PartTable {
     if (!hit.isHit()) {
       return NONE;
     }
-    Integer mesh = meshes.get(hit.shape());
+    return at(hit.shape(), hit.element());
+  }
+
+  /** Returns the part of a triangle of a primitive; {@link #NONE} if it is none of the model. */
+  public int at(int primitive, int triangle) {
+    Integer mesh = meshes.get(primitive);
     return mesh == null
-        ? ofPrimitives.getOrDefault(hit.shape(), NONE)
-        : Math.min(pieces.of(mesh, hit.element()), Pieces.LAST);
+        ? ofPrimitives.getOrDefault(primitive, NONE)
+        : Math.min(pieces.of(mesh, triangle), Pieces.LAST);
   }
 }

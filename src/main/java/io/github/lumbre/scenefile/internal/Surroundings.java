@@ -22,6 +22,7 @@ import java.util.Set;
  * @param settings of the scene
  * @param labels what to draw on its pictures
  * @param title the name of the view
+ * @param sheet how lines are drawn
  */
 public record Surroundings(
     PlacedCamera camera,
@@ -34,7 +35,8 @@ public record Surroundings(
     ModelOptions options,
     RenderSettings settings,
     Set<String> labels,
-    String title) {
+    String title,
+    DrawingSheet sheet) {
   /**
    * The light of the surroundings.
    *

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /** A picture to draw on. Mutable; for one thread. */
-public final class Canvas {
+public final class Canvas implements Easel {
   /** Rows whose coverage is in memory at a time. */
   private static final int BAND = 64;
 
@@ -32,7 +32,7 @@ public final class Canvas {
     return new Image(width, height, rgb.clone(), alpha.clone());
   }
 
-  /** Draws strokes over what is there. */
+  @Override
   public void draw(Strokes strokes, Pen pen) {
     List<Segment> segments = new ArrayList<>();
     for (int i = 0; i < strokes.count(); i++) {
@@ -49,6 +49,19 @@ public final class Canvas {
         cover(segment, top, end, covered);
       }
       blend(covered, top, end, pen);
+    }
+  }
+
+  /** Fills what is inside an odd number of closed outlines. */
+  void fill(List<double[]> outlines, Rgb color) {
+    Areas areas = new Areas(outlines, width, height);
+    for (int row = 0; row < height; row++) {
+      double[] shares = areas.shares(row);
+      for (int column = 0; column < width; column++) {
+        if (shares[column] > 0) {
+          blend(row * width + column, color, Math.min(1, shares[column]));
+        }
+      }
     }
   }
 

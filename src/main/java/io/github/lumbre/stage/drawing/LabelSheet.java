@@ -215,14 +215,14 @@ final class LabelSheet {
   }
 
   /** Draws everything: first the halos, so that no halo covers a label. */
-  void draw(Canvas canvas, boolean isOnDark) {
+  void draw(Easel easel, boolean isOnDark) {
     Rgb behind = isOnDark ? Rgb.BLACK : Rgb.WHITE;
     strokes.forEach(
-        (ink, lines) -> canvas.draw(lines, new Pen(behind, ink.width() + 2 * ink.edge())));
+        (ink, lines) -> easel.draw(lines, new Pen(behind, ink.width() + 2 * ink.edge())));
     strokes.forEach(
         (ink, lines) -> {
           Rgb color = isOnDark ? ink.tone().onDark : ink.tone().onBright;
-          canvas.draw(lines, new Pen(color, ink.width()));
+          easel.draw(lines, new Pen(color, ink.width()));
         });
   }
 }

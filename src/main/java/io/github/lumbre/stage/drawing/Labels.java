@@ -103,6 +103,11 @@ public final class Labels {
     sheet.draw(canvas, isDark(picture));
   }
 
+  /** Draws the labels on a background of one color. */
+  void draw(Easel easel, Rgb background) {
+    sheet.draw(easel, background.luminance() < DARK);
+  }
+
   /** Returns whether the edges of a picture are dark; what is transparent is taken as white. */
   private static boolean isDark(Image picture) {
     double sum = 0;

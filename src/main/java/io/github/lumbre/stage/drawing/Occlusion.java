@@ -4,6 +4,7 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scene.Primitive;
 import io.github.lumbre.scene.Scene;
+import java.util.function.Predicate;
 
 /** Finds by rays whether a point of an edge is hidden. Mutable; for one thread. */
 final class Occlusion {
@@ -24,8 +25,12 @@ final class Occlusion {
     near = NEAR * scene.radius();
   }
 
-  /** Returns whether a surface other than the triangles of an edge is in front of its point. */
-  boolean hides(Vec3 point, OutlinedPart part, int edge) {
+  /**
+   * Returns whether a surface is in front of a point.
+   *
+   * @param isOwn returns whether a hit is on a surface that has the point, and does not count
+   */
+  boolean hides(Vec3 point, Predicate<NearestHit> isOwn) {
     Vec3 ray = eye.rayTo(point);
     double length = ray.length();
     if (!(length > near)) {
@@ -35,7 +40,7 @@ final class Occlusion {
     Vec3 unit = ray.times(1 / length);
     hit.aim(start.x(), start.y(), start.z(), unit.x(), unit.y(), unit.z(), length - near);
     for (int passed = 0; passed < MOST_PASSED && scene.intersect(hit); passed++) {
-      if (!part.isOnEdge(hit, edge) && isSeen()) {
+      if (!isOwn.test(hit) && isOpaque(scene, hit)) {
         return true;
       }
       hit.pass();
@@ -43,8 +48,19 @@ final class Occlusion {
     return false;
   }
 
+  /** Finds the nearest surface on a ray that is opaque to the camera; returns whether one is. */
+  static boolean findOpaque(Scene scene, NearestHit ray) {
+    for (int passed = 0; passed < MOST_PASSED && scene.intersect(ray); passed++) {
+      if (isOpaque(scene, ray)) {
+        return true;
+      }
+      ray.pass();
+    }
+    return false;
+  }
+
   /** Returns whether the hit surface is opaque to the camera. */
-  private boolean isSeen() {
+  private static boolean isOpaque(Scene scene, NearestHit hit) {
     Primitive primitive = scene.primitiveAt(hit);
     return !primitive.material().catchesShadows()
         && (primitive.material().isOpaque()

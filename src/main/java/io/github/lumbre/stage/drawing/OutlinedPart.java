@@ -43,6 +43,16 @@ record OutlinedPart(MeshEdges edges, Transform toWorld, int[] primitives, int[] 
     return positions;
   }
 
+  /** Returns the part of the model to which an edge belongs: that of its first triangle. */
+  int partOf(int edge, PartOf parts) {
+    int triangle = edges.triangle(edge, 0);
+    int mesh = begins.length - 1;
+    while (begins[mesh] > triangle) {
+      mesh--;
+    }
+    return parts.number(primitives[mesh], triangle - begins[mesh]);
+  }
+
   /** Returns whether a hit is on one of the meshes. */
   boolean has(NearestHit hit) {
     for (int primitive : primitives) {

@@ -15,7 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Predicate;
+import java.util.function.Function;
 
 /** The edges of the meshes of a scene. Immutable. */
 public record Outlines(List<OutlinedPart> parts) {
@@ -53,51 +53,77 @@ public record Outlines(List<OutlinedPart> parts) {
   }
 
   /**
-   * Returns the visible lines for the camera of a scene, in pixels of the rendered part of the
-   * frame; empty if the camera bends straight lines.
+   * Returns the lines for the camera of a scene, in pixels of the rendered part of the frame; empty
+   * if the camera bends straight lines.
    *
    * @param scene the scene of these edges, from any place
+   * @param hasHidden whether hidden lines are wanted, too
    * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
-  public Optional<Strokes> strokes(Scene scene, RenderSettings settings) {
+  Optional<Sketch> sketch(Scene scene, RenderSettings settings, PartOf numbers, boolean hasHidden) {
     double creaseDegrees = settings.get(Setting.CREASE_ANGLE);
     return Eye.of(scene.camera(), settings)
         .map(
             eye -> {
-              Strokes strokes = new Strokes();
-              Occlusion occlusion = new Occlusion(scene, eye);
-              Seams seams = new Seams(scene, eye, creaseDegrees);
+              Sketch sketch = new Sketch();
+              Sights sights = new Sights(scene, eye, creaseDegrees, hasHidden);
               for (OutlinedPart part : parts) {
                 EdgeKind kind = new EdgeKind(part.edges(), part.worldPositions(), creaseDegrees);
-                add(part, kind, eye, occlusion, seams, strokes);
+                add(part, kind, eye, sights, numbers, sketch);
               }
-              return strokes;
+              return sketch;
             });
   }
 
   private static void add(
-      OutlinedPart part,
-      EdgeKind kind,
-      Eye eye,
-      Occlusion occlusion,
-      Seams seams,
-      Strokes strokes) {
+      OutlinedPart part, EdgeKind kind, Eye eye, Sights sights, PartOf numbers, Sketch sketch) {
     for (int edge = 0; edge < part.edges().count(); edge++) {
       if (edge % EDGES_PER_CHECK == 0) {
         Interrupts.check();
       }
       if (kind.isLine(edge, eye)) {
         int number = edge;
-        Vec3 along = kind.along(edge);
-        Vec3 across = kind.across(edge, 0, along);
-        boolean mayContinue = kind.isBorder(edge);
-        Predicate<Vec3> isVisible =
-            point ->
-                !(mayContinue && seams.continues(point, part, along, across))
-                    && !occlusion.hides(point, part, number);
         SeenEdge.of(kind.from(edge), kind.to(edge), eye)
-            .ifPresent(seen -> seen.add(isVisible, strokes));
+            .ifPresent(
+                seen ->
+                    seen.divide(
+                        sights.of(part, kind, number),
+                        sights.halvings,
+                        (sight, fromX, fromY, toX, toY) -> {
+                          if (sight != Sight.NONE) {
+                            sketch
+                                .of(part.partOf(number, numbers), sight == Sight.VISIBLE)
+                                .add(fromX, fromY, toX, toY);
+                          }
+                        }));
       }
+    }
+  }
+
+  /** Finds the sights of points of edges. Mutable; for one thread. */
+  private static final class Sights {
+    private final Occlusion occlusion;
+    private final Seams seams;
+    private final Sight behind;
+    private final int halvings;
+
+    Sights(Scene scene, Eye eye, double creaseDegrees, boolean hasHidden) {
+      occlusion = new Occlusion(scene, eye);
+      seams = new Seams(scene, eye, creaseDegrees);
+      behind = hasHidden ? Sight.HIDDEN : Sight.NONE;
+      halvings = hasHidden ? SeenEdge.FOR_VECTORS : SeenEdge.FOR_PIXELS;
+    }
+
+    Function<Vec3, Sight> of(OutlinedPart part, EdgeKind kind, int edge) {
+      Vec3 along = kind.along(edge);
+      Vec3 across = kind.across(edge, 0, along);
+      boolean mayContinue = kind.isBorder(edge);
+      return point -> {
+        if (mayContinue && seams.continues(point, part, along, across)) {
+          return Sight.NONE;
+        }
+        return occlusion.hides(point, hit -> part.isOnEdge(hit, edge)) ? behind : Sight.VISIBLE;
+      };
     }
   }
 }

@@ -3,7 +3,7 @@ package io.github.lumbre.stage.drawing;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import java.util.Optional;
-import java.util.function.Predicate;
+import java.util.function.Function;
 
 /**
  * An edge in front of the camera, as a straight line in the picture.
@@ -24,8 +24,11 @@ record SeenEdge(
   /** The distance in pixels of the points whose visibility is found first. */
   private static final double STEP = 1;
 
-  /** How many times the interval of a change of visibility is halved: to 1/16 of a pixel. */
-  private static final int HALVINGS = 4;
+  /** How many times the interval of a change is halved for pixels: to 1/16 of a pixel. */
+  static final int FOR_PIXELS = 4;
+
+  /** The same for vectors and dashes: to 1/1024 of a pixel. */
+  static final int FOR_VECTORS = 10;
 
   /** The least depth, relative to the depth of the farther end. */
   private static final double NEAR = 1e-6;
@@ -71,28 +74,33 @@ record SeenEdge(
     return range[0] < range[1];
   }
 
-  /** Adds the visible parts to strokes. */
-  void add(Predicate<Vec3> isVisible, Strokes strokes) {
+  /** Receives the parts of an edge whose points have one sight. */
+  interface Receiver {
+    void add(Sight sight, double fromX, double fromY, double toX, double toY);
+  }
+
+  /**
+   * Divides the edge by the sight of its points.
+   *
+   * @param halvings of the interval in which the sight changes
+   */
+  void divide(Function<Vec3, Sight> sights, int halvings, Receiver receiver) {
     double pixels = length() * (high - low);
     int steps = (int) Math.max(1, Math.ceil(pixels / STEP));
     double step = (high - low) / steps;
     double begin = low;
-    boolean wasVisible = isVisible.test(point(low + .5 * step));
+    Sight before = sights.apply(point(low + .5 * step));
     for (int i = 1; i < steps; i++) {
       double middle = low + (i + .5) * step;
-      boolean isNow = isVisible.test(point(middle));
-      if (isNow != wasVisible) {
-        double change = change(middle - step, middle, wasVisible, isVisible);
-        if (wasVisible) {
-          add(begin, change, strokes);
-        }
+      Sight now = sights.apply(point(middle));
+      if (now != before) {
+        double change = change(middle - step, middle, before, sights, halvings);
+        add(before, begin, change, receiver);
         begin = change;
-        wasVisible = isNow;
+        before = now;
       }
     }
-    if (wasVisible) {
-      add(begin, high, strokes);
-    }
+    add(before, begin, high, receiver);
   }
 
   private double length() {
@@ -101,13 +109,14 @@ record SeenEdge(
     return Math.sqrt(dx * dx + dy * dy);
   }
 
-  /** Returns where the visibility changes. */
-  private double change(double one, double other, boolean isFirst, Predicate<Vec3> isVisible) {
+  /** Returns where the sight changes. */
+  private double change(
+      double one, double other, Sight first, Function<Vec3, Sight> sights, int halvings) {
     double low = one;
     double high = other;
-    for (int i = 0; i < HALVINGS; i++) {
+    for (int i = 0; i < halvings; i++) {
       double middle = .5 * (low + high);
-      if (isVisible.test(point(middle)) == isFirst) {
+      if (sights.apply(point(middle)) == first) {
         low = middle;
       } else {
         high = middle;
@@ -116,11 +125,15 @@ record SeenEdge(
     return .5 * (low + high);
   }
 
-  private void add(double one, double other, Strokes strokes) {
+  private void add(Sight sight, double one, double other, Receiver receiver) {
     double dx = end.x() - start.x();
     double dy = end.y() - start.y();
-    strokes.add(
-        start.x() + one * dx, start.y() + one * dy, start.x() + other * dx, start.y() + other * dy);
+    receiver.add(
+        sight,
+        start.x() + one * dx,
+        start.y() + one * dy,
+        start.x() + other * dx,
+        start.y() + other * dy);
   }
 
   /** Returns the point of the edge at a parameter of its line in the picture. */

@@ -13,7 +13,7 @@ import java.util.Arrays;
 public final class Strokes {
   private static final int VALUES = 4;
 
-  private double[] ends = new double[16 * VALUES];
+  private double[] ends = new double[2 * VALUES];
   private int count;
 
   /** Adds a segment; a segment of length 0 is drawn as a dot. */
@@ -50,6 +50,35 @@ public final class Strokes {
   /** Returns the number of segments. */
   public int count() {
     return count;
+  }
+
+  /**
+   * Returns a key of a pair of integers, another one for each pair, whose hash codes are spread
+   * (Steele, Lea and Flood 2014).
+   */
+  static long key(long column, long row) {
+    return (column << 32 | row & 0xffffffffL) * 0x9e3779b97f4a7c15L;
+  }
+
+  /** Returns the number of segments for which there is memory. */
+  int capacity() {
+    return ends.length / VALUES;
+  }
+
+  /** Returns the length of a segment. */
+  double length(int segment) {
+    double x = coordinate(segment, 2) - coordinate(segment, 0);
+    double y = coordinate(segment, 3) - coordinate(segment, 1);
+    return Math.sqrt(x * x + y * y);
+  }
+
+  /** Adds a segment of other strokes. */
+  Strokes add(Strokes other, int segment) {
+    return add(
+        other.coordinate(segment, 0),
+        other.coordinate(segment, 1),
+        other.coordinate(segment, 2),
+        other.coordinate(segment, 3));
   }
 
   /** Returns a coordinate of a segment: 0 to 3 are x and y of its start and x and y of its end. */

@@ -3,10 +3,15 @@
  * both consist of.
  *
  * <p>{@link io.github.lumbre.stage.drawing.Outlines} holds the silhouettes, creases and borders of
- * the meshes of a scene, and returns {@link io.github.lumbre.stage.drawing.Strokes} for a camera.
- * They come from the meshes, so that lines are exact at any size of the picture. Rays find which
- * parts of an edge other surfaces hide (Appel 1967, "The notion of quantitative invisibility and
- * the machine rendering of solids", is the analytic ancestor).
+ * the meshes of a scene, and finds its lines for a camera. They come from the meshes, so that lines
+ * are exact at any size of the picture. Rays find which parts of an edge other surfaces hide (Appel
+ * 1967, "The notion of quantitative invisibility and the machine rendering of solids", is the
+ * analytic ancestor).
+ *
+ * <p>{@link io.github.lumbre.stage.drawing.LineDrawing} draws these lines on pixels, and {@link
+ * io.github.lumbre.stage.drawing.VectorSheet} makes vectors of them: its {@code Sketch} has the
+ * visible and the hidden lines of each part, each place once, and {@code Chains} joins them. {@code
+ * Surfaces} has what is between the lines of a drawing without light.
  *
  * <p>{@link io.github.lumbre.stage.drawing.Labels} places axes, a scale bar, the dimensions of the
  * box around the model, and names on a {@code LabelSheet}, which knows the room that is left.

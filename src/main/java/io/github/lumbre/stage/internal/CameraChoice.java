@@ -19,7 +19,8 @@ public final class CameraChoice {
           List.of(Stage.CAMERA, Stage.PERSPECTIVE),
           List.of(Stage.EYE, Stage.VIEW),
           List.of(Stage.PARALLEL, Stage.PERSPECTIVE),
-          List.of(Stage.PARALLEL, Stage.FOV));
+          List.of(Stage.PARALLEL, Stage.FOV),
+          List.of(Stage.SCALE, Stage.ZOOM));
 
   private CameraChoice() {}
 

@@ -20,7 +20,7 @@ import java.util.Set;
 /** Where a camera must stand so that all vertices of a model are in the frame. Immutable. */
 public final class Framing {
   /** The fraction of the frame that the model may fill. */
-  private static final double FILL = .92;
+  static final double FILL = .92;
 
   /** The least distance of a vertex from the camera, relative to the diagonal of the box. */
   private static final double NEAR = 1e-3;

@@ -15,7 +15,8 @@ public record Look(boolean isClay, boolean hasLines) {
   /** As the file says. */
   public static final Look OF_FILE = new Look(false, false);
 
-  private static final String LINES = "lines";
+  /** The name of lines. */
+  public static final String LINES = "lines";
 
   /** The default width of lines, in pixels. */
   public static final double LINE_WIDTH = 1.5;

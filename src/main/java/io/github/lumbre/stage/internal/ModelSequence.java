@@ -32,9 +32,15 @@ public abstract class ModelSequence {
    * @param rate frames per second of an animation
    * @param explosion how far the parts of the model have moved apart in each frame; empty if they
    *     do not move
+   * @param isAligned whether parallel views have the same scale
    */
   public record Motion(
-      int turns, List<View> views, String animation, FrameRate rate, List<Double> explosion) {
+      int turns,
+      List<View> views,
+      String animation,
+      FrameRate rate,
+      List<Double> explosion,
+      boolean isAligned) {
     private static final double TURN_DEGREES = 360;
 
     /** The time in which parts move apart. */
@@ -53,18 +59,23 @@ public abstract class ModelSequence {
 
     /** Returns one turn around a model. */
     public static Motion turntable(int turns) {
-      return new Motion(turns, List.of(), "", new FrameRate(1, 1), List.of());
+      return new Motion(turns, List.of(), "", new FrameRate(1, 1), List.of(), false);
     }
 
-    /** Returns the standard views of a model, in order. */
-    public static Motion ofViews() {
+    /**
+     * Returns the standard views of a model, in order.
+     *
+     * @param isAligned whether parallel views have the same scale
+     */
+    public static Motion ofViews(boolean isAligned) {
       List<View> views = List.copyOf(View.standard().values());
-      return new Motion(views.size(), views, "", new FrameRate(1, 1), List.of());
+      return new Motion(
+          views.size(), views, "", new FrameRate(1, 1), List.of(), isAligned);
     }
 
     /** Returns a whole animation. */
     public static Motion animation(String name, FrameRate rate) {
-      return new Motion(0, List.of(), name, rate, List.of());
+      return new Motion(0, List.of(), name, rate, List.of(), false);
     }
 
     /** Returns parts that move apart for 2 seconds, from the first frame to the last. */
@@ -75,7 +86,7 @@ public abstract class ModelSequence {
           IntStream.rangeClosed(0, last)
               .mapToObj(i -> ((last - i) * from + i * to) / last)
               .toList();
-      return new Motion(0, List.of(), "", rate, factors);
+      return new Motion(0, List.of(), "", rate, factors, false);
     }
 
     /** Returns the stage of a frame around the model. */

@@ -18,6 +18,7 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * A camera that was moved before a model, as the flags of a stage say it, with few digits.
@@ -96,7 +97,8 @@ public record MovedCamera(List<String> flags, PlacedCamera camera) {
             ModelScene.TO_LEFT_HANDED.point(model.min()),
             ModelScene.TO_LEFT_HANDED.point(model.max()));
     double aspect = scene.settings().aspect();
-    return new StagedCamera(stage, Framing.of(box), aspect, model.fromFile()).camera();
+    return new StagedCamera(stage, Framing.of(box), aspect, model.fromFile(), OptionalDouble.empty())
+        .camera();
   }
 
   private static List<String> flags(Stage stage) {

@@ -4,7 +4,10 @@ import io.github.lumbre.base.text.Quantities;
 import io.github.lumbre.camera.internal.Projection;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.Backdrop;
+import io.github.lumbre.image.internal.VectorPicture;
+import io.github.lumbre.image.internal.VectorPicture.Page;
 import io.github.lumbre.math.Bounds3;
 import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
@@ -14,6 +17,8 @@ import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.RenderSettings.Crop;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
+import io.github.lumbre.scenefile.internal.DrawingSheet;
+import io.github.lumbre.scenefile.internal.DrawingSheet.Paper;
 import io.github.lumbre.scenefile.internal.ModelContents;
 import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.scenefile.internal.PartTable;
@@ -24,7 +29,7 @@ import io.github.lumbre.stage.drawing.LabeledModel;
 import io.github.lumbre.stage.drawing.Labels;
 import io.github.lumbre.stage.drawing.LineDrawing;
 import io.github.lumbre.stage.drawing.PartMap;
-import io.github.lumbre.stage.drawing.Strokes;
+import io.github.lumbre.stage.drawing.VectorSheet;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -38,22 +43,25 @@ import java.util.stream.Stream;
 public final class PictureDrawing {
   private final RenderSettings settings;
   private final LineDrawing lines;
+  private final Optional<ModelContents> model;
   private final Optional<ModelContents> labeled;
 
-  /** The parts to name; empty if none is named. */
+  /** The parts; empty if none is named, and there is no drawing of vectors. */
   private final Optional<PartTable> parts;
 
   private final Consumer<String> notes;
 
-  private PictureDrawing(ParsedScene file, Consumer<String> notes) {
+  private PictureDrawing(ParsedScene file, boolean isVector, Consumer<String> notes) {
     this.notes = notes;
     settings = file.settings();
-    lines = LineDrawing.of(file.scene(), settings);
-    labeled = file.model().filter(model -> !model.labels().isEmpty());
+    model = file.model();
+    boolean hasHidden = model.filter(contents -> contents.sheet().hasHidden()).isPresent();
+    lines = LineDrawing.of(file.scene(), settings, hasHidden);
+    labeled = model.filter(contents -> !contents.labels().isEmpty());
     parts =
-        labeled
-            .filter(model -> model.labels().contains(ShownLabels.PARTS))
-            .map(model -> model.parts(file.scene()));
+        model
+            .filter(contents -> isVector || contents.labels().contains(ShownLabels.PARTS))
+            .map(contents -> contents.parts(file.scene()));
   }
 
   /**
@@ -62,7 +70,23 @@ public final class PictureDrawing {
    * @param notes receives a text for labels of a picture that have no room
    */
   public static PictureDrawing of(ParsedScene file, Consumer<String> notes) {
-    return new PictureDrawing(file, notes);
+    return new PictureDrawing(file, false, notes);
+  }
+
+  /**
+   * Returns a model's lines and labels as vectors, without what is between them.
+   *
+   * @param title the name of the place, instead of the first one; if it is "", none is drawn
+   * @param notes receives a text for labels that have no room
+   */
+  public static VectorPicture vectors(
+      ParsedScene file, Optional<String> title, Consumer<String> notes) {
+    return new PictureDrawing(file, true, notes).vectors(file.scene(), title);
+  }
+
+  /** Returns whether a scene shows lines on paper alone, so that it needs no samples. */
+  public static boolean isAlone(ParsedScene file) {
+    return file.model().filter(contents -> contents.sheet().isAlone()).isPresent();
   }
 
   /** Returns whether a scene has lines or labels. */
@@ -82,12 +106,11 @@ public final class PictureDrawing {
    */
   public DisplayLight onDisplay(
       Scene scene, Optional<String> title, Image picture, ImageWriter.Options options) {
-    Optional<Strokes> strokes = lines.strokes(scene);
-    if (strokes.isEmpty() && labeled.isEmpty()) {
+    if (!isDrawnOn(scene)) {
       return new DisplayLight(picture, options);
     }
     DisplayLight light = DisplayLight.of(picture, options);
-    return new DisplayLight(drawn(scene, title, light.image(), strokes), light.options());
+    return new DisplayLight(drawn(scene, title, light.image()), light.options());
   }
 
   /**
@@ -97,19 +120,90 @@ public final class PictureDrawing {
    * @param title the name of this place, instead of the first one; if it is "", none is drawn
    */
   public Image onLight(Scene scene, Optional<String> title, Image picture) {
-    Optional<Strokes> strokes = lines.strokes(scene);
-    return strokes.isEmpty() && labeled.isEmpty() ? picture : drawn(scene, title, picture, strokes);
+    return isDrawnOn(scene) ? drawn(scene, title, picture) : picture;
   }
 
-  private Image drawn(
-      Scene scene, Optional<String> title, Image picture, Optional<Strokes> strokes) {
+  /**
+   * Returns a picture for the screen of lines on paper, and what is drawn with them: see {@link
+   * #isAlone}.
+   *
+   * @param options of the picture
+   */
+  public DisplayLight aloneOnDisplay(
+      Scene scene, Optional<String> title, ImageWriter.Options options) {
+    DisplayLight light = DisplayLight.of(empty(), options);
+    return new DisplayLight(drawnAlone(scene, title, light.image()), light.options());
+  }
+
+  /** Returns the same picture in linear light. */
+  public Image aloneOnLight(Scene scene, Optional<String> title) {
+    return drawnAlone(scene, title, Backdrop.asLight(empty(), settings.background()));
+  }
+
+  /** Returns a picture that shows nothing but what will be behind it. */
+  private Image empty() {
+    Crop window = settings.window();
+    int pixels = Math.multiplyExact(window.width(), window.height());
+    return new Image(
+        window.width(), window.height(), new float[3 * pixels], new float[pixels]);
+  }
+
+  private boolean isDrawnOn(Scene scene) {
+    return lines.areOn(scene) || labeled.isPresent();
+  }
+
+  private Image drawn(Scene scene, Optional<String> title, Image picture) {
     Canvas canvas = new Canvas(picture);
-    strokes.ifPresent(found -> canvas.draw(found, lines.pen()));
-    labeled.ifPresent(
-        model ->
-            labels(scene, model, title.orElse(model.title()))
-                .draw(canvas, Backdrop.asLight(picture, settings.background())));
+    draw(scene, title, canvas, picture);
     return canvas.image();
+  }
+
+  private Image drawnAlone(Scene scene, Optional<String> title, Image paper) {
+    Canvas canvas = new Canvas(paper);
+    lines.drawSurfaces(scene, model.orElseThrow().surfaces(), canvas);
+    draw(scene, title, canvas, paper);
+    return canvas.image();
+  }
+
+  private void draw(Scene scene, Optional<String> title, Canvas canvas, Image picture) {
+    lines.draw(scene, canvas);
+    labeled.ifPresent(
+        contents ->
+            labels(scene, contents, title.orElse(contents.title()))
+                .draw(canvas, Backdrop.asLight(picture, settings.background())));
+  }
+
+  private VectorPicture vectors(Scene scene, Optional<String> title) {
+    ModelContents contents = model.orElseThrow();
+    PartTable table = parts.orElseThrow();
+    List<String> names = table.parts().stream().map(Part::name).toList();
+    VectorSheet sheet = new VectorSheet(lines, scene, names, table::at);
+    sheet.addLines(contents.surfaces());
+    Optional<Rgb> background = settings.background();
+    labeled.ifPresent(
+        of ->
+            sheet.addLabels(
+                labels(scene, of, title.orElse(of.title())), background.orElse(Rgb.WHITE)));
+    return sheet.picture(page(contents.sheet()), background);
+  }
+
+  private Page page(DrawingSheet sheet) {
+    Crop window = settings.window();
+    if (!sheet.isInMillimeters()) {
+      return Page.ofPixels(window.width(), window.height());
+    }
+    double width = window.width() * DrawingSheet.PIXEL;
+    double height = window.height() * DrawingSheet.PIXEL;
+    Optional<Paper> paper = sheet.paper().filter(whole -> settings.crop().isEmpty());
+    double paperWidth = paper.map(Paper::width).orElse(width);
+    double paperHeight = paper.map(Paper::height).orElse(height);
+    return new Page(
+        paperWidth,
+        paperHeight,
+        .5 * (paperWidth - width),
+        .5 * (paperHeight - height),
+        DrawingSheet.PIXEL,
+        "mm");
   }
 
   private Labels labels(Scene scene, ModelContents contents, String title) {
@@ -155,8 +249,8 @@ public final class PictureDrawing {
             .toList();
     Bounds3 box =
         Bounds3.EMPTY
-            .union(fromFile.inversePoint(contents.min()))
-            .union(fromFile.inversePoint(contents.max()));
+            .union(fromFile.inversePoint(contents.seen().min()))
+            .union(fromFile.inversePoint(contents.seen().max()));
     return new LabeledModel(projection, axes, box.min(), box.max(), contents.unit());
   }
 

@@ -11,6 +11,7 @@ import io.github.lumbre.model.internal.OptionTypes.TextsType;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scene.SettingType;
 import io.github.lumbre.scene.internal.SettingTypes.NumberType;
+import io.github.lumbre.scenefile.internal.DrawingSheet.Paper;
 import io.github.lumbre.stage.Stage.Sky;
 import io.github.lumbre.stage.Stage.View;
 import io.github.lumbre.texture.internal.ClearSky;
@@ -21,6 +22,7 @@ import java.time.format.DateTimeFormatterBuilder;
 import java.time.format.DateTimeParseException;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -246,6 +248,97 @@ public final class StageTypes {
     @Override
     public String expected() {
       return "clay, lines or clay,lines";
+    }
+  }
+
+  /** Scales such as {@code 1:2}: a length on paper, and how long it is in truth. */
+  public record ScaleType() implements Form {
+    private static final NumberType PART = new NumberType(1e-9, 1e9);
+
+    @Override
+    public String parse(String text) {
+      factor(text);
+      return text;
+    }
+
+    @Override
+    public String expected() {
+      return "two numbers such as 1:2, each " + PART.expected();
+    }
+
+    /** Returns the length on paper of a length of 1. */
+    public static double factor(String text) {
+      String[] parts = text.split(":", -1);
+      try {
+        double paper = Double.parseDouble(parts[0]);
+        double truth = Double.parseDouble(parts[parts.length - 1]);
+        if (parts.length == 2 && PART.accepts(paper) && PART.accepts(truth)) {
+          return paper / truth;
+        }
+      } catch (NumberFormatException e) {
+        throw new IllegalArgumentException(refused(text), e);
+      }
+      throw new IllegalArgumentException(refused(text));
+    }
+
+    private static String refused(String text) {
+      return "expected " + new ScaleType().expected() + ", found " + text;
+    }
+  }
+
+  /** Sheets of paper: names of ISO 216 and the letter of the United States, or millimeters. */
+  public record PageType() implements Form {
+    private static final String LANDSCAPE = "-landscape";
+
+    /** Width and height in millimeters. */
+    private static final Map<String, double[]> SHEETS =
+        Map.of(
+            "a0", new double[] {841, 1189},
+            "a1", new double[] {594, 841},
+            "a2", new double[] {420, 594},
+            "a3", new double[] {297, 420},
+            "a4", new double[] {210, 297},
+            "a5", new double[] {148, 210},
+            "letter", new double[] {215.9, 279.4});
+
+    private static final NumberType SIDE = new NumberType(1, 4000);
+
+    @Override
+    public String parse(String text) {
+      paper(text);
+      return text.toLowerCase(Locale.ROOT);
+    }
+
+    @Override
+    public String expected() {
+      return "a0 to a5 or letter, perhaps with -landscape, or two lengths in millimeters such as"
+          + " 200x100, each "
+          + SIDE.expected();
+    }
+
+    /** Returns the sheet in a text. */
+    public static Paper paper(String text) {
+      String name = text.toLowerCase(Locale.ROOT);
+      boolean isTurned = name.endsWith(LANDSCAPE);
+      double[] sides = SHEETS.get(name.replace(LANDSCAPE, ""));
+      if (sides != null) {
+        return isTurned ? new Paper(sides[1], sides[0]) : new Paper(sides[0], sides[1]);
+      }
+      String[] lengths = name.split("x", -1);
+      try {
+        double width = Double.parseDouble(lengths[0]);
+        double height = Double.parseDouble(lengths[lengths.length - 1]);
+        if (lengths.length == 2 && SIDE.accepts(width) && SIDE.accepts(height)) {
+          return new Paper(width, height);
+        }
+      } catch (NumberFormatException e) {
+        throw new IllegalArgumentException(refused(text), e);
+      }
+      throw new IllegalArgumentException(refused(text));
+    }
+
+    private static String refused(String text) {
+      return "expected " + new PageType().expected() + ", found " + text;
     }
   }
 

@@ -13,7 +13,9 @@ import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.Stage.View;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /**
  * The camera that a stage puts before a model.
@@ -24,12 +26,22 @@ import java.util.OptionalDouble;
  * @param framed what it has in its frame
  * @param aspect width of the frame over its height
  * @param fromFile from the axes and the unit of the file to the model's world space
+ * @param film the height of the film in world space, if a scale on paper states it
  */
-record StagedCamera(Stage stage, Framing framed, double aspect, Transform fromFile) {
+record StagedCamera(
+    Stage stage, Framing framed, double aspect, Transform fromFile, OptionalDouble film) {
+  /** What a scale on paper needs. */
+  static final String PARALLEL =
+      "expected a parallel view, in which lengths keep their ratios, found another camera: state "
+          + Stage.VIEW.flag()
+          + " front or "
+          + Stage.PARALLEL.flag();
+
   /** Degrees have this many parts. */
   private static final double ANGLES = 1e9;
 
   private static final MathContext LENGTHS = new MathContext(12);
+  private static final MathContext FACTOR = new MathContext(2, RoundingMode.DOWN);
 
   /** What is across a direction is rounding if it is smaller, relative to its length. */
   private static final double VERTICAL = 1e-12;
@@ -51,17 +63,41 @@ record StagedCamera(Stage stage, Framing framed, double aspect, Transform fromFi
     return stage.find(Stage.EYE).isPresent() ? atEye() : fromView();
   }
 
-  private PlacedCamera fromView() {
+  private PlacedCamera fromView() throws Unsuited {
     View from = stage.find(Stage.VIEW).orElse(View.DEFAULT);
     Vec3 rotation = new Vec3(from.elevation(), -from.azimuth(), 0);
+    requireScale();
     if (stage.isParallel()) {
       Framing.Parallel found =
           framed.parallel(from, aspect, stage.get(Stage.ZOOM), stage.labels());
-      return placed(Lens.orthographic(found.height()), found.eye(), rotation);
+      double least = framed.parallel(from, aspect, 1, Set.of()).height() * Framing.FILL;
+      return placed(Lens.orthographic(scaled(found.height(), least)), found.eye(), rotation);
     }
     double fov = stage.find(Stage.FOV).orElse(Stage.DEFAULT_FOV);
     Vec3 eye = framed.eye(from, fov, aspect, stage.labels());
     return placed(zoomed(Lens.pinhole(fov), stage.get(Stage.ZOOM)), eye, rotation);
+  }
+
+  private void requireScale() throws Unsuited {
+    if (film.isPresent() && !stage.isParallel()) {
+      throw new Unsuited(Stage.SCALE.name(), PARALLEL);
+    }
+  }
+
+  /**
+   * Returns the height of the film that a scale on paper states; another one without a scale.
+   *
+   * @param least the height at which the model touches the frame
+   */
+  private double scaled(double otherwise, double least) throws Unsuited {
+    if (stage.find(Stage.SCALE).isPresent() && film.orElse(least) < least) {
+      throw new Unsuited(
+          Stage.SCALE.name(),
+          "expected at most %s times this scale, found a view that does not fit on the paper:"
+                  .formatted(new BigDecimal(film.getAsDouble() / least).round(FACTOR).toPlainString())
+              + " state a larger %s or size, or a smaller scale".formatted(Stage.PAGE.flag()));
+    }
+    return film.orElse(otherwise);
   }
 
   private PlacedCamera atEye() throws Unsuited {
@@ -77,8 +113,12 @@ record StagedCamera(Stage stage, Framing framed, double aspect, Transform fromFi
 
   private Lens lens(CameraPose pose) throws Unsuited {
     double zoom = stage.get(Stage.ZOOM);
+    requireScale();
     if (stage.isParallel()) {
       double height = framed.heightAround(pose.position(), pose.axes(), aspect, stage.labels());
+      if (film.isPresent()) {
+        return Lens.orthographic(film.getAsDouble());
+      }
       return Lens.orthographic(new BigDecimal(height / zoom).round(LENGTHS).doubleValue());
     }
     if (stage.find(Stage.FIT).isEmpty() || stage.find(Stage.FOV).isPresent()) {

@@ -7,6 +7,7 @@ import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.internal.ModelSequence.Motion;
 import java.io.IOException;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** One turn around a model, or its standard views. It is read and built once. Mutable. */
 final class StagedViews extends StagedFrames {
@@ -43,6 +44,9 @@ final class StagedViews extends StagedFrames {
     }
     Staging read = source.read(stage(index), false);
     read.keepFiles();
+    if (motion.isAligned()) {
+      read.align(IntStream.range(0, count()).mapToObj(this::stage).toList());
+    }
     scene = Optional.of(read.scene());
     model = Optional.of(read);
     return scene.get();

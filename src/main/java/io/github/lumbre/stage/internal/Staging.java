@@ -33,6 +33,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * A model on its stage: the scene around it is built of the model that was read, once. Mutable;
@@ -54,6 +55,9 @@ public final class Staging {
 
   /** Of the whole model, or of an animation. */
   private Framing framing;
+
+  /** The height of the films of parallel cameras; empty for those that frame the model. */
+  private OptionalDouble film = OptionalDouble.empty();
 
   Staging(ModelParser parser, Stage stage, ModelParser.Source source)
       throws SceneFormatException, IOException {
@@ -117,6 +121,24 @@ public final class Staging {
     assembled = other.assembled;
   }
 
+  /**
+   * Makes parallel cameras without a scale show the model as large as the one of some stages that
+   * shows it smallest.
+   */
+  void align(List<Stage> stages) throws SceneFormatException {
+    double height = 0;
+    for (Stage each : stages) {
+      try {
+        if (camera(each, framing, frameAspect()).lens() instanceof Lens.Orthographic parallel) {
+          height = Math.max(height, parallel.height());
+        }
+      } catch (ModelFormatException e) {
+        throw read.failure(e);
+      }
+    }
+    film = height > 0 ? OptionalDouble.of(height) : OptionalDouble.empty();
+  }
+
   /** Keeps the files in memory, for {@link #hashOf} and {@link #seenFrom(Stage, ParsedScene)}. */
   void keepFiles() {
     read.keepFiles();
@@ -177,7 +199,8 @@ public final class Staging {
           of.options(),
           settings(of, camera),
           of.labels(),
-          ShownLabels.title(of, model));
+          ShownLabels.title(of, model),
+          StagedSheet.of(of));
     } catch (ModelFormatException e) {
       throw read.failure(e);
     }
@@ -198,6 +221,9 @@ public final class Staging {
       throws ModelFormatException, SceneFormatException {
     Optional<ModelCamera> own = own(of);
     if (own.isPresent()) {
+      if (of.find(Stage.SCALE).isPresent()) {
+        throw failure(Kind.OPTION, Stage.SCALE.name(), StagedCamera.PARALLEL);
+      }
       PlacedCamera camera = PlacedCamera.of(own.get(), Transform.IDENTITY);
       Lens lens = StagedCamera.zoomed(camera.lens(), of.get(Stage.ZOOM));
       return new PlacedCamera(camera.name(), lens, camera.pose(), camera.aspect());
@@ -205,7 +231,9 @@ public final class Staging {
     try {
       boolean isSame = of.find(Stage.FIT).equals(stage.find(Stage.FIT));
       Framing shown = isSame ? framed : framed.fittedTo(fitted(of));
-      return new StagedCamera(of, shown, frameAspect, model.fromFile()).camera();
+      OptionalDouble scaled = StagedSheet.film(of, model, frame(of).height());
+      OptionalDouble height = scaled.isEmpty() && of.isParallel() ? film : scaled;
+      return new StagedCamera(of, shown, frameAspect, model.fromFile(), height).camera();
     } catch (StagedCamera.Unsuited e) {
       throw failure(Kind.OPTION, e.option, e.getMessage());
     }
@@ -330,17 +358,24 @@ public final class Staging {
 
   /** Returns the aspect ratio for which the model is framed. */
   private double frameAspect() {
-    return parser
-        .changed(RenderSettings.builder().size(Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT).build())
-        .aspect();
+    return frame(stage).aspect();
+  }
+
+  /** Returns the settings for whose frame the model is framed. */
+  private RenderSettings frame(Stage of) {
+    return parser.changed(
+        StagedSheet.sized(
+                RenderSettings.builder(), of, Stage.DEFAULT_WIDTH, Stage.DEFAULT_HEIGHT)
+            .build());
   }
 
   /** Returns the settings. The longer side of the picture is {@link Stage#DEFAULT_WIDTH}. */
   private RenderSettings settings(Stage of, PlacedCamera camera) {
     double ratio = camera.aspect().orElse((double) Stage.DEFAULT_WIDTH / Stage.DEFAULT_HEIGHT);
     double side = Stage.DEFAULT_WIDTH;
-    return parser.defaults().toBuilder()
-        .size(
+    return StagedSheet.sized(
+            parser.defaults().toBuilder(),
+            of,
             (int) Math.max(1, Math.round(side * Math.min(1, ratio))),
             (int) Math.max(1, Math.round(side / Math.max(1, ratio))))
         .maxTraceDepth(MAX_TRACE_DEPTH)

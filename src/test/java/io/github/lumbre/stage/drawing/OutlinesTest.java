@@ -57,8 +57,9 @@ class OutlinesTest {
 
   private static Strokes strokes(Scene scene, int size) {
     return Outlines.of(scene)
-        .strokes(scene, RenderSettings.builder().size(size, size).build())
-        .orElseThrow();
+        .sketch(scene, RenderSettings.builder().size(size, size).build(), PartOf.ONE, false)
+        .orElseThrow()
+        .of(0, true);
   }
 
   private static Scene scene(Lens lens, Shape... shapes) {
@@ -312,7 +313,7 @@ class OutlinesTest {
     Outlines outlines = Outlines.of(scene);
     RenderSettings settings = RenderSettings.builder().size(40, 30).build();
     assertCancelled(() -> Outlines.of(scene));
-    assertCancelled(() -> outlines.strokes(scene, settings));
+    assertCancelled(() -> outlines.sketch(scene, settings, PartOf.ONE, false));
   }
 
   private static TriangleMesh triangles(Vec3... corners) {
