@@ -17,17 +17,38 @@ final class DaeDocument {
 
   private static final Pattern SPACE = Pattern.compile("\\s+");
 
+  /** Finds elements by their {@linkplain #key keys}. */
+  interface Ids {
+    Optional<DaeElement> find(String key);
+  }
+
   private final DaeElement root;
-  private final Map<String, DaeElement> byId;
+  private final Ids byId;
   private final FormatFile file;
 
   /** Images by their names; empty before the first is wanted. */
   private Optional<Map<String, DaeElement>> images = Optional.empty();
 
-  DaeDocument(DaeElement root, Map<String, DaeElement> byId, FormatFile file) {
+  DaeDocument(DaeElement root, Ids byId, FormatFile file) {
     this.root = root;
     this.byId = byId;
     this.file = file;
+  }
+
+  /**
+   * Returns this document with the ids of a mesh or a skin before all others: some programs use ids
+   * in every mesh anew.
+   */
+  DaeDocument within(DaeElement scope) {
+    Map<String, DaeElement> own = new HashMap<>();
+    for (DaeElement child : scope.children()) {
+      own.putIfAbsent(key(child.name(), child.attribute("id")), child);
+      for (DaeElement array : child.children("float_array")) {
+        own.putIfAbsent(key(array.name(), array.attribute("id")), array);
+      }
+    }
+    Ids ids = key -> Optional.ofNullable(own.get(key)).or(() -> byId.find(key));
+    return new DaeDocument(root, ids, file);
   }
 
   /** Returns the key of an element among those with ids. */
@@ -52,7 +73,7 @@ final class DaeDocument {
 
   /** Returns the element of a name and an id; empty if there is none. */
   Optional<DaeElement> withId(String name, String id) {
-    return Optional.ofNullable(byId.get(key(name, id)));
+    return byId.find(key(name, id));
   }
 
   /** Returns the first image of a name: some programs write names for ids. */

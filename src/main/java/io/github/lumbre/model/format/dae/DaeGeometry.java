@@ -102,11 +102,12 @@ final class DaeGeometry {
     if (!mesh.attribute("convex_hull_of").isEmpty()) {
       file.warnings().add(mesh.location(), "left out the convex hull of another geometry");
     }
+    DaeDocument scoped = document.within(mesh);
     for (DaeElement child : mesh.children()) {
       if (LINES.contains(child.name())) {
         file.tally().add("left out lines", child.location());
       } else if (child.indices().isPresent()) {
-        add(DaePrimitive.of(child, document, sources));
+        add(DaePrimitive.of(child, scoped, sources.of(scoped)));
       }
     }
   }

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -91,7 +92,7 @@ final class DaeParser {
       file.warnings()
           .add(parser.xml.firstComma(), "commas in numbers are taken for decimal points");
     }
-    return new DaeDocument(root, parser.byId, file);
+    return new DaeDocument(root, key -> Optional.ofNullable(parser.byId.get(key)), file);
   }
 
   private DaeElement element() throws ModelFormatException {

@@ -148,6 +148,7 @@ final class DaeSkins {
         .flatMap(joints -> joints.children("input").stream())
         .filter(input -> input.attribute("semantic").equals(semantic))
         .findFirst()
-        .flatMap(i -> document.find("source", i.attribute("source"), i.location()));
+        .flatMap(
+            i -> document.within(skin).find("source", i.attribute("source"), i.location()));
   }
 }

@@ -29,11 +29,21 @@ final class DaeSources {
 
   private final DaeDocument document;
   private final FormatFile file;
-  private final Map<DaeElement, Map<Integer, double[]>> known = new IdentityHashMap<>();
+  private final Map<DaeElement, Map<Integer, double[]>> known;
 
   DaeSources(DaeDocument document) {
+    this(document, new IdentityHashMap<>());
+  }
+
+  private DaeSources(DaeDocument document, Map<DaeElement, Map<Integer, double[]>> known) {
     this.document = document;
     file = document.file();
+    this.known = known;
+  }
+
+  /** Returns the sources as references of a document lead to them. */
+  DaeSources of(DaeDocument scoped) {
+    return new DaeSources(scoped, known);
   }
 
   /**

@@ -315,6 +315,18 @@ class DaeMeshTest {
     assertThat(read.parts().get(1).node()).isSameAs(read.parts().get(0).node());
   }
 
+  /** Programs that join files leave the ids of their meshes as they were. */
+  @Test
+  void idsOfMeshesMayBeUsedAnew() throws ModelFormatException {
+    String first = SQUARE + VERTICES + DaeSample.TRIANGLES;
+    String libraries =
+        DaeSample.geometry("g", first) + DaeSample.geometry("h", first.replace("1 1 0", "5 5 0"));
+    String nodes = "<instance_geometry url=\"#g\"/><instance_geometry url=\"#h\"/>";
+    Model read = DaeSample.fixture(DaeSample.file(libraries, nodes)).read();
+    assertThat(digits(read.parts().get(0).geometry())).isEqualTo("00,10,11 00,11,01");
+    assertThat(digits(read.parts().get(1).geometry())).isEqualTo("00,10,55 00,55,01");
+  }
+
   @Test
   void decimalCommasArePoints() throws ModelFormatException {
     String text =
