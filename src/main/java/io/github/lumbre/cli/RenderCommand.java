@@ -113,6 +113,9 @@ final class RenderCommand extends Subcommand {
     scenes.addAll(others);
     List<Path> targets = options.to.targets(scenes);
     options.validate(scenes);
+    require(
+        engine == Engine.LOCAL || !options.imports.isGiven(),
+        "--import-with: cannot be used on a cluster; convert the model once, and render the GLB");
     try (Interruption interruption = Interruption.listen()) {
       Invocation invocation =
           new Invocation(start, startup, deadline, interruption, scenes, drawn -> {});
@@ -255,7 +258,8 @@ final class RenderCommand extends Subcommand {
       Optional<Denoising> denoising,
       PictureExposure exposing,
       Consumer<DisplayLight> receiver,
-      JsonSummary report) {
+      JsonSummary report)
+      throws TaskException {
     Path scene = options.scene.scene();
     PictureOutput picture = frames.picture();
     keeper.begin(
@@ -265,6 +269,10 @@ final class RenderCommand extends Subcommand {
             scene, file, picture.target(), options.bits(), options.scene.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
+    options
+        .imports
+        .hash(scene)
+        .ifPresent(hash -> keeper.identify(FilmHeader.CONVERTED_HASH, hash));
     RenderJob.Options jobOptions =
         options
             .run

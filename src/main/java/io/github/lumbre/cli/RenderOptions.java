@@ -154,10 +154,6 @@ final class RenderOptions {
         !flags.samples().haveShare() || checkpoint.isPresent(),
         "--share: requires --checkpoint, whose files 'lumbre merge' joins");
     require(
-        !imports.isGiven() || checkpoint.isEmpty(),
-        "--import-with: cannot be combined with --checkpoint, because a checkpoint file does not"
-            + " hold the converted model; convert it once, and render the GLB");
-    require(
         !flags.isClamping() || checkpoint.isEmpty(),
         "--clamp: cannot be combined with --checkpoint, because a checkpoint file does not record"
             + " the clamped energy");

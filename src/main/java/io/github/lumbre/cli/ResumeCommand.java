@@ -6,6 +6,7 @@ import io.github.lumbre.base.file.OutputFile;
 import io.github.lumbre.base.text.Numbers;
 import io.github.lumbre.cli.option.BudgetFlags;
 import io.github.lumbre.cli.option.CheckpointFlags;
+import io.github.lumbre.cli.option.ImportFlag;
 import io.github.lumbre.cli.option.KernelFlag;
 import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.RunFlags;
@@ -26,6 +27,8 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.image.ImageWriter;
+import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.checkpoint.CheckpointFile;
 import io.github.lumbre.render.checkpoint.FilmHeader;
@@ -122,6 +125,8 @@ final class ResumeCommand extends Subcommand {
 
   @Mixin private final CheckpointFlags checkpoints = new CheckpointFlags();
 
+  @Mixin private final ImportFlag imports = new ImportFlag();
+
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
   @Override
@@ -214,6 +219,10 @@ final class ResumeCommand extends Subcommand {
     budgets.validate();
     checkpoints.validate();
     kernel.validate();
+    imports.validate();
+    require(
+        engine == Engine.LOCAL || !imports.isGiven(),
+        "--import-with: cannot be used on a cluster");
     checks().requireFolders("--assets", assets);
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
       throw ExitCode.SCENE.failure(film + ": does not exist");
@@ -269,11 +278,34 @@ final class ResumeCommand extends Subcommand {
                   work.override(settings);
                 }),
             budgets.time());
-    SceneFile file = notes.read(parser.withAssets(assets), path);
+    Optional<Imported> imported = imported(header, path);
+    SceneFile file = notes.read(parser.withAssets(assets), path, imported);
     requireSameFiles(notes, header, file, path);
     requireSame(header, file, path);
     run.errors().warnings(file.warnings());
     return file;
+  }
+
+  /** Returns the model of the film, converted again; empty if it was not converted. */
+  private Optional<Imported> imported(FilmHeader header, Path path) throws TaskException {
+    String before = header.identity().get(FilmHeader.CONVERTED_HASH);
+    require(
+        imports.isGiven() == (before != null),
+        "--import-with: "
+            + (before == null
+                ? "cannot be used; the model of the checkpoint file was not converted"
+                : "required as when rendering began, to convert " + path + " again"));
+    if (before == null) {
+      return Optional.empty();
+    }
+    Imported imported = imports.imported(path);
+    if (!Sha256.of(imported.glb()).equals(before)) {
+      throw ExitCode.SCENE.failure(
+          "%s: the program of --import-with has converted %s to other bytes than before, so that"
+                  .formatted(film, path)
+              + " the film cannot be resumed, only developed");
+    }
+    return Optional.of(imported);
   }
 
   private void requireSameFiles(FilmNotes notes, FilmHeader header, SceneFile file, Path path)
@@ -299,9 +331,10 @@ final class ResumeCommand extends Subcommand {
       throws FilmMismatchException {
     Map<String, String> here =
         new LinkedHashMap<>(FilmHeader.identity(file.hash(), file.settings()));
-    // The pilot render is compared when it is rendered.
-    String name = FilmHeader.GUIDE_HASH;
-    Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
+    // The pilot render is compared when it is rendered; a converted model has been.
+    for (String name : List.of(FilmHeader.GUIDE_HASH, FilmHeader.CONVERTED_HASH)) {
+      Optional.ofNullable(header.identity().get(name)).ifPresent(hash -> here.put(name, hash));
+    }
     header.requireSame(here, film.toString(), path.toString());
   }
 

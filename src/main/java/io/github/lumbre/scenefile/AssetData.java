@@ -9,6 +9,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.AllowedFolders;
 import io.github.lumbre.model.internal.FileSearch;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
 import io.github.lumbre.scenefile.internal.LateHash;
 import java.io.IOException;
@@ -53,24 +54,35 @@ final class AssetData {
 
   private final List<Path> modelAssets;
 
+  /** The model for which the scene stands, if a program has converted it. */
+  private final Optional<Imported> imported;
+
   /**
    * @param sceneFile path of the scene file; relative asset paths start in its folder
    * @param hash receives the bytes of all files that are read
    * @param allowance what may be read
    * @param inMemory bytes of files that are not read from the folder, by their names
    * @param modelAssets further folders of the model for which a scene stands; others have none
+   * @param imported the model for which the scene stands, if a program has converted it
    */
   AssetData(
       Path sceneFile,
       ContentHash hash,
       Allowance allowance,
       Map<String, byte[]> inMemory,
-      List<Path> modelAssets) {
+      List<Path> modelAssets,
+      Optional<Imported> imported) {
     this.sceneFile = sceneFile;
     this.hash = hash;
     this.allowance = allowance;
     this.inMemory = Map.copyOf(inMemory);
     this.modelAssets = List.copyOf(modelAssets);
+    this.imported = imported;
+  }
+
+  /** Returns the model for which the scene stands, if a program has converted it. */
+  Optional<Imported> imported() {
+    return imported;
   }
 
   /** Returns further folders of files of the model for which the scene stands. */
@@ -343,6 +355,16 @@ final class AssetData {
     } catch (IOException e) {
       throw Unusable.unreadable(name, FileFailure.reason(e));
     }
+  }
+
+  /** Notes the text of the scene, once. */
+  void noteText(byte[] text) {
+    hash.text(text);
+  }
+
+  /** Returns the hash of the scene and its files. Call it once, at the end. */
+  String hash() {
+    return hash.value();
   }
 
   /** Notes the bytes of a file of the scene that has been read. */

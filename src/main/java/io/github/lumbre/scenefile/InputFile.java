@@ -69,7 +69,13 @@ final class InputFile {
       throw problems.exception();
     }
     AssetData data =
-        new AssetData(file, new ContentHash(), Allowance.unlimited(), Map.of(), List.of());
+        new AssetData(
+            file,
+            new ContentHash(),
+            Allowance.unlimited(),
+            Map.of(),
+            List.of(),
+            Optional.empty());
     Set<Path> files =
         new LinkedHashSet<>(
             data.files(root.objects(RootKeys.ASSETS.name()), ObjectKeys.FILE));

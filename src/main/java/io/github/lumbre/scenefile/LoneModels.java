@@ -1,10 +1,12 @@
 package io.github.lumbre.scenefile;
 
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.internal.LoneModel;
 import io.github.lumbre.scenefile.internal.ModelParser;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /** Reads models with the limits and changes of a parser. */
 record LoneModels(SceneParser parser) implements ModelParser {
@@ -25,6 +27,11 @@ record LoneModels(SceneParser parser) implements ModelParser {
   @Override
   public LoneModel read(Source source) throws SceneFormatException, IOException {
     return new ReadModel(parser, source);
+  }
+
+  @Override
+  public SceneFile parse(SceneText text, Imported imported) throws SceneFormatException {
+    return parser.parse(text, Optional.of(imported));
   }
 
   @Override

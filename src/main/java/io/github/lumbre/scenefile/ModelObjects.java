@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.ObjectTree.Placed;
 import io.github.lumbre.scenefile.internal.PlacedCamera;
@@ -59,13 +60,24 @@ record ModelObjects(
       add(object, known.get().model, known.get().place);
       return;
     }
+    Optional<Imported> imported = data.imported().filter(model -> isTheScene(name.get()));
+    if (imported.isPresent()) {
+      data.note(name.get(), imported.get().identity());
+      // The ending chooses the format.
+      read(object, name.get(), name.get() + ".glb", imported.get().glb());
+      return;
+    }
     data.file(node.problemPlace(ObjectKeys.FILE.name()), name.get())
-        .ifPresent(content -> read(object, name.get(), content.bytes()));
+        .ifPresent(content -> read(object, name.get(), name.get(), content.bytes()));
   }
 
-  private void read(Placed object, String name, byte[] content) {
+  private boolean isTheScene(String name) {
+    return name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
+  }
+
+  private void read(Placed object, String name, String nameOfContent, byte[] content) {
     JsonNode node = object.node();
-    boolean isTheScene = name.substring(name.lastIndexOf('/') + 1).equals(sceneName);
+    boolean isTheScene = isTheScene(name);
     ModelPlace place =
         isTheScene
             ? new ModelPlace.OfFile(node.problems())
@@ -76,7 +88,7 @@ record ModelObjects(
             ? data.ownFolderOf(name, options.with(ModelOption.ASSETS, data.modelAssets()))
             : data.folderOf(name);
     try {
-      add(object, ModelReader.read(name, content, files, options), place);
+      add(object, ModelReader.read(nameOfContent, content, files, options), place);
     } catch (ModelFormatException e) {
       place.error(e);
     } catch (IOException e) {

@@ -52,7 +52,8 @@ final class ReadModel implements LoneModel {
             : LoneModels.content(source.file(), parser.settings().limits().bytes());
     allowance.addBytes(content.length).ifPresent(e -> place.problemPlace().error(Kind.LIMIT, e));
     problems.throwIfAny();
-    data = new AssetData(textPath(), hash, allowance, Map.of(), List.of());
+    data =
+        new AssetData(textPath(), hash, allowance, Map.of(), List.of(), Optional.empty());
     data.note(name(), source.identity().orElse(content));
     model = read();
   }

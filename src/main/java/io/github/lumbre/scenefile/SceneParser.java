@@ -6,6 +6,7 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
@@ -148,7 +149,8 @@ public final class SceneParser {
         problems,
         () -> {
           byte[] text = InputFile.read(file, problems, "scene", "bytes", limits().bytes());
-          return parse(file, text, Optional.empty(), Map.of(), Optional.empty(), problems);
+          AssetData data = data(file, Map.of(), Optional.empty());
+          return parse(file, text, Optional.empty(), data, Optional.empty(), problems);
         });
   }
 
@@ -210,13 +212,33 @@ public final class SceneParser {
    */
   SceneFile parse(SceneText text, Map<String, byte[]> files, Optional<Scene> known)
       throws SceneFormatException {
+    return parse(text, data(text.path(), files, Optional.empty()), known);
+  }
+
+  /**
+   * Reads a scene that stands for a model.
+   *
+   * @param imported the model, if a program has converted it
+   */
+  SceneFile parse(SceneText text, Optional<Imported> imported) throws SceneFormatException {
+    return parse(text, data(text.path(), Map.of(), imported), Optional.empty());
+  }
+
+  private AssetData data(Path file, Map<String, byte[]> files, Optional<Imported> imported) {
+    Allowance allowance = new Allowance(limits());
+    return new AssetData(file, new ContentHash(), allowance, files, assets, imported);
+  }
+
+  private SceneFile parse(SceneText text, AssetData data, Optional<Scene> known)
+      throws SceneFormatException {
     Path file = text.path();
-    Problems problems = new Problems(String.valueOf(file.getFileName()), ModelReader.isModel(file));
+    boolean isModel = data.imported().isPresent() || ModelReader.isModel(file);
+    Problems problems = new Problems(String.valueOf(file.getFileName()), isModel);
     try {
       return TimedReading.of(
           limits(),
           problems,
-          () -> parse(file, text.json(), Optional.of(text), files, known, problems));
+          () -> parse(file, text.json(), Optional.of(text), data, known, problems));
     } catch (IOException e) {
       throw new UncheckedIOException(e); // The content is in memory.
     }
@@ -250,12 +272,11 @@ public final class SceneParser {
       Path file,
       byte[] text,
       Optional<SceneText> source,
-      Map<String, byte[]> files,
+      AssetData data,
       Optional<Scene> known,
       Problems problems)
       throws SceneFormatException {
-    Allowance allowance = new Allowance(limits());
-    Optional<String> excess = allowance.addBytes(text.length);
+    Optional<String> excess = data.allowance().addBytes(text.length);
     if (excess.isPresent()) {
       problems.error(Kind.LIMIT, () -> "$", excess.get());
       throw problems.exception();
@@ -269,10 +290,8 @@ public final class SceneParser {
     Optional<JsonNode> options = root.object(RootKeys.OPTIONS.name());
     RenderSettings used = settings.read(options, problems);
     Optional<Rgb> background = options.flatMap(SettingsReader::background);
-    ContentHash hash = new ContentHash();
-    hash.text(text);
+    data.noteText(text);
     AssetTable table = new AssetTable(root, lenient);
-    AssetData data = new AssetData(file, hash, allowance, files, assets);
     SceneReader world =
         new SceneReader(
             root,
@@ -292,7 +311,7 @@ public final class SceneParser {
         scene,
         used,
         problems.warnings(),
-        hash.value(),
+        data.hash(),
         new FileHashes(LateHash.of(text), data.hashes()),
         world.contents(),
         world.origins(),

@@ -86,6 +86,39 @@ class ImportCommandsTest extends CommandFixture {
     imports(line).assertFailed(ExitCodes.USAGE, "its scene is another one");
   }
 
+  /** A checkpoint file holds no program: the flag is stated again. */
+  @Test
+  void filmsAreResumedByTheSameConversion() throws IOException {
+    assertImports("render T/a.fbx -o T/a.png -s 4 --size 16x12 --no-denoise");
+    assertImports("render T/a.fbx -o T/b.png -s 2 --size 16x12 --checkpoint T/a.film");
+    run("resume T/a.film -s 4 -o T/b.png")
+        .assertFailed(ExitCodes.USAGE, "--import-with: required as when rendering began");
+    assertImports("resume T/a.film -s 4 -o T/b.png");
+    assertThat(pixels("b.png")).isEqualTo(pixels("a.png"));
+    tool("cp \"$(dirname \"$1\")/sample.glb\" \"$2\"; printf '\\0\\0\\0\\0' >> \"$2\"\n");
+    imports("resume T/a.film -s 8 -o T/b.png")
+        .assertFailed(ExitCodes.SCENE, "converted " + path("a.fbx") + " to other bytes");
+    Files.writeString(directory.resolve("a.fbx"), "another model");
+    tool(COPY);
+    imports("resume T/a.film -s 8 -o T/b.png").assertFailed(ExitCodes.SCENE, "a.fbx has changed");
+    runs("render T/sample.glb -o T/c.png -s 2 --size 16x12 --checkpoint T/c.film");
+    imports("resume T/c.film -s 4").assertFailed(ExitCodes.USAGE, "--import-with: cannot be used");
+  }
+
+  @Test
+  void sharesThatConvertDifferentlyAreNotMerged() throws IOException {
+    String share = "render T/a.fbx -o T/s.png -s 4 --size 16x12 --no-denoise --checkpoint T/s";
+    assertImports("render T/a.fbx -o T/a.png -s 4 --size 16x12 --no-denoise");
+    assertImports(share + "0.film --share 0/2");
+    assertImports(share + "1.film --share 1/2");
+    runs("merge T/s0.film T/s1.film -o T/b.png");
+    assertThat(pixels("b.png")).isEqualTo(pixels("a.png"));
+    tool("cp \"$(dirname \"$1\")/sample.glb\" \"$2\"; printf '\\0\\0\\0\\0' >> \"$2\"\n");
+    assertImports(share + "2.film --share 1/2");
+    run("merge T/s0.film T/s2.film -o T/b.png --overwrite")
+        .assertFailed(ExitCodes.SCENE, "converted-model-hash: ");
+  }
+
   @Test
   void failuresHaveTheirCodeAndCause() throws IOException {
     String line = "render T/a.fbx -o T/a.png" + SMALL;
@@ -110,8 +143,6 @@ class ImportCommandsTest extends CommandFixture {
     TinyScene.write(directory, TinyScene.JSON);
     imports("render T/tiny.json -o T/a.png").assertFailed(ExitCodes.USAGE, "--import-with");
     imports("render - -o T/a.png").assertFailed(ExitCodes.USAGE, "--import-with");
-    imports("render T/a.fbx -o T/a.png --checkpoint T/a.film")
-        .assertFailed(ExitCodes.USAGE, "--import-with: cannot be combined with --checkpoint");
     run("render T/a.fbx -o T/a.png --import-with tool")
         .assertFailed(ExitCodes.USAGE, "--import-with: expected one of assimp, blender, step");
     run("render T/a.fbx -o T/a.png --import-with assimp=T/none")

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -55,13 +56,15 @@ final class ProcessTree implements Unfinished {
   @Override
   public synchronized void close() {
     ProcessEnd.remove(this);
+    Set<ProcessHandle> ended = new HashSet<>();
     for (int round = 0; round < ROUNDS; round++) {
-      List<ProcessHandle> alive = alive();
-      alive.forEach(ProcessHandle::destroyForcibly);
+      // What was ended before may still be listed; new ones have been started meanwhile.
+      List<ProcessHandle> more = alive().filter(ended::add).toList();
+      more.forEach(ProcessHandle::destroyForcibly);
       // Destroying an ended process would close what it said before it is read.
       if (process.isAlive()) {
         process.destroyForcibly();
-      } else if (alive.isEmpty()) {
+      } else if (more.isEmpty()) {
         return;
       }
       pause();
@@ -76,12 +79,9 @@ final class ProcessTree implements Unfinished {
     }
   }
 
-  private List<ProcessHandle> alive() {
+  private Stream<ProcessHandle> alive() {
     look();
-    return Stream.concat(seen.stream(), marked())
-        .filter(ProcessHandle::isAlive)
-        .distinct()
-        .toList();
+    return Stream.concat(seen.stream(), marked()).filter(ProcessHandle::isAlive);
   }
 
   private Stream<ProcessHandle> marked() {

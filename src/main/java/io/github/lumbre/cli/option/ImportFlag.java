@@ -5,6 +5,7 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.ExternalProgram;
 import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.output.ShellText;
+import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.program.ImportProgram;
 import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scenefile.SceneParser;
@@ -107,16 +108,29 @@ public final class ImportFlag extends Flags {
    * @throws TaskException if that fails
    */
   public ModelSource source(SceneParser parser, Path file) throws TaskException {
-    Path model = file.toAbsolutePath().normalize();
-    Imported imported = done.get(model);
-    if (imported == null) {
-      imported = imported(file);
-      done.put(model, imported);
-    }
-    return ModelSource.converted(parser, model, imported.glb(), imported.identity());
+    Imported imported = imported(file);
+    return ModelSource.converted(parser, file, imported.glb(), imported.identity());
   }
 
-  private Imported imported(Path file) throws TaskException {
+  /**
+   * Returns a converted model.
+   *
+   * @throws TaskException if that fails
+   */
+  public Imported imported(Path file) throws TaskException {
+    Path model = file.toAbsolutePath().normalize();
+    if (!done.containsKey(model)) {
+      done.put(model, converted(file));
+    }
+    return done.get(model);
+  }
+
+  /** Returns the hash of a converted model; empty if a file is not converted. */
+  public Optional<String> hash(Path file) throws TaskException {
+    return converts(file) ? Optional.of(Sha256.of(imported(file).glb())) : Optional.empty();
+  }
+
+  private Imported converted(Path file) throws TaskException {
     if (!Files.isRegularFile(file)) {
       throw ExitCode.SCENE.failure(
           file + ": " + (Files.exists(file) ? "is not a file" : "does not exist"));

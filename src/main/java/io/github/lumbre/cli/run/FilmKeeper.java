@@ -83,7 +83,7 @@ public final class FilmKeeper implements PassListener, AutoCloseable {
   }
 
   /** Adds an entry to the identity of the films that are saved from now on. */
-  void identify(String name, String value) {
+  public void identify(String name, String value) {
     Map<String, String> more = new LinkedHashMap<>(identity);
     more.put(name, value);
     identity = more;

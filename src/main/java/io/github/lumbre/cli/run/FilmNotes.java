@@ -9,6 +9,7 @@ import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.output.Summary;
 import io.github.lumbre.image.Exposure;
 import io.github.lumbre.image.ToneCurve;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.render.Film;
 import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.render.checkpoint.FilmPart;
@@ -115,9 +116,23 @@ public record FilmNotes(Path film, FilmHeader header) {
    *
    * @param scene path of the scene file or of the model
    */
-  public SceneFile read(SceneParser parser, Path scene)
+  SceneFile read(SceneParser parser, Path scene)
+      throws TaskException, SceneFormatException, IOException {
+    return read(parser, scene, Optional.empty());
+  }
+
+  /**
+   * Reads the film's scene.
+   *
+   * @param scene path of the scene file or of the model
+   * @param imported the model, if a program has converted it
+   */
+  public SceneFile read(SceneParser parser, Path scene, Optional<Imported> imported)
       throws TaskException, SceneFormatException, IOException {
     Optional<SceneText> text = sceneText(scene);
+    if (imported.isPresent()) {
+      return parser.ofModels().parse(text.orElseThrow(), imported.get());
+    }
     return text.isPresent()
         ? parser.parse(text.get().json(), text.get().path())
         : parser.parse(scene);

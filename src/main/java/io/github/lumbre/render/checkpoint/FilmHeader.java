@@ -72,6 +72,9 @@ public record FilmHeader(
    */
   public static final String GUIDE_HASH = "guide-hash";
 
+  /** Name in the identity: hash of the model that an installed program has made of the file. */
+  public static final String CONVERTED_HASH = "converted-model-hash";
+
   private static final String NOTHING = "nothing";
 
   /** The settings that every identity contains in an entry with its own format. */

@@ -2,8 +2,11 @@ package io.github.lumbre.scenefile.internal;
 
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.SceneText;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -47,6 +50,9 @@ public interface ModelParser {
    * @throws IOException if the thread is interrupted
    */
   LoneModel read(Source source) throws SceneFormatException, IOException;
+
+  /** Reads the scene that stands for a model which a program has converted. */
+  SceneFile parse(SceneText text, Imported imported) throws SceneFormatException;
 
   /** Returns the settings of a scene that states none. */
   RenderSettings defaults();
