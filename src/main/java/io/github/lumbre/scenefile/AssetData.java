@@ -363,7 +363,7 @@ final class AssetData {
   }
 
   /** Returns the hash of the scene and its files. Call it once, at the end. */
-  String hash() {
+  LateHash hash() {
     return hash.value();
   }
 
