@@ -108,9 +108,9 @@ class SvgBrowserTest extends CommandFixture {
   @ValueSource(ints = {1, 4})
   void theLinesAreThoseOfPixels(int scale) throws Exception {
     for (String view : new String[] {"front", "iso", "30,20"}) {
-      // The letters of labels have a least size in pixels.
-      String labels = scale == 1 ? "--labels size,scale " : "";
-      String flags = labels + "--hidden dashed --section z=1.4 --view " + view;
+      // Labels have a least size in pixels; gray lines of a hatch need more than one to be dark.
+      String more = scale == 1 ? "--labels size,scale" : "--section z=1.4";
+      String flags = more + " --hidden dashed --view " + view;
       BufferedImage pixels = rendered(scale, flags);
       runs("render T/m.obj -o T/m.svg --overwrite --size %dx%d ".formatted(WIDTH, HEIGHT) + flags);
       BufferedImage vectors = shown("m.svg", scale);
