@@ -293,6 +293,20 @@ class SvgCommandsTest extends CommandFixture {
     assertThat(perspective.err()).contains("scale: ", "parallel");
   }
 
+  @Test
+  void metersOfFilesAreConverted() throws Exception {
+    Files.write(directory.resolve("m.glb"), GltfFile.ofTriangle().glb());
+    runs("render T/m.glb -o T/m.svg --view front --scale 1:10");
+    Line triangle = SvgFile.of(bytes("m.svg")).lines().get(0);
+    assertThat(triangle.points().stream().mapToDouble(p -> p[0]).max().orElseThrow())
+        .isCloseTo(
+            100 + triangle.points().stream().mapToDouble(p -> p[0]).min().orElseThrow(),
+            within(.01));
+    assertThat(run("render T/m.glb -o T/n.svg --page a4 --size 100x100").exitCode()).isEqualTo(2);
+    assertThat(run("render T/m.glb -o T/n.svg --page a9").err()).contains("a0 to a5", "a9");
+    assertThat(run("render T/m.glb -o T/n.svg --scale 0:1").err()).contains("--scale: ", "0:1");
+  }
+
   /** The top is above the front, and the right side at its right, in one scale. */
   @Test
   void viewsAreASheetInProjection() throws Exception {

@@ -95,6 +95,9 @@ public final class ModelFlags extends Flags {
     require(
         !isGiven(Stage.SUN) || stage.sky().name().equals("sun"),
         Stage.SUN.flag() + ": requires --sky sun");
+    require(
+        !isGiven(Stage.PAGE) || !spec.commandLine().getParseResult().hasMatchedOption("--size"),
+        Stage.PAGE.flag() + ": cannot be combined with --size");
     for (ModelOption<?> ofLines : List.of(Stage.LINE_WIDTH, Stage.CREASE, Stage.HIDDEN)) {
       require(
           !isGiven(ofLines) || look.hasLines(),

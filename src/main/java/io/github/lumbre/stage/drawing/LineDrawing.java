@@ -43,10 +43,11 @@ public record LineDrawing(
    * Draws the lines of a picture.
    *
    * @param scene the scene of this drawing, from any place
+   * @param numbers of the parts, whose hidden lines are not joined
    */
-  public void draw(Scene scene, Canvas canvas) {
+  public void draw(Scene scene, PartOf numbers, Canvas canvas) {
     Optional<Sketch> found =
-        outlines.flatMap(edges -> edges.sketch(scene, settings, PartOf.ONE, hasHidden));
+        outlines.flatMap(edges -> edges.sketch(scene, settings, numbers, hasHidden));
     if (found.isEmpty()) {
       return;
     }
@@ -72,8 +73,9 @@ public record LineDrawing(
    * @param scene the scene of this drawing, from any place
    * @param surfaces of the model, by the numbers of their primitives
    */
-  public void drawSurfaces(Scene scene, Map<Integer, PartSurface> surfaces, Canvas canvas) {
-    Surfaces colored = Surfaces.of(scene, settings, surfaces, PartOf.ONE);
+  public void drawSurfaces(
+      Scene scene, Map<Integer, PartSurface> surfaces, PartOf numbers, Canvas canvas) {
+    Surfaces colored = Surfaces.of(scene, settings, surfaces, numbers);
     colored.fills().forEach(fill -> canvas.fill(fill.outlines(), fill.color()));
     colored.hatches().forEach(hatch -> canvas.draw(hatch.strokes(), hatch.pen()));
   }

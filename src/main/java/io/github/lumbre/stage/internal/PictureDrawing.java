@@ -29,6 +29,7 @@ import io.github.lumbre.stage.drawing.LabeledModel;
 import io.github.lumbre.stage.drawing.Labels;
 import io.github.lumbre.stage.drawing.LineDrawing;
 import io.github.lumbre.stage.drawing.PartMap;
+import io.github.lumbre.stage.drawing.PartOf;
 import io.github.lumbre.stage.drawing.VectorSheet;
 import java.util.List;
 import java.util.Optional;
@@ -46,7 +47,7 @@ public final class PictureDrawing {
   private final Optional<ModelContents> model;
   private final Optional<ModelContents> labeled;
 
-  /** The parts; empty if none is named, and there is no drawing of vectors. */
+  /** The parts; empty if none is named, and no line belongs to one. */
   private final Optional<PartTable> parts;
 
   private final Consumer<String> notes;
@@ -60,7 +61,8 @@ public final class PictureDrawing {
     labeled = model.filter(contents -> !contents.labels().isEmpty());
     parts =
         model
-            .filter(contents -> isVector || contents.labels().contains(ShownLabels.PARTS))
+            .filter(
+                contents -> isVector || hasHidden || contents.labels().contains(ShownLabels.PARTS))
             .map(contents -> contents.parts(file.scene()));
   }
 
@@ -160,24 +162,28 @@ public final class PictureDrawing {
 
   private Image drawnAlone(Scene scene, Optional<String> title, Image paper) {
     Canvas canvas = new Canvas(paper);
-    lines.drawSurfaces(scene, model.orElseThrow().surfaces(), canvas);
+    lines.drawSurfaces(scene, model.orElseThrow().surfaces(), numbers(), canvas);
     draw(scene, title, canvas, paper);
     return canvas.image();
   }
 
   private void draw(Scene scene, Optional<String> title, Canvas canvas, Image picture) {
-    lines.draw(scene, canvas);
+    lines.draw(scene, numbers(), canvas);
     labeled.ifPresent(
         contents ->
             labels(scene, contents, title.orElse(contents.title()))
                 .draw(canvas, Backdrop.asLight(picture, settings.background())));
   }
 
+  private PartOf numbers() {
+    return parts.isPresent() ? parts.get()::at : PartOf.ONE;
+  }
+
   private VectorPicture vectors(Scene scene, Optional<String> title) {
     ModelContents contents = model.orElseThrow();
     PartTable table = parts.orElseThrow();
     List<String> names = table.parts().stream().map(Part::name).toList();
-    VectorSheet sheet = new VectorSheet(lines, scene, names, table::at);
+    VectorSheet sheet = new VectorSheet(lines, scene, names, numbers());
     sheet.addLines(contents.surfaces());
     Optional<Rgb> background = settings.background();
     labeled.ifPresent(
