@@ -314,6 +314,10 @@ class ExplodeCommandsTest extends CommandFixture {
         .contains("still overlap");
     Files.writeString(directory.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\n");
     assertThat(runs("check T/a.obj --explode 1").err()).contains("only one part");
+    Files.writeString(
+        directory.resolve("a.obj"),
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\no a\nf 1 2 3\no b\nf 4 5 6\n");
+    assertThat(runs("check T/a.obj --explode 1").err()).contains("no part is near another one");
   }
 
   @Test

@@ -140,6 +140,8 @@ public final class Explosion {
   private void note(List<ModelNode> nodes, Assembly.Moves found) {
     if (nodes.size() < 2) {
       notes.add("explode: has no effect, because the model has only one part");
+    } else if (found.moves().stream().allMatch(Vec3.ZERO::equals)) {
+      notes.add("explode: has no effect, because no part is near another one");
     }
     if (found.level() > 0) {
       notes.add(
