@@ -58,7 +58,8 @@ public record ParsedScene(
 
   @Override
   public ParsedScene with(Scene other) {
-    return new ParsedScene(other, settings, warnings, sha256, files, contents, origins, text, model);
+    return new ParsedScene(
+        other, settings, warnings, sha256, files, contents, origins, text, model);
   }
 
   /**
