@@ -386,8 +386,10 @@ class LauncherIT {
       assertThat(first.isAlive()).isTrue();
       Thread.sleep(5);
     }
-    first.descendants().forEach(ProcessHandle::destroy);
+    // First the launcher, which would go on without an archive.
+    List<ProcessHandle> below = first.descendants().toList();
     first.destroy();
+    below.forEach(ProcessHandle::destroy);
     assertThat(first.waitFor()).isEqualTo(143);
     assertThat(Folders.names(target)).containsExactly("lumbre-all.jar");
     assertThat(launch().err()).isEmpty();
