@@ -27,7 +27,7 @@ class ExtremeFlagsTest {
           "--(output|assets|format|checkpoint|denoiser|oidn|tonemap|layers?|camera|sky|background"
               + "|look|hidden|page|labels|variant|fit|hide|highlight|up|mode|guide|filter|quality"
               + "|kernel|progress|animation|ffmpeg|import-with|fallback-dir|scene|compare|root|png|error-map"
-              + "|knobs|without|json|csv|scenes|sheet)");
+              + "|knobs|without|json|csv|scenes|sheet|shell)");
 
   /** A place for a number in the flags of {@code render}. */
   private static final String[] OF_MODELS = {
