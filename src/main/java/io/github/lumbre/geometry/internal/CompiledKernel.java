@@ -20,6 +20,7 @@ public final class CompiledKernel {
 
   private static volatile long lastEnd;
   private static volatile boolean isCompiled;
+  private static volatile boolean hasDenoised;
 
   private CompiledKernel() {}
 
@@ -31,6 +32,16 @@ public final class CompiledKernel {
   /** Sets whether the vector kernel is known to be compiled; tests forget it. */
   public static void setCompiled(boolean compiled) {
     isCompiled = compiled;
+  }
+
+  /** Returns whether a picture was denoised in this JVM, so that this code is compiled. */
+  public static boolean hasDenoised() {
+    return hasDenoised;
+  }
+
+  /** Takes note of a denoised picture. */
+  public static void denoised() {
+    hasDenoised = true;
   }
 
   /** Adds seconds of the threads of a pass, or takes away used ones; returns what is left. */

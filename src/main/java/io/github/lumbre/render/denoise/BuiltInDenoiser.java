@@ -1,5 +1,6 @@
 package io.github.lumbre.render.denoise;
 
+import io.github.lumbre.geometry.internal.CompiledKernel;
 import io.github.lumbre.math.internal.Elementary;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -42,9 +43,6 @@ public final class BuiltInDenoiser {
    * docs/measurements/2026-11-denoising.md.
    */
   static final double UNSEEN = 4.5;
-
-  /** Whether a picture was denoised before. */
-  private static volatile boolean isWarm;
 
   private final NoisyPicture noisy;
   private final Features features;
@@ -104,14 +102,15 @@ public final class BuiltInDenoiser {
       float[] gray = new BuiltInDenoiser(shadow.get().picture(), workers).light(tile);
       return new BuiltInDenoiser(shadow.get().denoised(gray), workers).denoised(tile, shadow);
     } finally {
-      isWarm = true;
+      CompiledKernel.denoised();
     }
   }
 
   /** Returns how many of a number of threads are used for a picture. */
   private static int useful(int threads, NoisyPicture noisy) {
     int pixels = noisy.width() * noisy.height();
-    return isWarm ? threads : Math.min(threads, 1 + pixels / FIRST_PIXELS_PER_THREAD);
+    int first = Math.min(threads, 1 + pixels / FIRST_PIXELS_PER_THREAD);
+    return CompiledKernel.hasDenoised() ? threads : first;
   }
 
   /** Returns the denoised light. */
