@@ -143,7 +143,7 @@ class BatchTest {
         "--quiet                        | T/tiny.json: several scenes require a folder",
         "- -o T/out                     | -: standard input cannot be",
         "-o T/out --view iso            | T/tiny.json: --view: requires a model file",
-        "-o T/out --sky-intensity -1    | T/sample.glb: --sky-intensity: expected",
+        "-o T/out --sky-intensity -1    | --sky-intensity: expected",
         "-o T/out --depth -1            | --depth: expected",
         "-o T/out --bogus               | unknown option '--bogus'"
       })
