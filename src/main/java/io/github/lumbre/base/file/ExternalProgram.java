@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -105,8 +106,17 @@ public record ExternalProgram(Path path, Duration limit) {
   private static List<Path> onPath(String path) {
     return Stream.of(path.split(Pattern.quote(File.pathSeparator)))
         .filter(folder -> !folder.isBlank())
-        .map(folder -> Path.of(folder))
+        .flatMap(folder -> expressible(folder).stream())
         .toList();
+  }
+
+  /** Returns a folder; empty if the locale's encoding cannot express its name. */
+  private static Optional<Path> expressible(String folder) {
+    try {
+      return Optional.of(Path.of(folder));
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
   }
 
   /** Returns the program with another time limit. */

@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.security.DigestInputStream;
@@ -77,9 +78,13 @@ public final class ImportProgram {
     Optional<KnownProgram> known =
         KnownProgram.named(text.substring(0, equals < 0 ? text.length() : equals));
     if (known.isPresent()) {
-      Optional<Path> path =
-          equals < 0 ? Optional.empty() : Optional.of(Path.of(text.substring(equals + 1)));
-      return found(known.get(), path, environment);
+      Optional<String> path =
+          equals < 0 ? Optional.empty() : Optional.of(text.substring(equals + 1));
+      if (path.filter(String::isBlank).isPresent()) {
+        // An empty path would be the folder in which the command runs.
+        throw new IllegalArgumentException("expected a path after " + text.strip());
+      }
+      return found(known.get(), path.map(Path::of), environment);
     }
     if (!text.strip().contains(" ") && !text.contains("/")) {
       throw new IllegalArgumentException(
@@ -124,7 +129,7 @@ public final class ImportProgram {
     try {
       found(known, Optional.empty(), environment);
       return true;
-    } catch (IOException e) {
+    } catch (IOException | InvalidPathException e) {
       return false;
     }
   }

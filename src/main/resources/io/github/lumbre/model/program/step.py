@@ -3,18 +3,22 @@
 # size of each part, at most 0.1 mm; z points up in the file, and its unit becomes meters.
 import sys
 
-from OCP.Bnd import Bnd_Box
-from OCP.BRepBndLib import BRepBndLib
-from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.IFSelect import IFSelect_ReturnStatus
-from OCP.Message import Message_ProgressRange
-from OCP.RWGltf import RWGltf_CafWriter
-from OCP.RWMesh import RWMesh_CoordinateSystem
-from OCP.STEPCAFControl import STEPCAFControl_Reader
-from OCP.TCollection import TCollection_AsciiString, TCollection_ExtendedString
-from OCP.TDocStd import TDocStd_Document
-from OCP.XCAFApp import XCAFApp_Application
-from OCP.XCAFDoc import XCAFDoc_DocumentTool
+try:
+    from OCP.Bnd import Bnd_Box
+    from OCP.BRepBndLib import BRepBndLib
+    from OCP.BRepMesh import BRepMesh_IncrementalMesh
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.Message import Message_ProgressRange
+    from OCP.RWGltf import RWGltf_CafWriter
+    from OCP.RWMesh import RWMesh_CoordinateSystem
+    from OCP.STEPCAFControl import STEPCAFControl_Reader
+    from OCP.TCollection import TCollection_AsciiString, TCollection_ExtendedString
+    from OCP.TDocStd import TDocStd_Document
+    from OCP.XCAFApp import XCAFApp_Application
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+except ImportError as failure:
+    install = f"install it by: {sys.executable} -m pip install cadquery-ocp"
+    sys.exit(f"needs the package cadquery-ocp ({failure}); {install}")
 
 MOST_DEVIATION = 0.1
 RELATIVE_DEVIATION = 1e-3

@@ -2,14 +2,17 @@ package io.github.lumbre.model.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.lumbre.base.file.ExternalProgram;
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -213,6 +216,8 @@ class ImportProgramTest {
             folder + " {in} {out}",
             source + ";x {in} {out}",
             "nothing",
+            "assimp=",
+            "step= ",
             "Assimp",
             "",
             " ")) {
@@ -240,8 +245,11 @@ class ImportProgramTest {
       assertThat(program.run(source).glb()).asString().isEqualTo("glTF");
       assertThat(noted(".words")).startsWith("export " + source + " /").endsWith("-fglb2 -embtex");
     }
-    assertThat(ImportProgram.suiting("a.FBX", Map.of("PATH", folder.toString())))
-        .containsExactly("assimp");
+    // In some locales, names of folders cannot be expressed.
+    for (String path : List.of(folder.toString(), "/no\0path" + File.pathSeparator + folder)) {
+      assertThat(ImportProgram.suiting("a.FBX", Map.of("PATH", path))).containsExactly("assimp");
+    }
+    assertThat(ImportProgram.suiting("a.fbx", Map.of("LUMBRE_ASSIMP", "/no\0path"))).isEmpty();
     assertThat(ImportProgram.suiting("a.fbx", Map.of("PATH", "/nowhere"))).isEmpty();
     assertThat(ImportProgram.suiting("a.txt", Map.of("PATH", folder.toString()))).isEmpty();
   }
@@ -262,5 +270,23 @@ class ImportProgramTest {
     ImportProgram.of("blender=" + blender, Map.of()).run(source);
     assertThat(noted(".script")).contains("export_scene.gltf");
     assertThat(new String(Files.readAllBytes(source), StandardCharsets.UTF_8)).isEqualTo("a model");
+  }
+
+  /** A Python without packages of its own. */
+  @Test
+  void theScriptForStepSaysWhatToInstall() throws Exception {
+    assumeTrue(
+        Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
+            .anyMatch(each -> Files.isExecutable(Path.of(each, "python3"))));
+    Path python = folder.resolve("python3");
+    Files.writeString(
+        python,
+        "#!/bin/sh\necho \"$3\" > \"$2.out\"\nexec /usr/bin/env python3 -I -S \"$@\"\n");
+    Files.setPosixFilePermissions(python, PosixFilePermissions.fromString("rwxr-xr-x"));
+    assertThatThrownBy(() -> ImportProgram.of("step=" + python, Map.of()).run(source))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("failed with code 1: needs the package cadquery-ocp")
+        .hasMessageContaining("-m pip install cadquery-ocp");
+    assertNothingLeft();
   }
 }
