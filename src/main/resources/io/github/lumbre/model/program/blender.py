@@ -34,6 +34,16 @@ def operator(name):
     return found
 
 
+def order():
+    """Orders objects by their names: importers leave them in another order each time."""
+    for collection in [bpy.context.scene.collection, *bpy.data.collections]:
+        objects = sorted(collection.objects, key=lambda each: each.name)
+        for each in objects:
+            collection.objects.unlink(each)
+        for each in objects:
+            collection.objects.link(each)
+
+
 def load(path):
     ending = os.path.splitext(path)[1][1:].lower()
     if ending == "blend":
@@ -46,6 +56,7 @@ def load(path):
         importer = operator(name)
         if importer is not None:
             importer(filepath=path)
+            order()
             return
     raise ValueError("this Blender has no importer for ." + ending)
 

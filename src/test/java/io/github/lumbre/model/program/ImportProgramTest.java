@@ -272,12 +272,56 @@ class ImportProgramTest {
     assertThat(new String(Files.readAllBytes(source), StandardCharsets.UTF_8)).isEqualTo("a model");
   }
 
-  /** A Python without packages of its own. */
-  @Test
-  void theScriptForStepSaysWhatToInstall() throws Exception {
+  private static void assumePython() {
     assumeTrue(
         Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
             .anyMatch(each -> Files.isExecutable(Path.of(each, "python3"))));
+  }
+
+  /** A Python with a stand-in of Blender's module, whose importer adds objects in some order. */
+  @Test
+  void theScriptForBlenderOrdersWhatImportersLeave() throws Exception {
+    assumePython();
+    Files.writeString(
+        folder.resolve("bpy.py"),
+        """
+        import types
+        class Objects(list):
+            unlink = list.remove
+            link = list.append
+        def collected(names):
+            objects = Objects(types.SimpleNamespace(name=name) for name in names)
+            return types.SimpleNamespace(objects=objects)
+        class Importer:
+            def get_rna_type(self):
+                pass
+            def __call__(self, filepath):
+                context.scene.collection = collected("cab")
+                data.collections.append(collected("yzx"))
+        def export(filepath, **options):
+            every = [context.scene.collection, *data.collections]
+            names = [each.name for collection in every for each in collection.objects]
+            open(filepath, "w").write("glTF" + "".join(names))
+        context = types.SimpleNamespace(scene=types.SimpleNamespace(collection=collected("")))
+        data = types.SimpleNamespace(objects=Objects(), collections=[])
+        ops = types.SimpleNamespace(
+            wm=types.SimpleNamespace(fbx_import=Importer()),
+            export_scene=types.SimpleNamespace(gltf=export))
+        """);
+    Path blender = folder.resolve("blender");
+    Files.writeString(
+        blender,
+        "#!/bin/sh\nwhile [ \"$2\" != -- ]; do shift; done\n"
+            + "PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=. exec python3 \"$@\"\n");
+    Files.setPosixFilePermissions(blender, PosixFilePermissions.fromString("rwxr-xr-x"));
+    ImportProgram program = ImportProgram.of("blender=" + blender, Map.of());
+    assertThat(program.run(source).glb()).asString().isEqualTo("glTFabcxyz");
+  }
+
+  /** A Python without packages of its own. */
+  @Test
+  void theScriptForStepSaysWhatToInstall() throws Exception {
+    assumePython();
     Path python = folder.resolve("python3");
     Files.writeString(
         python,
