@@ -81,7 +81,11 @@ class ImportCommandsTest extends CommandFixture {
     assertImports(line);
     assertThat(imports(line).err()).contains("2 were complete");
     tool("printf '\\n' > /dev/null\n" + COPY);
-    assertThat(imports(line).err()).contains("2 were complete");
+    assertThat(imports(line).err()).contains("2 were complete").doesNotContain("warning");
+    tool(COPY + "printf '\\0\\0\\0\\0' >> \"$2\"\n");
+    assertThat(imports(line).err())
+        .contains("2 were complete")
+        .containsOnlyOnce("a-000.png: is of another conversion of the model");
     Files.writeString(directory.resolve("a.fbx"), "another model");
     imports(line).assertFailed(ExitCodes.USAGE, "its scene is another one");
   }

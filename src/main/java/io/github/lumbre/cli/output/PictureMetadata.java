@@ -34,6 +34,9 @@ public final class PictureMetadata {
   /** The keyword of the stops that an automatic exposure has chosen. */
   public static final String CHOSEN_EXPOSURE = "ChosenExposure";
 
+  /** The keyword of the hash of the GLB that a program has made of the model. */
+  public static final String CONVERTED_HASH = "ConvertedModelHash";
+
   /** The keyword of the denoiser. */
   public static final String DENOISED = "Denoised";
 

@@ -29,6 +29,7 @@ public final class FinishedFrames {
   private final List<String> keywords;
   private final Set<Path> complete = new HashSet<>();
   private Optional<String> exposure = Optional.empty();
+  private Optional<Path> otherwise = Optional.empty();
 
   /**
    * @param keywords of the metadata that must be the same
@@ -75,6 +76,10 @@ public final class FinishedFrames {
     }
     exposure = exposure.or(() -> chosen);
     complete.add(picture);
+    String converted = found.get(PictureMetadata.CONVERTED_HASH);
+    if (converted != null && !converted.equals(expected.get(PictureMetadata.CONVERTED_HASH))) {
+      otherwise = otherwise.or(() -> Optional.of(picture));
+    }
   }
 
   private static Map<String, String> read(Path picture) throws TaskException {
@@ -113,6 +118,14 @@ public final class FinishedFrames {
 
   public boolean contains(Path picture) {
     return complete.contains(picture);
+  }
+
+  /**
+   * Returns the first complete frame whose model was converted into other bytes than now. A program
+   * need not make the same bytes each time.
+   */
+  public Optional<Path> convertedOtherwise() {
+    return otherwise;
   }
 
   /** Returns the number of complete frames. */
