@@ -9,6 +9,7 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.image.animation.FrameRate;
+import io.github.lumbre.math.Vec3;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
@@ -167,6 +168,53 @@ class ExplodeCommandsTest extends CommandFixture {
     }
     assertThat(all.get("nut").max().get(1)).isLessThan(all.get("bolt").min().get(1));
     assertThat(all.get("bolt").max().get(1)).isLessThan(all.get("plate").min().get(1));
+  }
+
+  /** Turns a model by 40° around z, then by 30° around x. */
+  private static String tilted(String obj) {
+    StringBuilder turned = new StringBuilder();
+    for (String line : obj.lines().toList()) {
+      String[] words = line.split(" ", -1);
+      if (words[0].equals("v")) {
+        Vec3 at = turned(new Vec3(number(words[1]), number(words[2]), number(words[3])));
+        line = String.format(Locale.ROOT, "v %.9f %.9f %.9f", at.x(), at.y(), at.z());
+      }
+      turned.append(line).append('\n');
+    }
+    return turned.toString();
+  }
+
+  private static Vec3 turned(Vec3 v) {
+    double x = .766044443 * v.x() - .642787610 * v.y();
+    double y = .642787610 * v.x() + .766044443 * v.y();
+    return new Vec3(x, .866025404 * y - .5 * v.z(), .5 * y + .866025404 * v.z());
+  }
+
+  private static double number(String text) {
+    return Double.parseDouble(text);
+  }
+
+  @Test
+  void partsOfTiltedAssembliesMoveAlongItsAxes() throws IOException {
+    Files.writeString(
+        directory.resolve("tilted.obj"), tilted(Files.readString(directory.resolve("a.obj"))));
+    Map<String, Part> none = parts("T/tilted.obj");
+    Map<String, Part> all = parts("T/tilted.obj --explode 1");
+    assertApart(all);
+    Vec3 axis = turned(Vec3.Y);
+    Map<String, Double> heights = new LinkedHashMap<>();
+    none.forEach(
+        (name, part) -> {
+          Vec3 move = center(all.get(name)).minus(center(part));
+          heights.put(name, center(all.get(name)).dot(axis));
+          assertThat(move.minus(axis.times(move.dot(axis))).length()).isLessThan(1e-5);
+        });
+    assertThat(heights.get("nut")).isLessThan(heights.get("bolt"));
+    assertThat(heights.get("bolt")).isLessThan(heights.get("plate"));
+  }
+
+  private static Vec3 center(Part part) {
+    return new Vec3(part.center(0), part.center(1), part.center(2));
   }
 
   @Test

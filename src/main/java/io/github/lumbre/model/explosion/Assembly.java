@@ -2,11 +2,14 @@ package io.github.lumbre.model.explosion;
 
 import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.explosion.Spread.Item;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -31,6 +34,9 @@ public final class Assembly {
 
   private static final int HALVINGS = 60;
 
+  /** Factors of moves to try along axes that are not those of the boxes. */
+  private static final List<Double> FARTHER = List.of(1., 1.25, 1.5, 2., 2.5, 3., 4., 5., 6., 8.);
+
   private static final int MOST_NAMED = 5;
 
   /** Groups and bodies: each has a larger number than the group that it belongs to. */
@@ -38,7 +44,15 @@ public final class Assembly {
 
   private final List<Integer> bodies = new ArrayList<>();
 
-  private record Entry(int group, Bounds3 box, List<Integer> members) {
+  private final Frame axes;
+
+  /**
+   * A group or a body.
+   *
+   * @param box along the axes of the file
+   * @param turned the box around the same along the axes of the assembly
+   */
+  private record Entry(int group, Bounds3 box, Bounds3 turned, List<Integer> members) {
     boolean isBody() {
       return !box.isEmpty();
     }
@@ -55,38 +69,52 @@ public final class Assembly {
   public record Moves(
       List<Vec3> moves, List<List<Integer>> overlapping, long overlaps, int level) {}
 
-  /** Creates an assembly without bodies. */
-  public Assembly() {
-    entries.add(new Entry(-1, Bounds3.EMPTY, new ArrayList<>()));
+  /**
+   * Creates an assembly without bodies.
+   *
+   * @param axes along which bodies move
+   */
+  public Assembly(Frame axes) {
+    this.axes = axes;
+    entries.add(new Entry(-1, Bounds3.EMPTY, Bounds3.EMPTY, new ArrayList<>()));
   }
 
   /** Adds a group to another one, and returns its number. */
   public int addGroup(int group) {
-    return add(group, Bounds3.EMPTY);
+    return add(group, Bounds3.EMPTY, Bounds3.EMPTY);
   }
 
-  /** Adds a body, whose box is not empty, to a group. */
-  public void addBody(int group, Bounds3 box) {
-    bodies.add(add(group, box));
+  /**
+   * Adds a body to a group.
+   *
+   * @param box around it along the axes of the file, not empty
+   * @param turned the box around it along the axes of the assembly
+   */
+  public void addBody(int group, Bounds3 box, Bounds3 turned) {
+    bodies.add(add(group, box, turned));
   }
 
-  private int add(int group, Bounds3 box) {
+  private int add(int group, Bounds3 box, Bounds3 turned) {
     entries.get(group).members.add(entries.size());
-    entries.add(new Entry(group, box, new ArrayList<>()));
+    entries.add(new Entry(group, box, turned, new ArrayList<>()));
     return entries.size() - 1;
   }
 
   /** Returns where the bodies go. */
   public Moves exploded() {
-    Bounds3[] boxes = boxes();
+    Bounds3[] boxes = boxes(Entry::box);
+    Bounds3[] turned = boxes(Entry::turned);
     double most = LARGEST * longest(boxes[ROOT]);
     if (bodies.size() > MOST_BODIES) {
-      return ofLevel(boxes, most);
+      return ofLevel(boxes, turned, most);
     }
     List<Vec3> moves = List.of();
     for (boolean isTree : List.of(true, false)) {
       for (double gap : GAPS) {
-        moves = isTree ? ofTree(boxes, gap) : together(bodies, boxes, gap * longest(boxes[ROOT]));
+        moves =
+            isTree
+                ? ofTree(boxes, turned, gap)
+                : together(bodies, boxes, turned, gap * longest(boxes[ROOT]));
         if (longest(around(bodies, boxes, moves)) <= most) {
           return new Moves(moves, List.of(), 0, 0);
         }
@@ -96,11 +124,44 @@ public final class Assembly {
     return ended(boxes, shortened(bodies, boxes, moves, most), each, 0);
   }
 
+  /**
+   * Returns moves so many times as long that no two boxes overlap; empty if they would need more
+   * than {@link #LARGEST} allows.
+   */
+  public static Optional<List<Vec3>> apart(List<Bounds3> boxes, List<Vec3> moves) {
+    Bounds3[] all = boxes.toArray(Bounds3[]::new);
+    List<Integer> items = IntStream.range(0, all.length).boxed().toList();
+    double longest = longest(boxes.stream().reduce(Bounds3.EMPTY, Bounds3::union));
+    for (double factor : FARTHER) {
+      List<Vec3> farther = moves.stream().map(move -> move.times(factor)).toList();
+      if (longest(around(items, all, farther)) > LARGEST * longest) {
+        return Optional.empty();
+      }
+      if (areApart(boxes, farther, ROUNDING * longest)) {
+        return Optional.of(farther);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static boolean areApart(List<Bounds3> boxes, List<Vec3> moves, double least) {
+    for (int i = 0; i < boxes.size(); i++) {
+      Interrupts.check();
+      Bounds3 box = moved(boxes.get(i), moves.get(i));
+      for (int j = 0; j < i; j++) {
+        if (overlap(box, moved(boxes.get(j), moves.get(j)), least)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   /** Returns the box around each group and body. */
-  private Bounds3[] boxes() {
+  private Bounds3[] boxes(Function<Entry, Bounds3> of) {
     Bounds3[] boxes = new Bounds3[entries.size()];
     for (int i = entries.size() - 1; i >= 0; i--) {
-      Bounds3 box = entries.get(i).box;
+      Bounds3 box = of.apply(entries.get(i));
       for (int member : entries.get(i).members) {
         box = box.union(boxes[member]);
       }
@@ -110,15 +171,15 @@ public final class Assembly {
   }
 
   /** Moves the bodies of each group apart, then the groups. */
-  private List<Vec3> ofTree(Bounds3[] boxes, double gap) {
+  private List<Vec3> ofTree(Bounds3[] boxes, Bounds3[] turned, double gap) {
     Bounds3[] grown = boxes.clone();
     Vec3[] moves = new Vec3[entries.size()];
     Arrays.fill(moves, Vec3.ZERO);
     for (int i = entries.size() - 1; i >= 0; i--) {
       List<Integer> members = members(i, boxes);
       if (!members.isEmpty()) {
-        List<Item> items = members.stream().map(m -> new Item(boxes[m], grown[m])).toList();
-        List<Vec3> apart = Spread.of(items, gap * least(longest(boxes[i])));
+        List<Item> items = members.stream().map(m -> new Item(turned[m], grown[m])).toList();
+        List<Vec3> apart = Spread.of(items, axes, gap * least(longest(boxes[i])));
         Bounds3 all = Bounds3.EMPTY;
         for (int m = 0; m < members.size(); m++) {
           moves[members.get(m)] = apart.get(m);
@@ -138,7 +199,7 @@ public final class Assembly {
   }
 
   /** Moves the members of the first group apart that has several, each as a whole. */
-  private Moves ofLevel(Bounds3[] boxes, double most) {
+  private Moves ofLevel(Bounds3[] boxes, Bounds3[] turned, double most) {
     int group = ROOT;
     List<Integer> members = members(group, boxes);
     while (members.size() == 1 && !entries.get(members.get(0)).isBody()) {
@@ -147,7 +208,7 @@ public final class Assembly {
     }
     List<Vec3> moves = List.of();
     for (double gap : GAPS) {
-      moves = together(members, boxes, gap * longest(boxes[ROOT]));
+      moves = together(members, boxes, turned, gap * longest(boxes[ROOT]));
       if (longest(around(members, boxes, moves)) <= most) {
         break;
       }
@@ -166,8 +227,10 @@ public final class Assembly {
     return ended(boxes, ofBodies, memberOf, members.size() < bodies.size() ? members.size() : 0);
   }
 
-  private static List<Vec3> together(List<Integer> items, Bounds3[] boxes, double gap) {
-    return Spread.of(items.stream().map(i -> new Item(boxes[i], boxes[i])).toList(), least(gap));
+  private List<Vec3> together(
+      List<Integer> items, Bounds3[] boxes, Bounds3[] turned, double gap) {
+    List<Item> each = items.stream().map(i -> new Item(turned[i], boxes[i])).toList();
+    return Spread.of(each, axes, least(gap));
   }
 
   private static double least(double gap) {

@@ -4,6 +4,7 @@ import static io.github.lumbre.model.explosion.Direction.AXES;
 
 import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -25,8 +26,16 @@ final class Spread {
   /** Centers are on one height if they differ less, relative to the longest side of all. */
   private static final double LEVEL = 1e-6;
 
+  /** Moves along an axis at a larger angle to one of the file do not take boxes apart there. */
+  private static final double ACROSS = 1e-3;
+
   private final List<Item> items;
   private final double gap;
+
+  /** The axes along which items move. */
+  private final Frame axes;
+
+  private final List<Vec3> directions;
 
   /** For each axis, the items from the lowest to the highest. */
   private final int[][] order = new int[AXES][];
@@ -46,13 +55,15 @@ final class Spread {
   /**
    * A body, or a group of bodies.
    *
-   * @param box around it in the assembled model
-   * @param grown the box around it once its own bodies have moved apart
+   * @param box around it in the assembled model, along the axes of its moves
+   * @param grown the box around it once its own bodies have moved apart, along those of the file
    */
   record Item(Bounds3 box, Bounds3 grown) {}
 
-  private Spread(List<Item> items, double gap) {
+  private Spread(List<Item> items, Frame axes, double gap) {
     this.items = items;
+    this.axes = axes;
+    directions = List.of(axes.tangent(), axes.bitangent(), axes.normal());
     this.gap = gap;
     int count = items.size();
     known = new BitSet[count];
@@ -87,15 +98,16 @@ final class Spread {
   /**
    * Returns the vectors by which items move.
    *
+   * @param axes along which they move
    * @param gap the least distance between them, more than 0
    */
-  static List<Vec3> of(List<Item> items, double gap) {
-    Spread spread = new Spread(items, gap);
+  static List<Vec3> of(List<Item> items, Frame axes, double gap) {
+    Spread spread = new Spread(items, axes, gap);
     spread.add((i, j) -> overlap(items.get(i).box, items.get(j).box));
     do {
       spread.move();
     } while (spread.add(spread::collide));
-    return List.of(spread.moves);
+    return Arrays.stream(spread.moves).map(axes::toWorld).toList();
   }
 
   private interface Pairs {
@@ -133,10 +145,11 @@ final class Spread {
     Item a = items.get(i);
     Item b = items.get(j);
     Vec3 move = moves[j].minus(moves[i]);
+    Vec3 shown = axes.toWorld(move);
     boolean isNear = true;
     for (int axis = 0; axis < AXES; axis++) {
-      double up = b.grown.min().get(axis) + move.get(axis) - a.grown.max().get(axis);
-      double down = a.grown.min().get(axis) - b.grown.max().get(axis) - move.get(axis);
+      double up = b.grown.min().get(axis) + shown.get(axis) - a.grown.max().get(axis);
+      double down = a.grown.min().get(axis) - b.grown.max().get(axis) - shown.get(axis);
       isNear &= Math.max(up, down) < gap;
     }
     return isNear || meet(a.box, b.box, move);
@@ -187,8 +200,21 @@ final class Spread {
     return up;
   }
 
-  /** Returns how far apart two items must move; negative if they need not. */
+  /** Returns how far apart two items must move along an axis; negative if they need not. */
   private double push(int lower, int upper, int axis) {
-    return items.get(lower).grown.max().get(axis) + gap - items.get(upper).grown.min().get(axis);
+    Bounds3 a = items.get(lower).grown;
+    Bounds3 b = items.get(upper).grown;
+    double least = Double.POSITIVE_INFINITY;
+    for (int k = 0; k < AXES; k++) {
+      double step = directions.get(axis).get(k);
+      double way =
+          step > 0
+              ? a.max().get(k) + gap - b.min().get(k)
+              : b.max().get(k) + gap - a.min().get(k);
+      if (Math.abs(step) > ACROSS) {
+        least = Math.min(least, way / Math.abs(step));
+      }
+    }
+    return least;
   }
 }

@@ -2,6 +2,7 @@ package io.github.lumbre.model.internal;
 
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.model.ModelFormatException;
@@ -81,36 +82,58 @@ public final class Explosion {
   }
 
   private void explode(double factor) {
-    Map<ModelNode, Bounds3> bodies = new LinkedHashMap<>();
-    for (ModelPart part : assembled.parts()) {
-      Bounds3 box = box(part);
-      if (!box.isEmpty()) {
-        bodies.merge(part.node(), box, Bounds3::union);
-      }
-    }
-    Assembly.Moves found = assembly(bodies).exploded();
+    Map<ModelNode, Bounds3> bodies = bodies(Frame.WORLD);
     List<ModelNode> nodes = List.copyOf(bodies.keySet());
+    Assembly.Moves found =
+        tilted(bodies).orElseGet(() -> assembly(bodies, bodies, Frame.WORLD).exploded());
     for (int i = 0; i < nodes.size(); i++) {
       moves.put(nodes.get(i), found.moves().get(i).times(factor));
     }
     note(nodes, found);
   }
 
-  /** Returns the box around a part in world space. */
-  private Bounds3 box(ModelPart part) {
+  /**
+   * Returns how parts move along the axes of a tilted assembly; empty if it is not tilted, or the
+   * boxes around them along the axes of the file do not move apart this way.
+   */
+  private Optional<Assembly.Moves> tilted(Map<ModelNode, Bounds3> bodies) {
+    if (bodies.size() < 2 || bodies.size() > Assembly.MOST_BODIES) {
+      return Optional.empty();
+    }
+    return MainAxes.of(assembled.parts())
+        .map(axes -> assembly(bodies, bodies(axes), axes).exploded())
+        .filter(moves -> moves.overlaps() == 0)
+        .flatMap(moves -> Assembly.apart(List.copyOf(bodies.values()), moves.moves()))
+        .map(moves -> new Assembly.Moves(moves, List.of(), 0, 0));
+  }
+
+  /** Returns the box around each body along some axes. */
+  private Map<ModelNode, Bounds3> bodies(Frame axes) {
+    Map<ModelNode, Bounds3> bodies = new LinkedHashMap<>();
+    for (ModelPart part : assembled.parts()) {
+      Bounds3 box = box(part, axes);
+      if (!box.isEmpty()) {
+        bodies.merge(part.node(), box, Bounds3::union);
+      }
+    }
+    return bodies;
+  }
+
+  private Bounds3 box(ModelPart part, Frame axes) {
     double radius = part.geometry().isPoints() ? assembled.pointRadius() : 0;
     Vec3 reach = new Vec3(radius, radius, radius);
     Bounds3 box = Bounds3.EMPTY;
     BitSet used = part.geometry().used();
     for (int v = used.nextSetBit(0); v >= 0; v = used.nextSetBit(v + 1)) {
-      Vec3 at = part.position(v);
+      Vec3 at = axes.toLocal(part.position(v));
       box = radius > 0 ? box.union(at.minus(reach)).union(at.plus(reach)) : box.union(at);
     }
     return box;
   }
 
-  private static Assembly assembly(Map<ModelNode, Bounds3> bodies) {
-    Assembly assembly = new Assembly();
+  private static Assembly assembly(
+      Map<ModelNode, Bounds3> bodies, Map<ModelNode, Bounds3> turned, Frame axes) {
+    Assembly assembly = new Assembly(axes);
     Map<ModelNode, Integer> groups = new IdentityHashMap<>();
     Map<Named, Integer> named = new HashMap<>();
     for (ModelNode body : bodies.keySet()) {
@@ -132,7 +155,8 @@ public final class Explosion {
           int outer = body.parent().map(groups::get).orElse(Assembly.ROOT);
           Integer own = named.get(new Named(body.parent(), body.name()));
           boolean isNamed = own != null && !body.name().isEmpty();
-          assembly.addBody(groups.getOrDefault(body.whole(), isNamed ? own : outer), box);
+          assembly.addBody(
+              groups.getOrDefault(body.whole(), isNamed ? own : outer), box, turned.get(body));
         });
     return assembly;
   }

@@ -3,6 +3,7 @@ package io.github.lumbre.model.explosion;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.math.Bounds3;
+import io.github.lumbre.math.Frame;
 import io.github.lumbre.math.Vec3;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,7 +15,7 @@ class AssemblyTest {
   private static final double LEAST = 1e-9;
 
   private final List<Bounds3> boxes = new ArrayList<>();
-  private final Assembly assembly = new Assembly();
+  private final Assembly assembly = new Assembly(Frame.WORLD);
 
   private void body(int group, double... corners) {
     Bounds3 box =
@@ -22,7 +23,7 @@ class AssemblyTest {
             new Vec3(corners[0], corners[1], corners[2]),
             new Vec3(corners[3], corners[4], corners[5]));
     boxes.add(box);
-    assembly.addBody(group, box);
+    assembly.addBody(group, box, box);
   }
 
   private List<Bounds3> exploded() {
