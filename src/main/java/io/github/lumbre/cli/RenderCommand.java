@@ -34,6 +34,7 @@ import io.github.lumbre.render.denoise.BuiltInDenoiser;
 import io.github.lumbre.render.stopping.Budget;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.stage.drawing.DisplayLight;
+import io.github.lumbre.stage.internal.PictureDrawing;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -41,6 +42,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -209,9 +211,11 @@ final class RenderCommand extends Subcommand {
         file = scene.load(options.parser(), messages);
       }
       if (dryRun) {
-        return estimate(file, denoising, report);
+        return isFilmless(file) ? vectorEstimate(file, report) : estimate(file, denoising, report);
       }
-      MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+      if (!isFilmless(file)) {
+        MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+      }
       frames.requireFits(file.settings());
       // The first frame of several takes longest to read: all of them share that time.
       Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
@@ -295,15 +299,47 @@ final class RenderCommand extends Subcommand {
     MemoryEstimate estimate =
         MemoryEstimate.measured(file.settings(), FilmLayers.of(file.settings(), file.scene()));
     long denoise = denoising.isPresent() ? BuiltInDenoiser.bytes(estimate.pixels()) : 0;
-    if (!options.run.isJson()) {
-      Messages out = options.run.out();
-      estimate.lines().forEach(out::line);
-      out.line("denoise  " + MemoryEstimate.mebibytes(denoise) + " more after the render");
+    if (options.isDrawing()) {
+      print(estimate, Set.of("samples", "copy"));
+    } else if (!options.run.isJson()) {
+      print(estimate, Set.of());
+      options.run.out().line("denoise  " + MemoryEstimate.mebibytes(denoise) + " more after the render");
     }
     report.put("denoise_bytes", denoise);
     report.putScene(file);
     report.putEstimate(estimate);
+    if (options.isDrawing()) {
+      report.put("samples_per_pixel", 0);
+    }
     MemoryCheck.require(estimate);
     return ExitCode.OK;
+  }
+
+  /** Tells what vectors take: they have no film. */
+  private ExitCode vectorEstimate(SceneFile file, JsonSummary report) {
+    MemoryEstimate estimate = MemoryEstimate.measured(file.settings(), FilmLayers.NONE);
+    print(estimate, Set.of("samples", "film", "threads", "needed", "copy"));
+    report.putScene(file);
+    report.put("samples_per_pixel", 0);
+    report.put("pixels", estimate.pixels());
+    report.put("scene_bytes", estimate.sceneBytes());
+    report.put("max_heap_bytes", estimate.maxHeapBytes());
+    return ExitCode.OK;
+  }
+
+  /** Prints an estimate without the lines that begin with some words. */
+  private void print(MemoryEstimate estimate, Set<String> without) {
+    if (!options.run.isJson()) {
+      estimate.lines().stream()
+          .filter(line -> !without.contains(line.substring(0, line.indexOf(' '))))
+          .forEach(options.run.out()::line);
+    }
+  }
+
+  /** Returns whether nothing is stored for each pixel: vectors of lines alone. */
+  private boolean isFilmless(SceneFile file) throws TaskException {
+    return options.to.isVector()
+        && options.isDrawing()
+        && !PictureDrawing.hasAreas(file.parsed());
   }
 }

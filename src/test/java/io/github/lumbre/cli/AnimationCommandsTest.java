@@ -181,8 +181,8 @@ class AnimationCommandsTest extends CommandFixture {
         "--animation lift --frames 1..x | 2 | --frames: expected A..B, A, I/N or auto",
         "--animation lift --frames 0/99 | 2 | --frames: expected at least one frame for each",
         "--turntable 2 --continue -o T/a.jpg | 2 | --continue: expected PNG or OpenEXR",
-        "--frames 1                  | 2 | --frames: requires --turntable or --animation",
-        "--continue                  | 2 | --continue: requires --turntable or --animation"
+        "--frames 1                  | 2 | --frames: requires --turntable, --animation or --explode A..B",
+        "--continue                  | 2 | --continue: requires --turntable, --animation or --explode A..B"
       })
   void wrongRequestsAreRefused(String flags, int code, String message) {
     String output = flags.contains(" -o ") ? "" : " -o T/a.png";

@@ -97,8 +97,8 @@ class LumbreTest {
         "render s.json --kernel fast    | one of auto, vector, scalar",
         "benchmark --kernel fast        | one of auto, vector, scalar",
         "render s.json --bits 12        | --bits: expected 8 or 16, found 12",
-        "render s.json -o p.gif         | p.gif: requires --turntable, --animation or several"
-            + " scenes",
+        "render s.json -o p.gif         | p.gif: requires --turntable, --animation, --explode A..B"
+            + " or several scenes",
         "render s.json -o p.bmp         | p.bmp: expected a name that ends in one of .png",
         "render s.json -o s.json        | one of .png",
         "render s.json --strict --lenient | lumbre: --strict, --lenient are mutually exclusive",

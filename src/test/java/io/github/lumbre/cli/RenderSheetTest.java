@@ -196,7 +196,7 @@ class RenderSheetTest extends CommandFixture {
         "--sheet T/s.png --animation lift | --animation: cannot be combined with --sheet",
         "--sheet T/s.png --dry-run        | --dry-run: cannot be combined with --sheet",
         "--sheet T/s.png --layers depth   | --layers: cannot be combined with --sheet",
-        "--sheet T/s.png --frames 0       | --frames: requires --turntable or --animation",
+        "--sheet T/s.png --frames 0       | --frames: requires --turntable, --animation or --explode",
         "--sheet T/s.png --view iso -     | -: standard input cannot be one of several scenes",
         "--sheet T/s.png --size 0         | --size: expected 1 to"
       })

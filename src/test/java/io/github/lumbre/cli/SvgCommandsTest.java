@@ -34,6 +34,19 @@ class SvgCommandsTest extends CommandFixture {
     }
   }
 
+  /** Only areas of a color take memory for each pixel. */
+  @Test
+  void linesAloneHaveNoFilm() throws IOException {
+    Files.writeString(directory.resolve("m.obj"), ObjShapes.cube("c", 0, 2, 0, false));
+    runs("render T/m.obj -o T/big.svg --view front --page 4000x4000");
+    String plain = runs("render T/m.obj -o T/m.svg --dry-run").out();
+    assertThat(plain).contains("pixels ", "scene ").doesNotContain("samples", "film", "copy");
+    String cut = runs("render T/m.obj -o T/m.svg --dry-run --section x=1").out();
+    assertThat(cut).contains("film ").doesNotContain("samples", "copy", "denoise");
+    String json = runs("render T/m.obj -o T/m.svg --overwrite --json").out();
+    assertThat(json).contains("\"samples_per_pixel\":0,");
+  }
+
   /** The front hides the back, and what is seen from its end is a point. */
   @Test
   void aCubeFromTheFrontIsASquare() throws Exception {

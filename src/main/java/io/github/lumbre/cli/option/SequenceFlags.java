@@ -92,7 +92,8 @@ public final class SequenceFlags extends Flags {
     require(
         joined.isEmpty() || isSequence,
         joined.orElse(Path.of(""))
-            + ": requires --turntable, --animation or several scenes; a picture ends in one of "
+            + ": requires --turntable, --animation, --explode A..B or several scenes; a picture ends"
+            + " in one of "
             + ImageFormat.endings());
     require(
         fps.isEmpty()
@@ -102,8 +103,8 @@ public final class SequenceFlags extends Flags {
             || isGiven("--shutter"),
         "--fps: requires --animation, --shutter or a file that ends in "
             + AnimationFormat.endings());
-    require(frames.isEmpty() || isSequence, "--frames: requires --turntable or --animation");
-    require(!continued || isSequence, "--continue: requires --turntable or --animation");
+    require(frames.isEmpty() || isSequence, "--frames: requires --turntable, --animation or --explode A..B");
+    require(!continued || isSequence, "--continue: requires --turntable, --animation or --explode A..B");
     require(
         ffmpeg.isEmpty()
             || joined.flatMap(AnimationFormat::of).filter(f -> f.isVideo()).isPresent(),

@@ -41,6 +41,7 @@ public record DrawingJob(RenderJob job) {
     String name = isStandard ? "standard output" : picture.target().toString();
     job.said().line(String.format(Locale.ROOT, "%s: %s, lines, %.2f s", name, size, seconds));
     job.report().putScene(job.file());
+    job.report().put("samples_per_pixel", 0);
     job.report().put("output", picture.target().toString());
     job.report().put("complete", true);
     job.report().put("seconds", seconds);

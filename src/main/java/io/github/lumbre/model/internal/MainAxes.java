@@ -79,9 +79,10 @@ final class MainAxes {
     }
   }
 
-  /** Returns a direction or its opposite: the one of a positive first coordinate that is not 0. */
+  /** Returns a direction or its opposite: the one that looks up. */
   private static Vec3 upwards(Vec3 v) {
-    double first = Math.abs(v.y()) > .5 / GRID ? v.y() : Math.abs(v.x()) > .5 / GRID ? v.x() : v.z();
+    double level = Math.abs(v.x()) > .5 / GRID ? v.x() : v.z();
+    double first = Math.abs(v.y()) > .5 / GRID ? v.y() : level;
     return first < 0 ? v.negated() : v;
   }
 

@@ -46,13 +46,10 @@ record Surfaces(List<Fill> fills, List<Lines> hatches) {
    */
   static Surfaces of(
       Scene scene, RenderSettings settings, Map<Integer, PartSurface> surfaces, PartOf numbers) {
-    boolean isOnWhite =
-        settings.background().filter(Rgb.WHITE::equals).isPresent();
-    boolean isPlain =
-        surfaces.values().stream().allMatch(s -> s.isPaper() && s.hatch().isEmpty());
-    if (isOnWhite && isPlain) {
+    if (areNone(settings, surfaces)) {
       return NONE;
     }
+    boolean isOnWhite = isOnWhite(settings);
     SurfaceMap map = SurfaceMap.of(scene, settings, surfaces, numbers);
     List<Fill> fills = new ArrayList<>();
     Regions.outlines(
@@ -67,6 +64,16 @@ record Surfaces(List<Fill> fills, List<Lines> hatches) {
             });
     fills.sort(Comparator.comparingInt(Fill::part));
     return new Surfaces(fills, hatches(scene, settings, surfaces, numbers));
+  }
+
+  /** Returns whether a drawing shows nothing but lines on white paper, so that it needs no map. */
+  static boolean areNone(RenderSettings settings, Map<Integer, PartSurface> surfaces) {
+    return isOnWhite(settings)
+        && surfaces.values().stream().allMatch(s -> s.isPaper() && s.hatch().isEmpty());
+  }
+
+  private static boolean isOnWhite(RenderSettings settings) {
+    return settings.background().filter(Rgb.WHITE::equals).isPresent();
   }
 
   private static List<double[]> inPixels(List<double[]> outlines) {

@@ -5,6 +5,7 @@ import io.github.lumbre.image.internal.VectorPicture;
 import io.github.lumbre.image.internal.VectorPicture.Group;
 import io.github.lumbre.image.internal.VectorPicture.Layer;
 import io.github.lumbre.image.internal.VectorPicture.Page;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.internal.PartSurface;
@@ -98,6 +99,11 @@ public final class VectorSheet {
       layers.add(new Layer("visible", Rgb.BLACK, width, 0, 0, visible));
     }
     return layers;
+  }
+
+  /** Returns whether vectors show areas, which are found pixel by pixel. */
+  public static boolean hasAreas(RenderSettings settings, Map<Integer, PartSurface> surfaces) {
+    return !Surfaces.areNone(settings, surfaces);
   }
 
   /** Adds labels above everything. */

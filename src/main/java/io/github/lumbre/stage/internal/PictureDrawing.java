@@ -91,6 +91,13 @@ public final class PictureDrawing {
     return file.model().filter(contents -> contents.sheet().isAlone()).isPresent();
   }
 
+  /** Returns whether the vectors of a scene show areas, which take memory for each pixel. */
+  public static boolean hasAreas(ParsedScene file) {
+    return file.model()
+        .filter(contents -> VectorSheet.hasAreas(file.settings(), contents.surfaces()))
+        .isPresent();
+  }
+
   /** Returns whether a scene has lines or labels. */
   public static boolean isNeeded(ParsedScene file) {
     return file.settings().get(Setting.LINE_WIDTH) > 0
