@@ -5,7 +5,6 @@ import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions.Pose;
-import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
@@ -41,8 +40,6 @@ final class StagedAnimation extends StagedFrames {
 
   private final boolean hasOwnCamera;
   private final boolean isFramed;
-  private final DecodedPictures pictures = new DecodedPictures();
-  private Optional<Staging> built = Optional.empty();
   private Optional<Staging> framed = Optional.empty();
 
   /**
@@ -128,11 +125,6 @@ final class StagedAnimation extends StagedFrames {
     return stage.reading(stage.options().with(ModelOption.POSE, new Pose(animation, time)));
   }
 
-  @Override
-  Optional<Staging> first() {
-    return built;
-  }
-
   /** Returns the model at a frame, with the frame's camera. */
   private Staging posed(int index) throws SceneFormatException, IOException {
     Staging model = source.read(stage(index), true);
@@ -157,15 +149,7 @@ final class StagedAnimation extends StagedFrames {
 
   @Override
   SceneFile built(int index) throws SceneFormatException, IOException {
-    Staging model = posed(index);
-    if (built.isEmpty()) {
-      model.keepFiles();
-    }
-    SceneFile scene = model.scene(pictures);
-    if (built.isEmpty()) {
-      built = Optional.of(model);
-    }
-    return scene;
+    return scene(posed(index));
   }
 
   @Override

@@ -1,13 +1,11 @@
 package io.github.lumbre.stage.internal;
 
 import io.github.lumbre.model.ModelOption;
-import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.stage.Stage;
 import java.io.IOException;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * A model whose parts move apart. It is read anew for each frame, and its pictures are decoded
@@ -17,12 +15,9 @@ import java.util.Optional;
 final class StagedExplosion extends StagedFrames {
   private final Stage stage;
   private final List<Double> factors;
-  private final DecodedPictures pictures = new DecodedPictures();
 
   /** The last frame, with the camera of all. */
   private final Staging last;
-
-  private Optional<Staging> built = Optional.empty();
 
   /**
    * @param factors how far the parts have moved apart in each frame, 0 to 1
@@ -48,22 +43,10 @@ final class StagedExplosion extends StagedFrames {
   }
 
   @Override
-  Optional<Staging> first() {
-    return built;
-  }
-
-  @Override
   SceneFile built(int index) throws SceneFormatException, IOException {
     Staging model = source.read(stage(index), false);
     model.frameAs(last);
-    if (built.isEmpty()) {
-      model.keepFiles();
-    }
-    SceneFile scene = model.scene(pictures);
-    if (built.isEmpty()) {
-      built = Optional.of(model);
-    }
-    return scene;
+    return scene(model);
   }
 
   @Override

@@ -1,7 +1,9 @@
 package io.github.lumbre.stage.internal;
 
+import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
+import io.github.lumbre.scenefile.internal.ParsedScene;
 import io.github.lumbre.stage.Stage;
 import java.io.IOException;
 import java.util.Optional;
@@ -12,6 +14,10 @@ import java.util.Optional;
  */
 abstract class StagedFrames extends ModelSequence {
   final ModelSource source;
+  private final DecodedPictures pictures = new DecodedPictures();
+
+  /** The model of the first frame that was built, which has kept its files. */
+  private Optional<Staging> first = Optional.empty();
 
   StagedFrames(ModelSource source) {
     this.source = source;
@@ -26,8 +32,22 @@ abstract class StagedFrames extends ModelSequence {
   /** Returns the text of the scene of a frame. */
   abstract byte[] text(int index) throws SceneFormatException, IOException;
 
-  /** Returns the model of the first frame that was built, which has kept its files. */
-  abstract Optional<Staging> first();
+  /** Returns the scene of a model that was read for a frame; its pictures are decoded once. */
+  final ParsedScene scene(Staging model) throws SceneFormatException {
+    if (first.isEmpty()) {
+      model.keepFiles();
+    }
+    ParsedScene scene = model.scene(pictures);
+    if (first.isEmpty()) {
+      first = Optional.of(model);
+    }
+    return scene;
+  }
+
+  /** Returns the model of the first frame, once it is built. */
+  final Staging first() {
+    return first.orElseThrow();
+  }
 
   @Override
   public final SceneFile frame(int index) throws SceneFormatException, IOException {
@@ -36,9 +56,9 @@ abstract class StagedFrames extends ModelSequence {
 
   @Override
   public final String hash(int index) throws SceneFormatException, IOException {
-    if (first().isEmpty()) {
+    if (first.isEmpty()) {
       frame(0);
     }
-    return source.timed(() -> first().orElseThrow().hashOf(text(index)));
+    return source.timed(() -> first().hashOf(text(index)));
   }
 }

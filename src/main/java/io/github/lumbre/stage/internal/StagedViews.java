@@ -13,7 +13,6 @@ import java.util.stream.IntStream;
 final class StagedViews extends StagedFrames {
   private final Stage stage;
   private final Motion motion;
-  private Optional<Staging> model = Optional.empty();
   private Optional<ParsedScene> scene = Optional.empty();
 
   StagedViews(ModelSource source, Stage stage, Motion motion) {
@@ -33,27 +32,20 @@ final class StagedViews extends StagedFrames {
   }
 
   @Override
-  Optional<Staging> first() {
-    return model;
-  }
-
-  @Override
   SceneFile built(int index) throws SceneFormatException, IOException {
     if (scene.isPresent()) {
-      return model.orElseThrow().seenFrom(stage(index), scene.get());
+      return first().seenFrom(stage(index), scene.get());
     }
     Staging read = source.read(stage(index), false);
-    read.keepFiles();
     if (motion.isAligned()) {
       read.align(IntStream.range(0, count()).mapToObj(this::stage).toList());
     }
-    scene = Optional.of(read.scene());
-    model = Optional.of(read);
+    scene = Optional.of(scene(read));
     return scene.get();
   }
 
   @Override
   byte[] text(int index) throws SceneFormatException {
-    return model.orElseThrow().textOf(stage(index));
+    return first().textOf(stage(index));
   }
 }
