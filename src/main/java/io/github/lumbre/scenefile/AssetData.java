@@ -213,7 +213,10 @@ final class AssetData {
     }
   }
 
-  /** Returns a folder whose files are counted and noted as files of the scene. */
+  /**
+   * Returns a folder whose files are counted and noted as files of the scene. They are copied: the
+   * caller may change them before they are hashed.
+   */
   ModelFolder counted(ModelFolder files) {
     ModelFolder counting =
         (name, location) -> {
@@ -222,7 +225,7 @@ final class AssetData {
           if (excess.isPresent()) {
             throw ModelFormatException.Kind.TOO_LARGE.at(location, excess.get());
           }
-          note(name, bytes);
+          note(name, bytes.clone());
           return bytes;
         };
     return counting.searchedBy(files::similar);

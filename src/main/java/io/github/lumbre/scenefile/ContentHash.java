@@ -54,8 +54,8 @@ final class ContentHash {
     if (hasText && !keepsFiles && length > LateHash.MOST_WAITING) {
       MessageDigest digest = begun.orElseGet(Sha256::digest);
       begun = Optional.of(digest);
-      update(digest, text);
-      files.forEach(file -> update(digest, file));
+      checked(digest, text);
+      files.forEach(file -> checked(digest, file));
       text = new byte[0];
       files.clear();
       length = 0;
@@ -68,12 +68,13 @@ final class ContentHash {
   }
 
   private static String over(MessageDigest digest, byte[] text, List<byte[]> files) {
-    update(digest, text);
-    files.forEach(file -> update(digest, file));
+    digest.update(text);
+    files.forEach(digest::update);
     return HexFormat.of().formatHex(digest.digest());
   }
 
-  private static void update(MessageDigest digest, byte[] bytes) {
+  /** Adds bytes while files are read. What comes later, such as a hash, no interrupt ends. */
+  private static void checked(MessageDigest digest, byte[] bytes) {
     for (int at = 0; at < bytes.length; at += BLOCK) {
       Interrupts.check();
       digest.update(bytes, at, Math.min(BLOCK, bytes.length - at));

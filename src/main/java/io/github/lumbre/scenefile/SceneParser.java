@@ -191,7 +191,8 @@ public final class SceneParser {
    * @throws CancellationException if the calling thread is interrupted
    */
   public SceneFile parse(byte[] content, Path file) throws SceneFormatException {
-    return parse(new SceneText(content, file));
+    // The hash of the content is computed when it is asked for.
+    return parse(new SceneText(content.clone(), file));
   }
 
   /**

@@ -57,7 +57,7 @@ public final class StagedModel {
   public static StagedModel read(
       String name, byte[] model, ModelFolder files, Stage stage, SceneParser parser)
       throws SceneFormatException, IOException {
-    return read(ModelSource.of(parser, name, model, files), stage);
+    return read(ModelSource.of(parser, name, model.clone(), files), stage);
   }
 
   private static StagedModel read(ModelSource source, Stage stage)

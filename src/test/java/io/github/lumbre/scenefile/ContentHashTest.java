@@ -61,4 +61,20 @@ class ContentHashTest {
     assertThat(first.value()).isEqualTo(expected(TEXT, file(5), file(LateHash.MOST_WAITING)));
     assertThat(first.value()).isEqualTo(first.value());
   }
+
+  /** A partial picture states the hash, too. */
+  @Test
+  void anInterruptedThreadGetsTheHash() {
+    ContentHash hash = new ContentHash();
+    hash.text(TEXT);
+    hash.add(file(LateHash.MOST_WAITING));
+    hash.add(file(5));
+    LateHash late = hash.value();
+    Thread.currentThread().interrupt();
+    try {
+      assertThat(late.value()).isEqualTo(expected(TEXT, file(LateHash.MOST_WAITING), file(5)));
+    } finally {
+      assertThat(Thread.interrupted()).isTrue();
+    }
+  }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Image;
+import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.render.PictureRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
@@ -119,5 +120,23 @@ class StagedModelTest {
     assertThatThrownBy(() -> View.of("20")).hasMessageContaining("found 20");
     assertThatThrownBy(() -> View.of("0,91")).hasMessageContaining("from -90 to 90, found 91");
     assertThat(View.standard()).hasSize(7);
+  }
+
+  /** The hash is that of the bytes that were read, whatever becomes of the arrays. */
+  @Test
+  void hashesAreThoseOfWhatWasRead() throws Exception {
+    byte[] model = ("mtllib a.mtl\n" + PART).getBytes(StandardCharsets.US_ASCII);
+    byte[] colors = "newmtl a\nKd 1 0 0\n".getBytes(StandardCharsets.US_ASCII);
+    ModelFolder folder = ModelFolder.of(Map.of("a.mtl", colors));
+    String expected =
+        StagedModel.read("part.obj", model, folder, Stage.DEFAULT, parser()).scene().hash();
+    for (byte[] changed : List.of(model, colors)) {
+      SceneFile scene =
+          StagedModel.read("part.obj", model, folder, Stage.DEFAULT, parser()).scene();
+      byte last = changed[changed.length - 1];
+      changed[changed.length - 1] = '#';
+      assertThat(scene.hash()).isEqualTo(expected);
+      changed[changed.length - 1] = last;
+    }
   }
 }
