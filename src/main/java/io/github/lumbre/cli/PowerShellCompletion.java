@@ -12,7 +12,8 @@ import java.util.stream.Collectors;
 final class PowerShellCompletion {
   private static final String SCRIPT =
       """
-      # Completion for lumbre in PowerShell: lumbre completion --shell powershell | Out-String | Invoke-Expression
+      # Completion for lumbre in PowerShell:
+      # lumbre completion --shell powershell | Out-String | Invoke-Expression
       Register-ArgumentCompleter -Native -CommandName lumbre, lumbre.cmd -ScriptBlock {
         param($word, $line, $position)
         $commands = @{
@@ -41,7 +42,8 @@ final class PowerShellCompletion {
         } else {
           $found = $command.words
         }
-        $found | ForEach-Object { $before + $_ } | Where-Object { $_ -like "$word*" } | ForEach-Object {
+        $found = $found | ForEach-Object { $before + $_ } | Where-Object { $_ -like "$word*" }
+        $found | ForEach-Object {
           [System.Management.Automation.CompletionResult]::new($_, $_, 'ParameterValue', $_)
         }
       }
@@ -79,6 +81,8 @@ final class PowerShellCompletion {
   }
 
   private static String array(List<String> words) {
-    return words.stream().map(word -> "'" + word + "'").collect(Collectors.joining(", ", "@(", ")"));
+    return words.stream()
+        .map(word -> "'" + word + "'")
+        .collect(Collectors.joining(", ", "@(", ")"));
   }
 }

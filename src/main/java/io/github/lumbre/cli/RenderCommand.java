@@ -303,7 +303,8 @@ final class RenderCommand extends Subcommand {
       print(estimate, Set.of("samples", "copy"));
     } else if (!options.run.isJson()) {
       print(estimate, Set.of());
-      options.run.out().line("denoise  " + MemoryEstimate.mebibytes(denoise) + " more after the render");
+      String more = MemoryEstimate.mebibytes(denoise) + " more after the render";
+      options.run.out().line("denoise  " + more);
     }
     report.put("denoise_bytes", denoise);
     report.putScene(file);

@@ -159,7 +159,8 @@ final class RenderOptions {
             + " the clamped energy");
     for (String drawn : List.of("labels", "hidden")) {
       require(
-          checkpoint.isEmpty() || !spec.commandLine().getParseResult().hasMatchedOption("--" + drawn),
+          checkpoint.isEmpty()
+              || !spec.commandLine().getParseResult().hasMatchedOption("--" + drawn),
           ("--%s: cannot be combined with --checkpoint, because a checkpoint file does not record"
                   + " the %s")
               .formatted(drawn, drawn.equals("hidden") ? "hidden lines" : drawn));

@@ -307,7 +307,8 @@ public final class SceneParser {
     problems.throwIfAny();
     Scene scene = world.scene(known);
     SceneChecks.requireNumbers(scene, used, problems);
-    SceneChecks.warnOfLines(scene, used, new ProblemPlace(problems, () -> "$.renderOptions.lineWidth"));
+    SceneChecks.warnOfLines(
+        scene, used, new ProblemPlace(problems, () -> "$.renderOptions.lineWidth"));
     return new ParsedScene(
         scene,
         used,

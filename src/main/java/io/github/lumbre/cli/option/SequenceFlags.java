@@ -103,8 +103,12 @@ public final class SequenceFlags extends Flags {
             || isGiven("--shutter"),
         "--fps: requires --animation, --shutter or a file that ends in "
             + AnimationFormat.endings());
-    require(frames.isEmpty() || isSequence, "--frames: requires --turntable, --animation or --explode A..B");
-    require(!continued || isSequence, "--continue: requires --turntable, --animation or --explode A..B");
+    require(
+        frames.isEmpty() || isSequence,
+        "--frames: requires --turntable, --animation or --explode A..B");
+    require(
+        !continued || isSequence,
+        "--continue: requires --turntable, --animation or --explode A..B");
     require(
         ffmpeg.isEmpty()
             || joined.flatMap(AnimationFormat::of).filter(f -> f.isVideo()).isPresent(),
