@@ -23,7 +23,7 @@ final class CompletionCommand extends Subcommand {
       names = "--shell",
       paramLabel = "bash|zsh|fish|powershell",
       defaultValue = "bash",
-      description = "The shell: bash, whose script serves zsh, too, fish or powershell (bash).")
+      description = "The shell that reads the script: bash, zsh, fish or powershell (bash).")
   private Shell shell;
 
   @Override

@@ -316,7 +316,7 @@ final class RenderCommand extends Subcommand {
     return ExitCode.OK;
   }
 
-  /** Tells what vectors take: they have no film. */
+  /** Prints the memory that a drawing as vectors needs; it has no film. */
   private ExitCode vectorEstimate(SceneFile file, JsonSummary report) {
     MemoryEstimate estimate = MemoryEstimate.measured(file.settings(), FilmLayers.NONE);
     print(estimate, Set.of("samples", "film", "threads", "needed", "copy"));

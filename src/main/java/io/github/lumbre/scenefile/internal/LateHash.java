@@ -4,8 +4,9 @@ import io.github.lumbre.math.internal.Sha256;
 import java.util.function.Supplier;
 
 /**
- * A SHA-256 that is computed when it is first asked for: to compile its code takes a seventh of a
- * short command, most of which need no hash. Until then it holds what is hashed. Thread-safe.
+ * A SHA-256 that is computed when it is first asked for. Most short commands need none, and
+ * compiling the code that hashes takes a seventh of their time. Until then, the bytes are kept, so
+ * they must not change. Thread-safe.
  */
 public final class LateHash {
   /** The largest number of bytes that wait in memory; what goes beyond is hashed at once. */
