@@ -141,6 +141,9 @@ final class BuildImage {
     Files.writeString(
         app.resolve("options"),
         options + "\n--add-modules=" + VECTORS + "\n--add-opens=java.base/java.io=ALL-UNNAMED\n");
+    for (String name : List.of("short.sh", "short-options")) {
+      Files.copy(Path.of("src/main/jvm", name), app.resolve(name));
+    }
     Files.write(app.resolve("version.options"), VERSION_OPTIONS);
     Path scenes = share.resolve("lumbre/scenes");
     Files.createDirectories(scenes);

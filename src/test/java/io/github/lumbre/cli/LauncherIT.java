@@ -25,6 +25,27 @@ import org.junit.jupiter.api.io.TempDir;
 /** Tests the POSIX launcher in a copy of the project whose build only copies the jar. */
 @DisabledOnOs(OS.WINDOWS)
 class LauncherIT {
+  private static final String SHORT =
+      """
+      check small.txt --json
+      render small.txt --size 256x192 -s 2 -o small.txt --overwrite
+      render --size=256 --samples=2 small.txt -o large.txt
+      """;
+  private static final String LONG =
+      """
+      check large.txt
+      render small.txt
+      render --size=256x192 --samples=16 small.txt
+      render --size 640x480 --samples 1 small.txt
+      render --size 99999999999x1 --samples 1 small.txt
+      render --size 16x08 --samples 1 small.txt
+      render --size wide --samples few small.txt
+      render --size 64x48 -s 2 large.txt
+      render --size 64x48 -s 2 small.txt small.txt
+      render --size 64x48 -s 2 small.txt --turntable 96
+      views --size 64x48 -s 2 small.txt
+      """;
+
   @TempDir private Path directory;
   private Path home;
 
@@ -400,26 +421,32 @@ class LauncherIT {
     return name.endsWith(".jsa");
   }
 
-  /** The check of a large file would be slower with the fast compiler alone. */
+  /** What is longer would be slower with the fast compiler alone. */
   @Test
-  void checksOfSmallFilesUseTheFastCompilerAlone() throws IOException, InterruptedException {
-    Path small = directory.resolve("small.txt");
-    Files.writeString(small, "no scene");
-    Path large = directory.resolve("large.txt");
-    Files.write(large, new byte[8_000_001]);
+  void shortCommandsUseTheFastCompilerAlone() throws IOException, InterruptedException {
+    Path workplace = Files.createDirectory(directory.resolve("one"));
+    Files.writeString(workplace.resolve("small.txt"), "no scene");
+    Files.write(workplace.resolve("large.txt"), new byte[8_000_001]);
+    launch();
     script(home.resolve("java/bin/java"), "#!/bin/sh\necho \"$@\"\n");
     Files.writeString(home.resolve("java/release"), "JAVA_VERSION=\"17.0.1\"\n");
-    launch();
-    Map<String, String> echo = Map.of("JAVA_HOME", home.resolve("java").toString());
-    String launcher = home.resolve("lumbre").toString();
-    assertThat(echoed(echo, launcher, "check", "" + small, "--json")).contains("check-options");
-    assertThat(echoed(echo, launcher, "check", "" + large)).doesNotContain("check-options");
-    assertThat(echoed(echo, launcher, "render", "" + small)).doesNotContain("check-options");
+    assertThat(SHORT.lines()).allMatch(this::isShort);
+    assertThat(LONG.lines()).noneMatch(this::isShort);
   }
 
-  private String echoed(Map<String, String> environment, String... command)
-      throws IOException, InterruptedException {
-    return Program.await(directory.resolve("one"), start("one", environment, command)).out();
+  private boolean isShort(String arguments) {
+    List<String> command = new ArrayList<>(List.of(home.resolve("lumbre").toString()));
+    command.addAll(List.of(arguments.split(" ")));
+    Map<String, String> echo = Map.of("JAVA_HOME", home.resolve("java").toString());
+    try {
+      Process process = start("one", echo, command.toArray(String[]::new));
+      Outcome outcome = Program.await(directory.resolve("one"), process);
+      assertThat(outcome.err()).isEmpty();
+      assertThat(outcome.out()).endsWith(".jar " + arguments + "\n");
+      return outcome.out().contains("short-options");
+    } catch (IOException | InterruptedException e) {
+      throw new AssertionError(arguments, e);
+    }
   }
 
   @Test

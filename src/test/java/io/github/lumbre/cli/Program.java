@@ -44,10 +44,10 @@ final class Program {
     }
   }
 
-  /** Copies the files of JVM options to a copy of the project. */
+  /** Copies what the launcher reads to a copy of the project. */
   static void copyOptions(Path home) throws IOException {
     Path folder = Files.createDirectories(home.resolve("src/main/jvm"));
-    for (String name : List.of("options", "check-options")) {
+    for (String name : List.of("options", "short-options", "short.sh")) {
       Files.copy(Path.of("src/main/jvm", name), folder.resolve(name));
     }
   }
