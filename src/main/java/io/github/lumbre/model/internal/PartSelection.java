@@ -172,7 +172,9 @@ public final class PartSelection {
 
   /** Returns whether a material is that of parts beside highlighted ones, perhaps cut. */
   public static boolean isPale(ModelMaterial material) {
-    return material.equals(PALE) || material.equals(PALE.fromBothSides());
+    // The place first: linking a record's comparison takes 5 % of a small file's check.
+    return material.location().equals(PALE.location())
+        && (material.equals(PALE) || material.equals(PALE.fromBothSides()));
   }
 
   private ModelPart painted(ModelPart part, ModelMaterial look) {
