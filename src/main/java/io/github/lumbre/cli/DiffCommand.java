@@ -101,7 +101,11 @@ final class DiffCommand extends Subcommand {
   @Option(names = "--json", description = "Print the changes as JSON.")
   private boolean json;
 
-  @Mixin private final ModelFlags flags = new ModelFlags();
+  @Mixin
+  private final ModelFlags flags =
+      new ModelFlags()
+          .without("one camera, from --view, frames both models", Stage.CAMERA)
+          .without("parts are compared where they are", ModelOption.EXPLODE);
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
@@ -117,12 +121,6 @@ final class DiffCommand extends Subcommand {
                 length > 0 && length < Double.POSITIVE_INFINITY,
                 "--tolerance: expected a finite number > 0, found " + length));
     size.ifPresent(checks()::requireSize);
-    require(
-        !spec.commandLine().getParseResult().hasMatchedOption("--camera"),
-        "--camera: cannot be used; one camera, from --view, frames both models");
-    require(
-        !spec.commandLine().getParseResult().hasMatchedOption(ModelOption.EXPLODE.flag()),
-        ModelOption.EXPLODE.flag() + ": cannot be used; parts are compared where they are");
     Stage stage = flags.stage();
     OutputGuard guard = overwrite.guard().reads(old, "a model").reads(now, "a model");
     page.ifPresent(file -> guard.writes("-o", file, OutputContent.DIFF_PAGE));

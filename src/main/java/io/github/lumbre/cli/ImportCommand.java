@@ -8,6 +8,7 @@ import io.github.lumbre.cli.option.OverwriteFlag;
 import io.github.lumbre.cli.option.SettingFlags;
 import io.github.lumbre.cli.output.OutputContent;
 import io.github.lumbre.cli.output.OutputGuard;
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
@@ -48,7 +49,13 @@ final class ImportCommand extends Subcommand {
               + " model's name with .json, beside the model).")
   private Optional<Path> output;
 
-  @Mixin private final ModelFlags flags = new ModelFlags();
+  @Mixin
+  private final ModelFlags flags =
+      new ModelFlags()
+          .without("a scene file holds no labels", Stage.LABEL)
+          .without("a scene file does not hold which lines are hidden", Stage.HIDDEN)
+          .without(
+              "a scene may use only files in its own folder or below", ModelOption.ASSETS);
 
   @Mixin private final OverwriteFlag overwrite = new OverwriteFlag();
 
@@ -59,15 +66,6 @@ final class ImportCommand extends Subcommand {
     require(
         !ModelReader.isModelName(target.toString()),
         "--output: expected a name that ends in .json, found " + target);
-    require(
-        !spec.commandLine().getParseResult().hasMatchedOption("--labels"),
-        "--labels: cannot be used; a scene file holds no labels");
-    require(
-        !spec.commandLine().getParseResult().hasMatchedOption("--hidden"),
-        "--hidden: cannot be used; a scene file does not hold which lines are hidden");
-    require(
-        !spec.commandLine().getParseResult().hasMatchedOption("--assets"),
-        "--assets: cannot be used; a scene may use only files in its own folder or below");
     Stage stage = flags.stage();
     Path folder = target.toAbsolutePath().normalize().getParent();
     for (Path used : stage.files(model)) {

@@ -107,7 +107,15 @@ final class ViewsCommand extends Subcommand {
 
   @Mixin private final RunFlags run = new RunFlags();
 
-  @Mixin private final ModelFlags flags = new ModelFlags();
+  @Mixin
+  private final ModelFlags flags =
+      new ModelFlags()
+          .without(
+              "'lumbre views' renders all standard views",
+              Stage.VIEW,
+              Stage.CAMERA,
+              Stage.EYE,
+              Stage.TARGET);
 
   @Mixin private final ImportFlag imports = new ImportFlag();
 
@@ -136,11 +144,6 @@ final class ViewsCommand extends Subcommand {
         imports.converts(model) || ModelReader.isModel(model),
         model + ": expected a model file: " + Models.NAMES + imports.advice(model));
     imports.validate();
-    for (String flag : List.of("--view", "--camera", "--eye", "--target")) {
-      require(
-          !spec.commandLine().getParseResult().hasMatchedOption(flag),
-          flag + ": cannot be used; 'lumbre views' renders all standard views");
-    }
     if (isVector()) {
       VectorFlags.require(spec);
       flags.drawLines();

@@ -163,9 +163,11 @@ class CompletionTest {
         .getSubcommands()
         .forEach(
             (name, command) -> {
-              assertThat(script).contains("\n    '" + name + "' = @{\n");
+              String start = "\n    '" + name + "' = @{\n";
+              assertThat(script).contains(start);
+              String table = script.substring(script.indexOf(start)).split("\n    }", 2)[0];
               for (OptionSpec option : command.getCommandSpec().options()) {
-                assertThat(script.contains("'" + option.longestName() + "'"))
+                assertThat(table.contains("'" + option.longestName() + "'"))
                     .as(option.longestName())
                     .isEqualTo(!option.hidden());
               }

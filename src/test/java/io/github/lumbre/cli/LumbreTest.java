@@ -146,6 +146,29 @@ class LumbreTest {
         .doesNotContain("%%", "--crease");
   }
 
+  /** Help lists what a command has; what it refuses, it refuses with the reason. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "diff a.obj b.obj  | --explode 0.5 | parts are compared where they are",
+        "diff a.obj b.obj  | --camera a    | one camera, from --view, frames both models",
+        "import a.obj      | --labels all  | a scene file holds no labels",
+        "import a.obj      | --hidden dashed | does not hold which lines are hidden",
+        "import a.obj      | --assets .    | only files in its own folder or below",
+        "views a.obj -o a  | --view front  | renders all standard views",
+        "views a.obj -o a  | --camera a    | renders all standard views",
+        "views a.obj -o a  | --eye 1,2,3   | renders all standard views",
+        "views a.obj -o a  | --target 0,0,0 | renders all standard views"
+      })
+  void helpListsNoFlagThatIsRefused(String command, String flag, String reason) {
+    String name = flag.split(" ")[0];
+    String help = Outcome.of(command.split(" ")[0], "--help", "all").done().out();
+    assertThat(help).contains("\n      --look=").doesNotContain("\n      " + name);
+    Outcome.of((command + " " + flag).split(" "))
+        .assertFailed(ExitCodes.USAGE, name + ": cannot be used; ", reason);
+  }
+
   @Test
   void theProgramAlonePrintsItsHelp() {
     Outcome outcome = Outcome.of();

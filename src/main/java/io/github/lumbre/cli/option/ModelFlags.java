@@ -12,6 +12,7 @@ import io.github.lumbre.stage.internal.CameraChoice;
 import io.github.lumbre.stage.internal.Look;
 import io.github.lumbre.stage.internal.ModelSequence.Motion;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -31,8 +32,24 @@ import picocli.CommandLine.ParameterException;
 public final class ModelFlags extends Flags {
   private final Map<ModelOption<?>, Object> given = new LinkedHashMap<>();
 
+  /** Why options have no use in this command. */
+  private final Map<ModelOption<?>, String> useless = new HashMap<>();
+
   /** Whether a range of factors is an animation of this command. */
   private boolean mayExplode;
+
+  /**
+   * Takes options from the help of the command, which refuses them.
+   *
+   * @param reason why they have no use, for the message
+   * @return this
+   */
+  public ModelFlags without(String reason, ModelOption<?>... options) {
+    for (ModelOption<?> option : options) {
+      useless.put(option, reason);
+    }
+    return this;
+  }
 
   /** Returns the flags, under their heading. */
   CommandSpec flags() {
@@ -52,6 +69,7 @@ public final class ModelFlags extends Flags {
             .paramLabel(option.label())
             .arity(option.label().isEmpty() ? "0" : "1")
             .description(option.help().replace("%", "%%"))
+            .hidden(useless.containsKey(option))
             .getter(kept)
             .setter(kept);
     if (option.type() instanceof NumberType && option != ModelOption.EXPLODE) {
@@ -82,6 +100,11 @@ public final class ModelFlags extends Flags {
    * @throws ParameterException that names the flag, if a value is wrong
    */
   public Stage stage() {
+    for (ModelOption<?> option : given.keySet()) {
+      require(
+          !useless.containsKey(option),
+          option.flag() + ": cannot be used; " + useless.get(option));
+    }
     Stage stage = Stage.DEFAULT;
     for (ModelOption<?> option : Stage.all()) {
       stage = with(option, stage);
