@@ -273,10 +273,9 @@ final class RenderCommand extends Subcommand {
             scene, file, picture.target(), options.bits(), options.scene.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
-    options
-        .imports
-        .hash(scene)
-        .ifPresent(hash -> keeper.identify(FilmHeader.CONVERTED_HASH, hash));
+    file.parsed()
+        .imported()
+        .ifPresent(model -> keeper.identify(FilmHeader.CONVERTED_HASH, model.hash()));
     RenderJob.Options jobOptions =
         options
             .run

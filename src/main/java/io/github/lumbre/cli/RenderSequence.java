@@ -306,18 +306,7 @@ final class RenderSequence {
         finished.add(all.get(i), expected(i, first.get()));
       }
     }
-    finished.convertedOtherwise().ifPresent(this::warnOfConversion);
     return finished;
-  }
-
-  private void warnOfConversion(Path frame) {
-    options
-        .run
-        .errors()
-        .line(
-            "warning: %s: is of another conversion of the model: the program of --import-with, or a"
-                    .formatted(frame)
-                + " file that it reads beside the model, may have changed");
   }
 
   /** Returns the metadata of a frame as it would be rendered now. */
@@ -331,10 +320,6 @@ final class RenderSequence {
     if (options.sequence.areGiven()) {
       expected.put(PictureMetadata.SCENE_HASH, options.scene.hash(index));
     }
-    options
-        .imports
-        .hash(options.scene.scene())
-        .ifPresent(hash -> expected.put(PictureMetadata.CONVERTED_HASH, hash));
     OptionalDouble error = isDrawing ? OptionalDouble.empty() : options.targetError();
     error.ifPresent(e -> expected.put(PictureMetadata.TARGET_ERROR, Numbers.percent(e)));
     options

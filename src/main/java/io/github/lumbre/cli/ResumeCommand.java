@@ -27,7 +27,6 @@ import io.github.lumbre.cli.run.RenderJob;
 import io.github.lumbre.cli.run.RenderMonitor;
 import io.github.lumbre.cli.run.RunBudget;
 import io.github.lumbre.image.ImageWriter;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.checkpoint.CheckpointFile;
@@ -299,7 +298,7 @@ final class ResumeCommand extends Subcommand {
       return Optional.empty();
     }
     Imported imported = imports.imported(path);
-    if (!Sha256.of(imported.glb()).equals(before)) {
+    if (!imported.hash().equals(before)) {
       throw ExitCode.SCENE.failure(
           "%s: the program of --import-with has converted %s to other bytes than before, so that"
                   .formatted(film, path)

@@ -9,6 +9,7 @@ import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.internal.DecodedPictures;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelReader;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFormatException.Kind;
@@ -46,15 +47,16 @@ final class ReadModel implements LoneModel {
             Optional.of(WrittenSurroundings.SKY)); // Nothing else around it can be wrong.
     place = new ModelPlace.OfFile(problems);
     Allowance allowance = new Allowance(parser.settings().limits());
+    Optional<byte[]> known = source.imported().map(Imported::glb).or(source::content);
     content =
-        source.content().isPresent()
-            ? source.content().get()
+        known.isPresent()
+            ? known.get()
             : LoneModels.content(source.file(), parser.settings().limits().bytes());
     allowance.addBytes(content.length).ifPresent(e -> place.problemPlace().error(Kind.LIMIT, e));
     problems.throwIfAny();
     data =
         new AssetData(textPath(), hash, allowance, Map.of(), List.of(), Optional.empty());
-    data.note(name(), source.identity().orElse(content));
+    data.note(name(), source.imported().map(Imported::identity).orElse(content));
     model = read();
   }
 
@@ -77,7 +79,7 @@ final class ReadModel implements LoneModel {
       ModelOptions uncut =
           options.with(ModelOption.SECTION, List.of()).with(ModelOption.EXPLODE, 0.);
       // The ending chooses the format.
-      String name = source.identity().isPresent() ? name() + ".glb" : name();
+      String name = source.imported().isPresent() ? name() + ".glb" : name();
       Model read = ModelReader.readPose(name, content, others, uncut);
       if (!source.isFrame()) {
         read.requireSurface();
@@ -157,7 +159,8 @@ final class ReadModel implements LoneModel {
         world.contents(),
         world.origins(),
         Optional.of(new SceneText(text, textPath())),
-        Optional.of(ModelContents.of(shown, world.surfaces(), around)));
+        Optional.of(ModelContents.of(shown, world.surfaces(), around)),
+        source.imported());
   }
 
   @Override
@@ -172,7 +175,8 @@ final class ReadModel implements LoneModel {
         built.contents(),
         built.origins(),
         Optional.of(new SceneText(text, textPath())),
-        built.model().map(same -> ModelContents.of(shown, same.surfaces(), around)));
+        built.model().map(same -> ModelContents.of(shown, same.surfaces(), around)),
+        built.imported());
   }
 
   @Override

@@ -318,7 +318,8 @@ public final class SceneParser {
         world.contents(),
         world.origins(),
         source,
-        Optional.empty());
+        Optional.empty(),
+        data.imported());
   }
 
   /**

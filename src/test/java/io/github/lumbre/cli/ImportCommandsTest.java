@@ -13,12 +13,17 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests {@code --import-with}, with a script that notes each conversion. */
 @DisabledOnOs(OS.WINDOWS)
 class ImportCommandsTest extends CommandFixture {
   private static final String SMALL = " --size 16x12 -s 1 --no-denoise";
   private static final String COPY = "cp \"$(dirname \"$1\")/sample.glb\" \"$2\"\n";
+
+  /** A conversion with other bytes. */
+  private static final String OTHER = COPY + "printf '\\0\\0\\0\\0' >> \"$2\"\n";
 
   @BeforeEach
   void writeModel() throws IOException {
@@ -75,19 +80,52 @@ class ImportCommandsTest extends CommandFixture {
   }
 
   /** Another conversion of the same file may have other bytes. */
-  @Test
-  void framesAreContinuedByTheSourceAndTheTemplate() throws IOException {
-    String line = "render T/a.fbx -o T/a.png --turntable 2 --continue" + SMALL;
+  @ParameterizedTest
+  @ValueSource(strings = {"", " --look lines"})
+  void framesAreContinuedByTheSameConversion(String look) throws IOException {
+    String line = "render T/a.fbx -o T/a.png --turntable 2 --continue" + SMALL + look;
     assertImports(line);
     assertThat(imports(line).err()).contains("2 were complete");
     tool("printf '\\n' > /dev/null\n" + COPY);
     assertThat(imports(line).err()).contains("2 were complete").doesNotContain("warning");
-    tool(COPY + "printf '\\0\\0\\0\\0' >> \"$2\"\n");
-    assertThat(imports(line).err())
-        .contains("2 were complete")
-        .containsOnlyOnce("a-000.png: is of another conversion of the model");
+    byte[] first = Files.readAllBytes(directory.resolve("a-000.png"));
+    tool(OTHER);
+    imports(line)
+        .assertFailed(
+            ExitCodes.USAGE,
+            path("a-000.png")
+                + ": cannot be continued: the program of --import-with has converted the model to"
+                + " other bytes than now");
+    assertThat(directory.resolve("a-000.png")).hasBinaryContent(first);
     Files.writeString(directory.resolve("a.fbx"), "another model");
     imports(line).assertFailed(ExitCodes.USAGE, "its scene is another one");
+  }
+
+  /** What a program reads beside the model shows in what it writes. */
+  @Test
+  void aChangedFileBesideTheModelIsNoticed() throws IOException {
+    Path texture = Files.writeString(directory.resolve("a.tex"), "\0\0\0\0");
+    tool(COPY + "cat \"$(dirname \"$1\")/a.tex\" >> \"$2\"\n");
+    String line = "render T/a.fbx -o T/a.png --turntable 2 --continue" + SMALL;
+    assertImports(line);
+    assertImports(line);
+    Files.writeString(texture, "\0\0\0\0\0\0\0\0");
+    imports(line).assertFailed(ExitCodes.USAGE, "or a file that it reads beside the model");
+  }
+
+  /** Jobs of an array convert on machines of their own. */
+  @Test
+  void partsThatConvertDifferentlyAreNotJoined() throws IOException {
+    String line = "render T/a.fbx -o T/a.gif --turntable 4" + SMALL;
+    assertImports(line + " --frames 0/2");
+    tool(OTHER);
+    assertImports(line + " --frames 1/2");
+    for (String tool : List.of(OTHER, COPY)) {
+      tool(tool);
+      imports(line + " --continue")
+          .assertFailed(ExitCodes.USAGE, "has converted the model to other bytes than now");
+    }
+    assertThat(directory.resolve("a.gif")).doesNotExist();
   }
 
   /** A checkpoint file holds no program: the flag is stated again. */
@@ -99,7 +137,7 @@ class ImportCommandsTest extends CommandFixture {
         .assertFailed(ExitCodes.USAGE, "--import-with: required as when rendering began");
     assertImports("resume T/a.film -s 4 -o T/b.png");
     assertThat(pixels("b.png")).isEqualTo(pixels("a.png"));
-    tool("cp \"$(dirname \"$1\")/sample.glb\" \"$2\"; printf '\\0\\0\\0\\0' >> \"$2\"\n");
+    tool(OTHER);
     imports("resume T/a.film -s 8 -o T/b.png")
         .assertFailed(ExitCodes.SCENE, "converted " + path("a.fbx") + " to other bytes");
     Files.writeString(directory.resolve("a.fbx"), "another model");
@@ -117,7 +155,7 @@ class ImportCommandsTest extends CommandFixture {
     assertImports(share + "1.film --share 1/2");
     runs("merge T/s0.film T/s1.film -o T/b.png");
     assertThat(pixels("b.png")).isEqualTo(pixels("a.png"));
-    tool("cp \"$(dirname \"$1\")/sample.glb\" \"$2\"; printf '\\0\\0\\0\\0' >> \"$2\"\n");
+    tool(OTHER);
     assertImports(share + "2.film --share 1/2");
     run("merge T/s0.film T/s2.film -o T/b.png --overwrite")
         .assertFailed(ExitCodes.SCENE, "converted-model-hash: ");

@@ -5,7 +5,6 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.file.ExternalProgram;
 import io.github.lumbre.base.file.FileFailure;
 import io.github.lumbre.cli.output.ShellText;
-import io.github.lumbre.math.internal.Sha256;
 import io.github.lumbre.model.program.ImportProgram;
 import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scenefile.SceneParser;
@@ -108,8 +107,7 @@ public final class ImportFlag extends Flags {
    * @throws TaskException if that fails
    */
   public ModelSource source(SceneParser parser, Path file) throws TaskException {
-    Imported imported = imported(file);
-    return ModelSource.converted(parser, file, imported.glb(), imported.identity());
+    return ModelSource.converted(parser, file, imported(file));
   }
 
   /**
@@ -123,11 +121,6 @@ public final class ImportFlag extends Flags {
       done.put(model, converted(file));
     }
     return done.get(model);
-  }
-
-  /** Returns the hash of a converted model; empty if a file is not converted. */
-  public Optional<String> hash(Path file) throws TaskException {
-    return converts(file) ? Optional.of(Sha256.of(imported(file).glb())) : Optional.empty();
   }
 
   private Imported converted(Path file) throws TaskException {

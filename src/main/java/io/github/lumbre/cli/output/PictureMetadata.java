@@ -51,6 +51,7 @@ public final class PictureMetadata {
           "Software",
           SCENE,
           SCENE_HASH,
+          CONVERTED_HASH,
           "Size",
           "Crop",
           "Labels",
@@ -102,6 +103,7 @@ public final class PictureMetadata {
     metadata.put("Software", "Lumbre " + Release.number());
     metadata.put(SCENE, Messages.printable(String.valueOf(scene.getFileName())));
     metadata.put(SCENE_HASH, file.hash());
+    file.parsed().imported().ifPresent(model -> metadata.put(CONVERTED_HASH, model.hash()));
     metadata.put("Mode", SettingType.nameOf(settings.mode()));
     metadata.put(SAMPLES, String.valueOf(settings.samples()));
     settings()
@@ -135,6 +137,7 @@ public final class PictureMetadata {
             Set.of(
                 "Software",
                 SCENE_HASH,
+                CONVERTED_HASH,
                 "Mode",
                 SAMPLES,
                 "Seed",
@@ -152,7 +155,7 @@ public final class PictureMetadata {
   public static Set<String> ofAllFrames() {
     Set<String> keywords = identifying();
     keywords.add(SCENE);
-    keywords.remove(SCENE_HASH);
+    keywords.removeAll(Set.of(SCENE_HASH, CONVERTED_HASH));
     return keywords;
   }
 

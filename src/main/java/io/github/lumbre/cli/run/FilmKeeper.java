@@ -89,11 +89,6 @@ public final class FilmKeeper implements PassListener, AutoCloseable {
     identity = more;
   }
 
-  /** Returns an entry of the identity of films; empty if there is none of the name. */
-  Optional<String> identity(String name) {
-    return Optional.ofNullable(identity.get(name));
-  }
-
   @Override
   public boolean isDue() {
     return checkpoints.map(Checkpoints::isDue).orElse(false);

@@ -29,7 +29,6 @@ public final class FinishedFrames {
   private final List<String> keywords;
   private final Set<Path> complete = new HashSet<>();
   private Optional<String> exposure = Optional.empty();
-  private Optional<Path> otherwise = Optional.empty();
 
   /**
    * @param keywords of the metadata that must be the same
@@ -37,9 +36,12 @@ public final class FinishedFrames {
   public FinishedFrames(Set<String> keywords) {
     List<String> ordered = new ArrayList<>(new TreeSet<>(keywords));
     ordered.remove(PictureMetadata.DENOISED);
-    // Whatever changes a setting often changes the scene around a model, too.
-    if (ordered.remove(PictureMetadata.SCENE_HASH)) {
-      ordered.add(PictureMetadata.SCENE_HASH);
+    // Whatever changes a setting often changes the scene around a model, too, and another model is
+    // converted into other bytes.
+    for (String last : List.of(PictureMetadata.SCENE_HASH, PictureMetadata.CONVERTED_HASH)) {
+      if (ordered.remove(last)) {
+        ordered.add(last);
+      }
     }
     this.keywords = List.copyOf(ordered);
   }
@@ -76,10 +78,6 @@ public final class FinishedFrames {
     }
     exposure = exposure.or(() -> chosen);
     complete.add(picture);
-    String converted = found.get(PictureMetadata.CONVERTED_HASH);
-    if (converted != null && !converted.equals(expected.get(PictureMetadata.CONVERTED_HASH))) {
-      otherwise = otherwise.or(() -> Optional.of(picture));
-    }
   }
 
   private static Map<String, String> read(Path picture) throws TaskException {
@@ -97,14 +95,20 @@ public final class FinishedFrames {
     if (!Objects.equals(expected, found)) {
       throw refused(
           picture,
-          keyword.equals(PictureMetadata.SCENE_HASH)
-              ? "its scene is another one: the model, one of its files or a flag of the model, such"
-                  + " as --view, has changed"
-              : "its metadata have %s %s, expected %s"
-                  .formatted(
-                      keyword,
-                      Objects.requireNonNullElse(found, NOTHING),
-                      Objects.requireNonNullElse(expected, NOTHING)));
+          switch (keyword) {
+            case PictureMetadata.SCENE_HASH ->
+                "its scene is another one: the model, one of its files or a flag of the model, such"
+                    + " as --view, has changed";
+            case PictureMetadata.CONVERTED_HASH ->
+                "the program of --import-with has converted the model to other bytes than now: it,"
+                    + " or a file that it reads beside the model, may have changed";
+            default ->
+                "its metadata have %s %s, expected %s"
+                    .formatted(
+                        keyword,
+                        Objects.requireNonNullElse(found, NOTHING),
+                        Objects.requireNonNullElse(expected, NOTHING));
+          });
     }
   }
 
@@ -118,14 +122,6 @@ public final class FinishedFrames {
 
   public boolean contains(Path picture) {
     return complete.contains(picture);
-  }
-
-  /**
-   * Returns the first complete frame whose model was converted into other bytes than now. A program
-   * need not make the same bytes each time.
-   */
-  public Optional<Path> convertedOtherwise() {
-    return otherwise;
   }
 
   /** Returns the number of complete frames. */

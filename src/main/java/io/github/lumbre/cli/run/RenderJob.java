@@ -295,9 +295,6 @@ public record RenderJob(
     }
     noise.putInto(metadata);
     light.putInto(metadata);
-    keeper
-        .identity(FilmHeader.CONVERTED_HASH)
-        .ifPresent(hash -> metadata.put(PictureMetadata.CONVERTED_HASH, hash));
     if (settings.exposure().stops().isEmpty()) {
       exposure
           .stops()

@@ -7,6 +7,7 @@ import io.github.lumbre.math.internal.Sha256;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.Serializable;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -51,8 +52,13 @@ public final class ImportProgram {
    *
    * @param glb bytes of a file that begins as GLB; they may be anything else from there on
    * @param identity stands for the model in hashes: the template, and the hash of the source
+   * @param hash SHA-256 of the GLB: a program may convert the same model differently
    */
-  public record Imported(byte[] glb, byte[] identity) {}
+  public record Imported(byte[] glb, byte[] identity, String hash) implements Serializable {
+    public static Imported of(byte[] glb, byte[] identity) {
+      return new Imported(glb, identity, Sha256.of(glb));
+    }
+  }
 
   private ImportProgram(
       String name, ExternalProgram program, List<String> arguments, String script, long most) {
@@ -163,7 +169,7 @@ public final class ImportProgram {
             });
       }
       String said = program.run(words, new ExternalProgram.Place(in.getParent(), folder, most));
-      return new Imported(read(out, said), identity);
+      return Imported.of(read(out, said), identity);
     }
   }
 

@@ -19,8 +19,7 @@ public interface ModelParser {
    * @param folder where asset paths start; contains the model and the sky's picture
    * @param file absolute path of the model
    * @param content of the file; empty to read it
-   * @param identity if a program has made the content, which then is GLB: what stands for it in
-   *     hashes
+   * @param imported the model instead, if a program has converted it
    * @param others has the files that the model names; empty for those in its own folder and in
    *     those of its options
    * @param isFrame whether the model may have nothing to show, in one frame of an animation
@@ -29,7 +28,7 @@ public interface ModelParser {
       Path folder,
       Path file,
       Optional<byte[]> content,
-      Optional<byte[]> identity,
+      Optional<Imported> imported,
       Optional<ModelFolder> others,
       ModelOptions options,
       boolean isFrame) {}

@@ -2,6 +2,7 @@ package io.github.lumbre.scenefile.internal;
 
 import io.github.lumbre.camera.Camera;
 import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.Problem;
@@ -22,6 +23,7 @@ import java.util.stream.Collectors;
  * @param contents numbers of objects and assets
  * @param origins places of objects and assets in the file
  * @param model the content of the model that the scene is made around; empty for other scenes
+ * @param imported the model for which the scene stands, if a program has converted it
  */
 public record ParsedScene(
     Scene scene,
@@ -32,7 +34,8 @@ public record ParsedScene(
     SceneContents contents,
     SceneOrigins origins,
     Optional<SceneText> text,
-    Optional<ModelContents> model)
+    Optional<ModelContents> model,
+    Optional<Imported> imported)
     implements SceneFile {
   public ParsedScene {
     warnings = List.copyOf(warnings);
@@ -59,7 +62,7 @@ public record ParsedScene(
   @Override
   public ParsedScene with(Scene other) {
     return new ParsedScene(
-        other, settings, warnings, sha256, files, contents, origins, text, model);
+        other, settings, warnings, sha256, files, contents, origins, text, model, imported);
   }
 
   /**
@@ -91,11 +94,13 @@ public record ParsedScene(
         contents,
         origins,
         text,
-        model);
+        model,
+        imported);
   }
 
   @Override
   public ParsedScene with(RenderSettings other) {
-    return new ParsedScene(scene, other, warnings, sha256, files, contents, origins, text, model);
+    return new ParsedScene(
+        scene, other, warnings, sha256, files, contents, origins, text, model, imported);
   }
 }

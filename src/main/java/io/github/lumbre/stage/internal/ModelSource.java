@@ -3,6 +3,7 @@ package io.github.lumbre.stage.internal;
 import io.github.lumbre.base.text.PrintableText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
@@ -20,15 +21,14 @@ import java.util.Optional;
  * @param parser whose limits and changes count
  * @param file absolute path of the model
  * @param content bytes of the file; empty to read it
- * @param identity if a program has made the content, which then is GLB: what stands for it in
- *     hashes
+ * @param imported the model instead, if a program has converted it
  * @param files has other files that the model names; empty for those beside it
  */
 public record ModelSource(
     ModelParser parser,
     Path file,
     Optional<byte[]> content,
-    Optional<byte[]> identity,
+    Optional<Imported> imported,
     Optional<ModelFolder> files) {
   /** Returns a model in a file. */
   public static ModelSource of(SceneParser parser, Path model) {
@@ -37,19 +37,13 @@ public record ModelSource(
         parser.ofModels(), file, Optional.empty(), Optional.empty(), Optional.empty());
   }
 
-  /**
-   * Returns a model that a program has converted.
-   *
-   * @param glb may name files beside the model
-   * @param identity of the model that was converted, and of how
-   */
-  public static ModelSource converted(
-      SceneParser parser, Path model, byte[] glb, byte[] identity) {
+  /** Returns a model that a program has converted. It may name files beside the model. */
+  public static ModelSource converted(SceneParser parser, Path model, Imported imported) {
     return new ModelSource(
         parser.ofModels(),
         model.toAbsolutePath().normalize(),
-        Optional.of(glb),
-        Optional.of(identity),
+        Optional.empty(),
+        Optional.of(imported),
         Optional.empty());
   }
 
@@ -119,7 +113,7 @@ public record ModelSource(
         parser,
         stage,
         new ModelParser.Source(
-            folder, file, content, identity, files, stage.options(), isFrame));
+            folder, file, content, imported, files, stage.options(), isFrame));
   }
 
   /** Returns a stage with the motion of the model's pose, if the parser's caller wants one. */
