@@ -115,9 +115,6 @@ final class RenderCommand extends Subcommand {
     scenes.addAll(others);
     List<Path> targets = options.to.targets(scenes);
     options.validate(scenes);
-    require(
-        engine == Engine.LOCAL || !options.imports.isGiven(),
-        "--import-with: cannot be used on a cluster; convert the model once, and render the GLB");
     try (Interruption interruption = Interruption.listen()) {
       Invocation invocation =
           new Invocation(start, startup, deadline, interruption, scenes, drawn -> {});

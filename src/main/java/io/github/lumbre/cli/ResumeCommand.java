@@ -219,9 +219,6 @@ final class ResumeCommand extends Subcommand {
     checkpoints.validate();
     kernel.validate();
     imports.validate();
-    require(
-        engine == Engine.LOCAL || !imports.isGiven(),
-        "--import-with: cannot be used on a cluster");
     checks().requireFolders("--assets", assets);
     if (!Files.exists(film) && !Files.exists(OutputFile.previous(film))) {
       throw ExitCode.SCENE.failure(film + ": does not exist");

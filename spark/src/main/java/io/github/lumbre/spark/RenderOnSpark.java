@@ -44,7 +44,7 @@ public final class RenderOnSpark {
   private static final int INTERNAL_CODE = 7;
 
   /** The number of pictures of a list that render at the same time. */
-  private static final int PICTURES_AT_ONCE = 4;
+  static final int PICTURES_AT_ONCE = 4;
 
   private RenderOnSpark() {}
 

@@ -1,5 +1,7 @@
 package io.github.lumbre.spark;
 
+import io.github.lumbre.math.internal.Sha256;
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.render.FilmRenderer;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scene.Setting;
@@ -13,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -24,6 +27,7 @@ import java.util.stream.Stream;
  * @param name of the scene file
  * @param text content of the scene file
  * @param assets contents of the other files, by their paths relative to the scene's folder
+ * @param converted the model for which the scene stands, if a program has converted it: one at most
  * @param hash of the scene and all of its files, as {@link SceneFile#hash}
  * @param settings texts of all settings, by their names
  * @param revision {@link FilmRenderer#REVISION} of the driver
@@ -32,6 +36,7 @@ record SceneBundle(
     String name,
     byte[] text,
     TreeMap<String, byte[]> assets,
+    List<Imported> converted,
     String hash,
     LinkedHashMap<String, String> settings,
     int revision)
@@ -52,9 +57,11 @@ record SceneBundle(
     } catch (SceneFormatException e) {
       throw new IOException(path + ": has changed since it was read", e);
     }
+    List<Imported> converted = scene.parsed().imported().stream().toList();
+    boolean needsFile = scene.text().isPresent() && converted.isEmpty();
     for (Path file : files) {
       Path absolute = file.toAbsolutePath().normalize();
-      if (scene.text().isPresent() || !absolute.equals(path.toAbsolutePath().normalize())) {
+      if (needsFile || !absolute.equals(path.toAbsolutePath().normalize())) {
         assets.put(folder.normalize().relativize(absolute).toString(), Files.readAllBytes(file));
       }
     }
@@ -64,6 +71,7 @@ record SceneBundle(
         source.getFileName().toString(),
         scene.text().isPresent() ? scene.text().get().json() : Files.readAllBytes(path),
         assets,
+        converted,
         scene.hash(),
         settings,
         FilmRenderer.REVISION);
@@ -71,7 +79,16 @@ record SceneBundle(
 
   /** Returns the number of bytes of all files. */
   long bytes() {
-    return text.length + assets.values().stream().mapToLong(bytes -> bytes.length).sum();
+    long others = assets.values().stream().mapToLong(bytes -> bytes.length).sum();
+    return text.length + others + converted.stream().mapToLong(model -> model.glb().length).sum();
+  }
+
+  /**
+   * Returns what differs between any two bundles that render different samples. A program may
+   * convert the same model differently.
+   */
+  String identity() {
+    return hash + converted.stream().map(Imported::hash).toList() + settings;
   }
 
   /**
@@ -91,16 +108,11 @@ record SceneBundle(
           Files.createDirectories(file.getParent());
           Files.write(file, asset.getValue());
         }
-        SceneFile scene = read(folder.resolve(name));
-        if (!scene.hash().equals(hash)) {
-          throw new IllegalStateException(
-              name
-                  + ": the executor's scene has the hash "
-                  + scene.hash()
-                  + ", expected the driver's "
-                  + hash
-                  + "; do not change the scene's files while it renders");
+        for (Imported model : converted) {
+          requireSame("converted model", Sha256.of(model.glb()), model.hash());
         }
+        SceneFile scene = read(folder.resolve(name));
+        requireSame("scene", scene.hash(), hash);
         return scene;
       } finally {
         delete(folder);
@@ -111,14 +123,28 @@ record SceneBundle(
     }
   }
 
+  private void requireSame(String what, String found, String expected) {
+    if (!found.equals(expected)) {
+      throw new IllegalStateException(
+          "%s: the executor's %s has the hash %s, expected the driver's %s"
+                  .formatted(name, what, found, expected)
+              + "; do not change the scene's files while it renders");
+    }
+  }
+
   private SceneFile read(Path file) {
     try {
-      return new SceneParser()
-          .lenient()
-          .inMode(Setting.MODE.type().parse(settings.get(Setting.MODE.name())))
-          .limitedTo(SceneParser.MAX_PIXELS_EVER)
-          .overriding(inScene -> parsedSettings())
-          .parse(text, file);
+      SceneParser parser =
+          new SceneParser()
+              .lenient()
+              .inMode(Setting.MODE.type().parse(settings.get(Setting.MODE.name())))
+              .limitedTo(SceneParser.MAX_PIXELS_EVER)
+              .overriding(inScene -> parsedSettings());
+      return converted.isEmpty()
+          ? parser.parse(text, file)
+          : parser
+              .ofModels()
+              .parse(new SceneText(text, file), converted.get(0));
     } catch (SceneFormatException e) {
       throw new IllegalStateException(e.getMessage(), e);
     }

@@ -9,8 +9,6 @@ import io.github.lumbre.scenefile.SceneFile;
 import java.io.Serializable;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import org.apache.spark.TaskContext;
 import org.apache.spark.broadcast.Broadcast;
 import scala.collection.Iterator;
@@ -21,8 +19,8 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
     implements Serializable {
   private static final long serialVersionUID = 1;
 
-  /** The renderers of this executor, by the hashes and settings of their scenes. */
-  private static final Map<String, FilmRenderer> RENDERERS = new ConcurrentHashMap<>();
+  /** The renderers of this executor, of the pictures that render at the same time. */
+  private static final KeptRenderers RENDERERS = new KeptRenderers(RenderOnSpark.PICTURES_AT_ONCE);
 
   private final Broadcast<SceneBundle> bundle;
 
@@ -67,7 +65,7 @@ final class UnitRenderer extends AbstractFunction1<Iterator<WorkUnit>, UnitResul
               + sent.revision()
               + "; give all executors the same lumbre-spark.jar");
     }
-    return RENDERERS.computeIfAbsent(sent.hash() + sent.settings(), key -> renderer(sent.read()));
+    return RENDERERS.get(sent.identity(), () -> renderer(sent.read()));
   }
 
   private static FilmRenderer renderer(SceneFile scene) {

@@ -13,6 +13,7 @@ import io.github.lumbre.scenefile.SceneParser;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.TreeMap;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
@@ -62,7 +63,8 @@ class ExecutorFailuresTest {
     // Executors keep scenes by their hashes and settings; another seed makes another scene.
     LinkedHashMap<String, String> settings = new LinkedHashMap<>(bundle.settings());
     settings.put(Setting.SEED.name(), String.valueOf(seed++));
-    return new SceneBundle(bundle.name(), text, assets, bundle.hash(), settings, revision);
+    return new SceneBundle(
+        bundle.name(), text, assets, List.of(), bundle.hash(), settings, revision);
   }
 
   @Test

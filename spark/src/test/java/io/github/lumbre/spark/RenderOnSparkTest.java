@@ -10,6 +10,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -17,6 +18,8 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -240,6 +243,75 @@ class RenderOnSparkTest {
   private int[] pixels(String name) throws IOException {
     BufferedImage image = ImageIO.read(directory.resolve(name).toFile());
     return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+  }
+
+  /** Writes a program that converts a model and then does something else. */
+  private String converter(String then) throws IOException {
+    GlbSample.write(directory.resolve("sheet.glb"));
+    Files.writeString(directory.resolve("a.fbx"), "a model");
+    Path tool = directory.resolve("tool");
+    String glb = path("sheet.glb");
+    Files.writeString(tool, "#!/bin/sh\ncp '" + glb + "' \"$2\"\n" + then);
+    Files.setPosixFilePermissions(tool, PosixFilePermissions.fromString("rwxr-xr-x"));
+    return tool + " {in} {out}";
+  }
+
+  /** Executors get what the program has made, and need neither it nor what it has read. */
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void aModelIsConvertedByTheDriverAlone() throws IOException {
+    String[] args = {path("a.fbx"), "-s", "9", "--size", "40x30", "--import-with"};
+    List<String> here = new ArrayList<>(List.of("render"));
+    here.addAll(List.of(args));
+    here.addAll(List.of(converter(""), "-o", path("here.pfm")));
+    assertDone(here(here.toArray(String[]::new)));
+    List<String> there = new ArrayList<>(List.of(args));
+    there.add(converter("rm \"$0\" \"$1\"\n"));
+    there.addAll(List.of("-o", path("spark.pfm"), "--unit", "0.1s"));
+    assertDone(onSpark(there));
+
+    assertThat(directory.resolve("tool")).doesNotExist();
+    assertThat(directory.resolve("a.fbx")).doesNotExist();
+    assertThat(bytes("spark.pfm")).isEqualTo(bytes("here.pfm"));
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void checkpointsOfConvertedModelsAreResumedHereAndThere() throws IOException {
+    String[] flags = {"--size", "40x30", "--import-with", converter("")};
+    String model = path("a.fbx");
+    String film = path("a.film");
+    List<String> whole = new ArrayList<>(List.of("render", model, "-s", "24", "-o", path("b.pfm")));
+    whole.addAll(List.of(flags));
+    assertDone(here(whole.toArray(String[]::new)));
+    List<String> first = new ArrayList<>(List.of(model, "-s", "6", "-o", path("a.pfm")));
+    first.addAll(List.of(flags));
+    first.addAll(List.of("--checkpoint", film));
+    assertDone(onSpark(first));
+    assertThat(onSpark("resume", film, "-s", "24").err())
+        .contains("--import-with: required as when rendering began");
+    assertDone(here("resume", film, "-s", "13", "--import-with", flags[3]));
+    assertDone(onSpark("resume", film, "-s", "24", "--import-with", flags[3], "--unit", "0.1s"));
+    assertThat(bytes("a.pfm")).isEqualTo(bytes("b.pfm"));
+  }
+
+  /** Each frame is a scene of its own. */
+  @ParameterizedTest
+  @ValueSource(strings = {"--turntable 6", "--animation lift --fps 6", "--explode 0..1 --fps 3"})
+  void framesAreBitIdentical(String motion) throws IOException {
+    GlbSample.write(directory.resolve("sheet.glb"));
+    List<String> args = new ArrayList<>(List.of(path("sheet.glb"), "-s", "5", "--size", "24x20"));
+    args.addAll(List.of(motion.split(" ")));
+    List<String> here = new ArrayList<>(args);
+    here.add(0, "render");
+    here.addAll(List.of("-o", path("here.pfm")));
+    assertDone(here(here.toArray(String[]::new)));
+    args.addAll(List.of("-o", path("spark.pfm"), "--unit", "0.1s"));
+    assertDone(onSpark(args));
+    for (int frame = 0; frame < 6; frame++) {
+      String number = "-%03d.pfm".formatted(frame);
+      assertThat(bytes("spark" + number)).isEqualTo(bytes("here" + number));
+    }
   }
 
   @Test

@@ -1,11 +1,14 @@
 package io.github.lumbre.spark;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
+import io.github.lumbre.stage.internal.ModelSource;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -27,5 +30,50 @@ class SceneBundleTest {
 
     assertThat(bundle.assets()).containsOnlyKeys("a.obj", "a.mtl");
     assertThat(bundle.read().hash()).isEqualTo(scene.hash());
+  }
+
+  /** What the program has read stays where it is; what its result names travels, too. */
+  @Test
+  void aConvertedModelIsInTheBundleInsteadOfItsSource() throws Exception {
+    Path model = directory.resolve("a.fbx");
+    SceneFile scene = converted(model, GlbSample.bytes());
+
+    SceneBundle bundle = SceneBundle.of(model, scene);
+
+    assertThat(bundle.assets()).containsOnlyKeys("beside.png");
+    assertThat(bundle.read().hash()).isEqualTo(scene.hash());
+  }
+
+  private SceneFile converted(Path model, byte[] glb) throws Exception {
+    Files.writeString(model, "a model");
+    GlbSample.write(directory.resolve("sheet.glb"));
+    Imported imported = Imported.of(glb, new byte[] {1, 2, 3});
+    return ModelSource.converted(new SceneParser(), model, imported).scene(Stage.DEFAULT);
+  }
+
+  @Test
+  void anExecutorWithAnotherConversionIsRefused() throws Exception {
+    Path model = directory.resolve("a.fbx");
+    SceneBundle bundle = SceneBundle.of(model, converted(model, GlbSample.bytes()));
+    bundle.converted().get(0).glb()[100] ^= 1;
+    assertThatThrownBy(bundle::read)
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessageMatching(
+            "a.fbx: the executor's converted model has the hash \\w{64}, expected the driver's .*");
+  }
+
+  /** A program may convert the same model differently: an executor keeps both apart. */
+  @Test
+  void conversionsOfOneModelHaveDifferentIdentities() throws Exception {
+    Path model = directory.resolve("a.fbx");
+    byte[] glb = GlbSample.bytes();
+    SceneBundle bundle = SceneBundle.of(model, converted(model, glb.clone()));
+    assertThat(SceneBundle.of(model, converted(model, glb.clone())).identity())
+        .isEqualTo(bundle.identity());
+    // A byte of the first position.
+    glb[glb.length - 124] ^= 1;
+    SceneBundle other = SceneBundle.of(model, converted(model, glb));
+    assertThat(other.hash()).isEqualTo(bundle.hash());
+    assertThat(other.identity()).isNotEqualTo(bundle.identity());
   }
 }
