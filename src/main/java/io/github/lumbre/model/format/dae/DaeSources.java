@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * The vectors that sources hold, by their accessors. An accessor's count has no effect: its array
- * decides. Mutable: vectors are made once.
+ * The vectors that sources hold, by their accessors. An accessor's count has no effect but a
+ * warning: its array decides. Mutable: vectors are made once.
  */
 final class DaeSources {
   static final int POSITION = 3;
@@ -93,18 +93,16 @@ final class DaeSources {
       array = document.find("float_array", accessor.attribute("source"), accessor.location());
     }
     double[] numbers = array.map(DaeElement::numbers).orElse(new double[0]);
-    int[] components = components(accessor, size);
-    int needed = Math.max(1, accessor.children("param").size());
+    int params = accessor.children("param").size();
+    int least = Math.max(1, params);
     int stride =
         accessor == source
             ? size
-            : possible(
-                accessor,
-                "stride",
-                Math.max(needed, accessor.integer("stride", 1)),
-                needed,
-                numbers);
-    int offset = possible(accessor, "offset", accessor.integer("offset", 0), 0, numbers);
+            : within(accessor, "stride", least, params == 0 ? size : params, numbers);
+    int offset = within(accessor, "offset", 0, 0, numbers);
+    array.ifPresent(
+        all -> warnOfMissing(all, accessor, Math.max(0, numbers.length - offset) / stride));
+    int[] components = components(accessor, size, stride);
     boolean isPlain =
         offset == 0
             && stride == size
@@ -114,18 +112,53 @@ final class DaeSources {
         : gathered(numbers, offset, stride, components, source.location());
   }
 
-  /** Returns a number of an accessor; another one, with a warning, if no vector would be left. */
-  private int possible(
-      DaeElement accessor, String name, int stated, int otherwise, double... numbers) {
-    if (stated <= numbers.length || stated == otherwise) {
+  /**
+   * Returns a number that an accessor states, from a least one to the length of the array;
+   * otherwise the least one, with a warning.
+   *
+   * @param missing the number if none is stated
+   */
+  private int within(
+      DaeElement accessor, String name, int least, int missing, double... numbers) {
+    String found = accessor.attribute(name).strip();
+    int stated = found.isEmpty() ? missing : accessor.integer(name, -1);
+    if (found.isEmpty() || stated == least || stated > least && stated <= numbers.length) {
       return stated;
     }
     file.warnings()
         .add(
+            "wrong strides and offsets",
             accessor.location(),
-            "expected a %s within %d numbers, found %d; %d is used"
-                .formatted(name, numbers.length, stated, otherwise));
-    return otherwise;
+            "%s: expected %d to %d, found %s; %d is used"
+                .formatted(
+                    name,
+                    least,
+                    Math.max(least, numbers.length),
+                    PrintableText.quoted(found),
+                    least));
+    return least;
+  }
+
+  /**
+   * Warns of counts that are larger than what there is.
+   *
+   * @param vectors number of them in the array
+   */
+  private void warnOfMissing(DaeElement array, DaeElement accessor, int vectors) {
+    int numbers = array.numbers().length;
+    if (array.integer("count", 0) > numbers) {
+      warnOfMissing(array, "numbers", array.integer("count", 0), numbers);
+    } else if (accessor.integer("count", 0) > vectors) {
+      warnOfMissing(accessor, "vectors", accessor.integer("count", 0), vectors);
+    }
+  }
+
+  private void warnOfMissing(DaeElement element, String what, int stated, int found) {
+    file.warnings()
+        .add(
+            "fewer " + what + " than stated",
+            element.location(),
+            "expected %d %s, found %d".formatted(stated, what, found));
   }
 
   private double[] gathered(
@@ -146,12 +179,11 @@ final class DaeSources {
   }
 
   /**
-   * Returns where the components of a vector are: the parameters that have names, or all if none
-   * has one; -1 for those that are missing.
+   * Returns where the components of a vector are: the parameters that have names, or all numbers if
+   * none has one; -1 for those that are missing.
    */
-  private static int[] components(DaeElement accessor, int size) {
+  private static int[] components(DaeElement accessor, int size, int stride) {
     List<DaeElement> params = accessor.children("param");
-    int stride = Math.max(params.size(), accessor.integer("stride", params.isEmpty() ? size : 1));
     int[] named =
         IntStream.range(0, params.size())
             .filter(i -> !params.get(i).attribute("name").isEmpty())

@@ -17,6 +17,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the meshes of COLLADA files. */
 class DaeMeshTest {
@@ -124,6 +125,69 @@ class DaeMeshTest {
             + "</technique_common></source>";
     String text = source + VERTICES + "<triangles>" + VERTEX + "<p>0 1 2</p></triangles>";
     assertThat(mesh(text).geometry().positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0);
+  }
+
+  private static Model triangle(String source, String indices) throws ModelFormatException {
+    return mesh(source + VERTICES + "<triangles>" + VERTEX + "<p>" + indices + "</p></triangles>")
+        .read();
+  }
+
+  /** Nothing that is corrected is silent; indices of what is not there cost their faces. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "stride=\"3\" | stride=\"2\"  | line 5: stride: expected 3 to 12, found \"2\"; 3 is used",
+        "stride=\"3\" | stride=\"0\"  | line 5: stride: expected 3 to 12, found \"0\"; 3 is used",
+        "stride=\"3\" | stride=\"13\" | line 5: stride: expected 3 to 12, found \"13\"; 3 is used",
+        "stride=\"3\" | stride=\"-3\" | line 5: stride: expected 3 to 12, found \"-3\"; 3 is used",
+        "stride=\"3\" | offset=\"99\" | line 5: offset: expected 0 to 12, found \"99\"; 0 is used",
+        "count=\"4\"  | count=\"5\"   | line 5: expected 5 vectors, found 4",
+        "count=\"12\" | count=\"15\"  | line 4: expected 15 numbers, found 12"
+      })
+  void wrongLengthsOfSourcesAreNamed(String stated, String found, String warning)
+      throws ModelFormatException {
+    String changed = SQUARE.replace(stated, found);
+    assertThat(changed).isNotEqualTo(SQUARE);
+    Model read = triangle(changed, "0 1 2");
+    assertThat(read.parts().get(0).geometry().positions())
+        .containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0);
+    assertThat(read.warnings()).containsExactly(warning);
+  }
+
+  /** A file whose numbers were cut off has one warning, not one for each count. */
+  @Test
+  void arraysThatAreCutOffAreNamedOnce() throws ModelFormatException {
+    String cut = SQUARE.replace(" 0 1 0</float_array>", "</float_array>");
+    Model read = triangle(cut, "0 1 2");
+    assertThat(read.warnings()).containsExactly("line 4: expected 12 numbers, found 9");
+  }
+
+  @Test
+  void wrongStridesOfManySourcesAreCounted() throws ModelFormatException {
+    StringBuilder inputs = new StringBuilder();
+    StringBuilder sources = new StringBuilder();
+    for (int i = 0; i < 25; i++) {
+      sources.append(
+          source("n" + i, "X Y Z", "0 0 1").replace("stride=\"3\"", "stride=\"1\""));
+      inputs.append("<triangles>").append(VERTEX);
+      inputs.append("<input semantic=\"NORMAL\" source=\"#n%d\" offset=\"1\"/>".formatted(i));
+      inputs.append("<p>0 0 1 0 2 0</p></triangles>");
+    }
+    List<String> warnings = mesh(SQUARE + sources + VERTICES + inputs).read().warnings();
+    assertThat(warnings).hasSize(21).endsWith("and 5 more: wrong strides and offsets");
+  }
+
+  /** The numbers follow each other if nothing says otherwise. */
+  @ParameterizedTest
+  @ValueSource(strings = {"", "stride=\"3\"", "stride=\"2\""})
+  void accessorsMayLackParameters(String stride) throws ModelFormatException {
+    double[] flat = {0, 0, 0, 0, 1, 0, 1, 1, 0};
+    double[] whole = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    String source = SQUARE.replaceAll("<param [^>]*>", "").replace("stride=\"3\"", stride);
+    Model read = triangle(source, "0 1 3");
+    assertThat(read.parts().get(0).geometry().positions())
+        .containsExactly(stride.contains("2") ? flat : whole);
   }
 
   /** An L, whose fan from the first corner would leave it. */
