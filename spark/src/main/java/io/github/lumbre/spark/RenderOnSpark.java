@@ -2,6 +2,7 @@ package io.github.lumbre.spark;
 
 import io.github.lumbre.cli.Lumbre;
 import io.github.lumbre.cli.run.Interruption;
+import io.github.lumbre.image.animation.AnimationFormat;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -248,11 +249,21 @@ public final class RenderOnSpark {
       List<String> own = new ArrayList<>(options);
       for (int i = 0; i + 1 < own.size(); i++) {
         if (own.get(i).equals("-o") || own.get(i).equals("--output")) {
+          requireFolder(own.get(i + 1));
           String name = Path.of(scene).getFileName().toString().replaceFirst("\\.json$", "");
           own.set(i + 1, Path.of(own.get(i + 1), name + ".png").toString());
         }
       }
       return own;
+    }
+
+    private static void requireFolder(String output) {
+      if (AnimationFormat.of(Path.of(output)).isPresent()) {
+        throw new IllegalArgumentException(
+            "-o: expected a folder for the pictures of several scenes, found "
+                + output
+                + "; only frames of one model are joined on Spark");
+      }
     }
   }
 }

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Pictures from a standalone cluster of a master, two workers and a driver, each a process of its
@@ -161,9 +163,14 @@ class ClusterTest {
   }
 
   private void renderHere(String samples, String picture) {
+    renderHere(SCENE, "-s", samples, "--size", "240x240", "-o", path(picture));
+  }
+
+  private static void renderHere(String... args) {
+    String[] command = Stream.concat(Stream.of("render"), Stream.of(args)).toArray(String[]::new);
     int code =
         io.github.lumbre.cli.Lumbre.run(
-            new String[] {"render", SCENE, "-s", samples, "--size", "240x240", "-o", path(picture)},
+            command,
             new java.io.PrintWriter(System.out, true),
             new java.io.PrintWriter(System.out, true),
             io.github.lumbre.cli.run.Engine.LOCAL);
@@ -201,6 +208,40 @@ class ClusterTest {
       Files.delete(directory.resolve("spark.pfm"));
     }
     System.out.println(kills + " executors killed in " + RUNS + " renders");
+  }
+
+  /** An executor is killed while the third of six frames renders; each frame is a scene. */
+  @ParameterizedTest
+  @ValueSource(strings = {"--turntable 6", "--animation lift --fps 6"})
+  @Tag("cluster")
+  void aKilledExecutorChangesNoFrame(String motion) throws IOException, InterruptedException {
+    startCluster();
+    GlbSample.write(directory.resolve("sheet.glb"));
+    List<String> args = new ArrayList<>(List.of(path("sheet.glb"), "-s", "150"));
+    args.addAll(List.of("--size", "60x50"));
+    args.addAll(List.of(motion.split(" ")));
+    args.add("-o");
+    List<String> here = new ArrayList<>(args);
+    here.add(path("here.pfm"));
+    renderHere(here.toArray(String[]::new));
+    args.addAll(List.of(path("spark.pfm"), "--unit", "1s"));
+    Process driver = driver("driver", args.toArray(String[]::new));
+    int killed = 0;
+    while (!driver.waitFor(20, TimeUnit.MILLISECONDS)) {
+      if (killed == 0 && Files.exists(directory.resolve("spark-001.pfm"))) {
+        List<ProcessHandle> alive = executors();
+        assertThat(alive).isNotEmpty();
+        assertThat(directory.resolve("spark-005.pfm")).doesNotExist();
+        alive.get(random.nextInt(alive.size())).destroyForcibly();
+        killed++;
+      }
+    }
+    assertDone(driver, "driver");
+    assertThat(killed).isEqualTo(1);
+    for (int frame = 0; frame < 6; frame++) {
+      String end = "-%03d.pfm".formatted(frame);
+      assertThat(bytes("spark" + end)).as(end).isEqualTo(bytes("here" + end));
+    }
   }
 
   @Test

@@ -297,7 +297,13 @@ class RenderOnSparkTest {
 
   /** Each frame is a scene of its own. */
   @ParameterizedTest
-  @ValueSource(strings = {"--turntable 6", "--animation lift --fps 6", "--explode 0..1 --fps 3"})
+  @ValueSource(
+      strings = {
+        "--turntable 6",
+        "--animation lift --fps 6",
+        "--animation lift --fps 6 --shutter 0.5",
+        "--explode 0..1 --fps 3"
+      })
   void framesAreBitIdentical(String motion) throws IOException {
     GlbSample.write(directory.resolve("sheet.glb"));
     List<String> args = new ArrayList<>(List.of(path("sheet.glb"), "-s", "5", "--size", "24x20"));
@@ -312,6 +318,26 @@ class RenderOnSparkTest {
       String number = "-%03d.pfm".formatted(frame);
       assertThat(bytes("spark" + number)).isEqualTo(bytes("here" + number));
     }
+  }
+
+  /** A sequence that ended there is continued here: the frames that are missing. */
+  @Test
+  void framesAreContinuedHere() throws IOException {
+    GlbSample.write(directory.resolve("sheet.glb"));
+    List<String> args = new ArrayList<>(List.of(path("sheet.glb"), "-s", "5", "--size", "24x20"));
+    args.addAll(List.of("--turntable", "4", "--no-denoise"));
+    List<String> whole = new ArrayList<>(args);
+    whole.add(0, "render");
+    whole.addAll(List.of("-o", path("whole.gif")));
+    assertDone(here(whole.toArray(String[]::new)));
+    args.addAll(List.of("-o", path("a.gif")));
+    List<String> part = new ArrayList<>(args);
+    part.addAll(List.of("--frames", "1/2", "--unit", "0.1s"));
+    assertDone(onSpark(part));
+    args.add(0, "render");
+    args.add("--continue");
+    assertDone(here(args.toArray(String[]::new)));
+    assertThat(bytes("a.gif")).isEqualTo(bytes("whole.gif"));
   }
 
   @Test
@@ -340,6 +366,8 @@ class RenderOnSparkTest {
         .contains("--sheet: not available on Spark");
     assertThat(onSpark("--unit", "soon", SCENES + "cornell-box.json").err())
         .contains("--unit: expected 0.1s to 3600s, found soon");
+    assertThat(onSpark(path("a.json"), path("b.json"), "-o", "a.gif").err())
+        .contains("-o: expected a folder for the pictures of several scenes, found a.gif");
     assertThat(onSpark(path("missing.json")).exitCode()).isEqualTo(3);
     assertThat(onSpark("--help").out()).contains("Usage: lumbre-spark");
   }
