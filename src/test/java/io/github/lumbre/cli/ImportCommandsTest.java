@@ -168,7 +168,10 @@ class ImportCommandsTest extends CommandFixture {
     imports(line)
         .assertFailed(
             ExitCodes.ASSET,
-            path("a.fbx") + ": cannot be imported: " + path("tool") + ": failed with code 3: broken");
+            path("a.fbx")
+                + ": cannot be imported: "
+                + path("tool")
+                + ": failed with code 3: broken");
     tool("exit 0\n");
     imports(line).assertFailed(ExitCodes.ASSET, "left no GLB: no file");
     tool("printf 'glTF is a lie' > \"$2\"\n");

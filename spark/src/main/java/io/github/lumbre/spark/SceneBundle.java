@@ -24,9 +24,9 @@ import java.util.stream.Stream;
 /**
  * A scene with all of its files and settings, as it travels to executors.
  *
- * @param name of the scene file
+ * @param name of the scene file, relative to a folder that contains all files
  * @param text content of the scene file
- * @param assets contents of the other files, by their paths relative to the scene's folder
+ * @param assets contents of the other files, by their paths relative to that folder
  * @param converted the model for which the scene stands, if a program has converted it: one at most
  * @param hash of the scene and all of its files, as {@link SceneFile#hash}
  * @param settings texts of all settings, by their names
@@ -48,33 +48,61 @@ record SceneBundle(
    * @throws IOException if a file has changed or can no longer be read
    */
   static SceneBundle of(Path path, SceneFile scene) throws IOException {
-    Path source = scene.text().map(SceneText::path).orElse(path);
-    Path folder = source.toAbsolutePath().getParent();
+    Path scenePath = scenePath(path, scene);
+    List<Path> files = files(path, scene);
+    Path root = commonFolder(scenePath.getParent(), files);
     TreeMap<String, byte[]> assets = new TreeMap<>();
-    Set<Path> files;
-    try {
-      files = scene.text().isPresent() ? scene.assetPaths(source) : SceneParser.files(path);
-    } catch (SceneFormatException e) {
-      throw new IOException(path + ": has changed since it was read", e);
-    }
-    List<Imported> converted = scene.parsed().imported().stream().toList();
-    boolean needsFile = scene.text().isPresent() && converted.isEmpty();
     for (Path file : files) {
-      Path absolute = file.toAbsolutePath().normalize();
-      if (needsFile || !absolute.equals(path.toAbsolutePath().normalize())) {
-        assets.put(folder.normalize().relativize(absolute).toString(), Files.readAllBytes(file));
-      }
+      assets.put(root.relativize(file).toString(), Files.readAllBytes(file));
     }
     LinkedHashMap<String, String> settings = new LinkedHashMap<>();
     Setting.all().forEach(setting -> settings.put(setting.name(), scene.settings().text(setting)));
     return new SceneBundle(
-        source.getFileName().toString(),
+        root.relativize(scenePath).toString(),
         scene.text().isPresent() ? scene.text().get().json() : Files.readAllBytes(path),
         assets,
-        converted,
+        scene.parsed().imported().stream().toList(),
         scene.hash(),
         settings,
         FilmRenderer.REVISION);
+  }
+
+  /** Returns the path where the names of assets start; links are resolved as in their paths. */
+  private static Path scenePath(Path path, SceneFile scene) throws IOException {
+    if (scene.text().isPresent()) {
+      return scene.text().get().path().toAbsolutePath().normalize();
+    }
+    Path absolute = path.toAbsolutePath().normalize();
+    return absolute.getParent().toRealPath().resolve(absolute.getFileName());
+  }
+
+  /** Returns the files that executors need besides the text: not what a program has read. */
+  private static List<Path> files(Path path, SceneFile scene) throws IOException {
+    boolean isScene = scene.text().isEmpty();
+    Path scenePath = scenePath(path, scene);
+    boolean isImported = scene.parsed().imported().isPresent();
+    Path source = path.toAbsolutePath().normalize();
+    try {
+      Set<Path> all = isScene ? SceneParser.files(path) : scene.assetPaths(scenePath);
+      return all.stream()
+          .map(file -> file.toAbsolutePath().normalize())
+          .filter(file -> !(isScene && file.equals(scenePath)))
+          .filter(file -> !(isImported && file.equals(source)))
+          .toList();
+    } catch (SceneFormatException e) {
+      throw new IOException(path + ": has changed since it was read", e);
+    }
+  }
+
+  /** Returns a folder, or one above it, that contains all files; {@code --assets} names others. */
+  private static Path commonFolder(Path folder, List<Path> files) {
+    Path common = folder;
+    for (Path file : files) {
+      while (common.getParent() != null && !file.startsWith(common)) {
+        common = common.getParent();
+      }
+    }
+    return common;
   }
 
   /** Returns the number of bytes of all files. */
@@ -111,7 +139,9 @@ record SceneBundle(
         for (Imported model : converted) {
           requireSame("converted model", Sha256.of(model.glb()), model.hash());
         }
-        SceneFile scene = read(folder.resolve(name));
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        SceneFile scene = read(file, foldersBeside(file, folder));
         requireSame("scene", scene.hash(), hash);
         return scene;
       } finally {
@@ -132,13 +162,23 @@ record SceneBundle(
     }
   }
 
-  private SceneFile read(Path file) {
+  /** Returns the folders of assets that are outside the scene's folder. */
+  private List<Path> foldersBeside(Path file, Path folder) {
+    return assets.keySet().stream()
+        .map(asset -> folder.resolve(asset).getParent())
+        .filter(of -> !of.startsWith(file.getParent()))
+        .distinct()
+        .toList();
+  }
+
+  private SceneFile read(Path file, List<Path> further) {
     try {
       SceneParser parser =
           new SceneParser()
               .lenient()
               .inMode(Setting.MODE.type().parse(settings.get(Setting.MODE.name())))
               .limitedTo(SceneParser.MAX_PIXELS_EVER)
+              .withAssets(further)
               .overriding(inScene -> parsedSettings());
       return converted.isEmpty()
           ? parser.parse(text, file)

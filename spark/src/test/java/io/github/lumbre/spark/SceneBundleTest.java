@@ -3,6 +3,7 @@ package io.github.lumbre.spark;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.program.ImportProgram.Imported;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
@@ -11,7 +12,10 @@ import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.stage.internal.ModelSource;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A bundle holds all that a scene needs. */
@@ -30,6 +34,44 @@ class SceneBundleTest {
 
     assertThat(bundle.assets()).containsOnlyKeys("a.obj", "a.mtl");
     assertThat(bundle.read().hash()).isEqualTo(scene.hash());
+  }
+
+  /** As with {@code --assets}. */
+  @Test
+  void filesOutsideTheFolderOfAModelAreInTheBundle() throws Exception {
+    Path folder = Files.createDirectories(directory.resolve("models/deep"));
+    Path materials = Files.createDirectory(directory.resolve("materials"));
+    Path model = folder.resolve("a.obj");
+    Files.writeString(
+        model, "mtllib ../../materials/a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Files.writeString(materials.resolve("a.mtl"), "newmtl red\nKd 1 0 0\n");
+    Stage stage = Stage.DEFAULT.with(ModelOption.ASSETS, List.of(materials));
+    SceneFile scene = StagedModel.read(model, stage, new SceneParser()).scene();
+
+    SceneBundle bundle = SceneBundle.of(model, scene);
+
+    assertThat(scene.warnings()).isEmpty();
+    assertThat(bundle.assets()).containsOnlyKeys("models/deep/a.obj", "materials/a.mtl");
+    assertThat(bundle.read().hash()).isEqualTo(scene.hash());
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void theFolderOfASceneMayBeALink() throws Exception {
+    Path real = Files.createDirectory(directory.resolve("real"));
+    Files.writeString(real.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Files.writeString(
+        real.resolve("a.json"),
+        """
+        {"mainCameraId": 1, "assets": [{"id": 1, "assetType": "Mesh", "file": "a.obj"},
+          {"id": 2, "assetType": "Material", "materialType": "Diffuse"}],
+         "objects": [{"id": 1, "type": "Camera", "cameraType": "Pinhole"},
+          {"type": "Shape", "shapeType": "Mesh", "meshId": 1, "materialID": 2}]}
+        """);
+    Path scene = Files.createSymbolicLink(directory.resolve("link"), real).resolve("a.json");
+    SceneFile read = new SceneParser().parse(scene);
+
+    assertThat(SceneBundle.of(scene, read).read().hash()).isEqualTo(read.hash());
   }
 
   /** What the program has read stays where it is; what its result names travels, too. */
