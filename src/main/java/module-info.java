@@ -1,9 +1,36 @@
 /**
  * Lumbre, a CPU path tracer, as a library.
  *
- * <p>{@link io.github.lumbre.scenefile} reads a scene file, {@link io.github.lumbre.render} renders
- * it, {@link io.github.lumbre.image} writes the picture. The command line and the measurements of
- * the lab are no part of the module: each has a jar of its own.
+ * <h2>How do I get a picture of my model?</h2>
+ *
+ * <p>Of a glTF, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP file:
+ *
+ * <pre>{@code
+ * SceneFile file =
+ *     StagedModel.read(Path.of("model.glb"), Stage.DEFAULT, new SceneParser()).scene();
+ * Image image = BuiltInDenoiser.render(file.settings(), file.scene(), Progress.NONE);
+ * ImageWriter.write(image, Path.of("model.png"), file.settings().development());
+ * }</pre>
+ *
+ * <p>Of triangles in memory, by arrays of coordinates and of vertex numbers, it begins with:
+ *
+ * <pre>{@code
+ * SceneFile file =
+ *     StagedModel.of(TriangleMesh.of(positions, indices), Stage.DEFAULT, new SceneParser())
+ *         .scene();
+ * }</pre>
+ *
+ * <p>{@link io.github.lumbre.stage.Stage Stage} has the direction of the view, the light and the
+ * background; {@link io.github.lumbre.scenefile.SceneParser#overriding} changes the size of the
+ * picture and its samples. {@link io.github.lumbre.stage.thumbnail.Thumbnails Thumbnails} serves
+ * uploads, within limits.
+ *
+ * <h2>Other ways</h2>
+ *
+ * <p>{@link io.github.lumbre.scenefile} reads a scene file, {@link io.github.lumbre.scene} builds
+ * one in code, {@link io.github.lumbre.render} renders it, {@link io.github.lumbre.image} writes
+ * the picture. The command line and the measurements of the lab are no part of the module: each has
+ * a jar of its own.
  */
 module io.github.lumbre {
   requires com.google.gson;

@@ -32,6 +32,10 @@ class JavaPageTest {
   /** A file in the working directory. Examples write to no folder, as it may be missing. */
   private static final Pattern OUTPUT = Pattern.compile("Path\\.of\\(\"([\\w.-]+)\"\\)");
 
+  /** A parser for pictures that take little time. */
+  private static final String SMALL =
+      "new SceneParser().overriding(s -> s.toBuilder().size(8, 8).samples(2).build())";
+
   @TempDir private Path directory;
 
   private static List<String> blocks() throws Exception {
@@ -114,6 +118,25 @@ class JavaPageTest {
     String first =
         blocks().stream().filter(b -> b.startsWith("Scene first =")).findFirst().orElseThrow();
     runs(String.join("", imports), first);
+  }
+
+  /** The first page of the Javadoc is that of the module; its examples run, on a small picture. */
+  @Test
+  void examplesOfTheJavadocRun() throws Exception {
+    String module = Files.readString(Path.of("src/main/java/module-info.java"));
+    List<String> examples =
+        Pattern.compile("\\{@code\n(.*?) \\* \\}</pre>", Pattern.DOTALL)
+            .matcher(module)
+            .results()
+            .map(found -> found.group(1).replaceAll("(?m)^ \\* ", ""))
+            .map(example -> example.replace("model.glb", "scenes/models/lantern.glb"))
+            .map(example -> example.replace("new SceneParser()", SMALL))
+            .toList();
+    assertThat(examples).hasSize(2);
+    runs(blocks().get(0), examples.get(0));
+    String arrays = "double[] positions = {0, 0, 0, 1, 0, 0, 0, 1, 0}; int[] indices = {0, 1, 2};";
+    String rest = examples.get(0).substring(examples.get(0).indexOf("Image image"));
+    runs(blocks().get(0), arrays + examples.get(1) + rest);
   }
 
   private void runs(String imports, String example) throws Exception {

@@ -89,6 +89,46 @@ public final class TriangleMesh {
   }
 
   /**
+   * Returns a mesh of flat triangles; see {@link #of(double[], double[], double[], int[])}. {@link
+   * #withNormals} and {@link #withColors} add to it.
+   */
+  public static TriangleMesh of(double[] positions, int[] indices) {
+    double[] none = {};
+    return of(positions, none, none, indices);
+  }
+
+  /**
+   * Returns this mesh with a copy of other vertex normals.
+   *
+   * @param newNormals three coordinates per vertex in local space, all finite; or empty for flat
+   *     triangles
+   * @throws IllegalArgumentException if the length is wrong, or a number is not finite
+   */
+  public TriangleMesh withNormals(double[] newNormals) {
+    requireVertices(positions, newNormals, uvs, attributes);
+    return with(newNormals.clone(), attributes);
+  }
+
+  /**
+   * Returns this mesh with a copy of other colors of its vertices.
+   *
+   * @param colors four linear numbers per vertex: red, green, blue and alpha, each at least 0; or
+   *     empty for none
+   * @throws IllegalArgumentException if the length is wrong, or a number is negative or not finite
+   */
+  public TriangleMesh withColors(float[] colors) {
+    MeshAttributes colored =
+        new MeshAttributes(attributes.tangents(), attributes.uv1(), colors.clone());
+    requireVertices(positions, normals, uvs, colored);
+    return with(normals, colored);
+  }
+
+  private TriangleMesh with(double[] newNormals, MeshAttributes newAttributes) {
+    return new TriangleMesh(
+        positions, newNormals, uvs, indices, newAttributes, fronts.rule(), droppedTriangles);
+  }
+
+  /**
    * Returns a mesh with further vertex attributes; see {@link #of(double[], double[], double[],
    * int[])}.
    */
@@ -155,6 +195,7 @@ public final class TriangleMesh {
     requireLength("colors", attributes.colors().length, 4 * vertices);
     requireFinite("tangents", attributes.tangents());
     requireFinite("uv1", attributes.uv1());
+    requireColors(attributes.colors());
   }
 
   private static void requireMultiple(String name, int length, int of) {
@@ -176,6 +217,15 @@ public final class TriangleMesh {
       if (!Double.isFinite(values[i])) {
         throw new IllegalArgumentException(
             name + "[" + i + "]: expected a finite number, found " + values[i]);
+      }
+    }
+  }
+
+  private static void requireColors(float[] colors) {
+    for (int i = 0; i < colors.length; i++) {
+      if (!(colors[i] >= 0 && colors[i] <= Float.MAX_VALUE)) {
+        throw new IllegalArgumentException(
+            "colors[" + i + "]: expected a finite number of at least 0, found " + colors[i]);
       }
     }
   }
@@ -334,8 +384,8 @@ public final class TriangleMesh {
         && attributes.colors().length == 0;
   }
 
-  /** Returns the further vertex attributes. */
-  MeshAttributes attributes() {
+  /** Returns the further vertex attributes; their arrays must not be changed. */
+  public MeshAttributes attributes() {
     return attributes;
   }
 

@@ -1,6 +1,8 @@
 package io.github.lumbre.stage;
 
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.model.ModelFolder;
+import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
@@ -14,12 +16,17 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * A model on a stage, which is read and built once, and can be seen from several directions. Its
  * scenes share everything but the camera. Confined to one thread at a time.
  */
 public final class StagedModel {
+  /** The name of triangles in memory, for messages. */
+  private static final String TRIANGLES = "triangles.ply";
+
   private final Staging model;
   private final ParsedScene scene;
 
@@ -58,6 +65,38 @@ public final class StagedModel {
       String name, byte[] model, ModelFolder files, Stage stage, SceneParser parser)
       throws SceneFormatException, IOException {
     return read(ModelSource.of(parser, name, model.clone(), files), stage);
+  }
+
+  /**
+   * Builds the scene around triangles that a program has in memory. Its picture has the bits of
+   * that of a PLY file with the same numbers; the same limits are checked, and the mesh is copied.
+   * Without colors, it is light gray, otherwise colored paint, transparent where alpha is below 1.
+   * Texture coordinates, tangents and the mesh's {@link TriangleMesh.Front} have no effect.
+   *
+   * @param mesh with an area, in coordinates of at most 1e150; y points up unless an option of the
+   *     stage states another axis
+   * @throws SceneFormatException if the mesh cannot be used; it lists the errors, of the file
+   *     {@code triangles.ply}
+   * @throws IOException if the calling thread is interrupted
+   */
+  public static StagedModel of(TriangleMesh mesh, Stage stage, SceneParser parser)
+      throws SceneFormatException, IOException {
+    return read(TRIANGLES, ModelFormat.plyOf(mesh), ModelFolder.NONE, stage, parser);
+  }
+
+  /**
+   * Builds the scene around triangles with named parts, which the options of the stage can label,
+   * hide, highlight and explode; see {@link #of(TriangleMesh, Stage, SceneParser)}. Vertices and
+   * triangles are counted through all parts in messages, in the alphabetical order of their names,
+   * whatever the order of the map.
+   *
+   * @param parts by their names: words with single spaces between them
+   * @throws IllegalArgumentException if a name is not of this form
+   */
+  public static StagedModel of(Map<String, TriangleMesh> parts, Stage stage, SceneParser parser)
+      throws SceneFormatException, IOException {
+    byte[] ply = ModelFormat.plyOf(new TreeMap<>(parts));
+    return read(TRIANGLES, ply, ModelFolder.NONE, stage, parser);
   }
 
   private static StagedModel read(ModelSource source, Stage stage)

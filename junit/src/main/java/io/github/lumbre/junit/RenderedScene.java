@@ -50,4 +50,10 @@ public @interface RenderedScene {
 
   /** Samples per pixel; 0 for those of the scene, or 16 for a model. */
   int samples() default 0;
+
+  /**
+   * Whether the picture is denoised by the built-in denoiser, which gives the same bits on every
+   * machine, so that a few samples make a clean picture.
+   */
+  boolean denoise() default false;
 }

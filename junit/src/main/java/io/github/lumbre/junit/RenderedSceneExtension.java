@@ -4,6 +4,8 @@ import io.github.lumbre.image.Image;
 import io.github.lumbre.model.ModelOptions;
 import io.github.lumbre.model.Models;
 import io.github.lumbre.render.PictureRenderer;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.render.denoise.BuiltInDenoiser;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneFormatException;
@@ -59,7 +61,9 @@ public final class RenderedSceneExtension implements ParameterResolver {
   static Image picture(RenderedScene wanted) {
     try {
       SceneFile file = read(wanted, path(wanted.value()));
-      return new PictureRenderer(file.settings()).render(file.scene());
+      return wanted.denoise()
+          ? BuiltInDenoiser.render(file.settings(), file.scene(), Progress.NONE)
+          : new PictureRenderer(file.settings()).render(file.scene());
     } catch (SceneFormatException | IllegalArgumentException e) {
       throw failure(wanted, e.getMessage(), e);
     } catch (IOException e) {

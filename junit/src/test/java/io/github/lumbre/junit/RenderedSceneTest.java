@@ -34,6 +34,33 @@ class RenderedSceneTest {
   }
 
   @Test
+  @RenderedScene(value = "part.obj", width = 64, height = 48, samples = 4, denoise = true)
+  void denoised(Image picture) {
+    assertThatPicture(picture).withTolerance(0).matches("part-denoised");
+  }
+
+  /** Four samples, denoised, are nearer to the picture of many samples than four that are not. */
+  @Test
+  void denoisedPicturesHaveLessNoise(
+      @RenderedScene(value = "part.obj", width = 64, height = 48, samples = 256) Image clean,
+      @RenderedScene(value = "part.obj", width = 64, height = 48, samples = 4) Image noisy,
+      @RenderedScene(value = "part.obj", width = 64, height = 48, samples = 4, denoise = true)
+          Image denoised) {
+    assertThat(squares(denoised, clean)).isLessThan(squares(noisy, clean) / 2);
+  }
+
+  private static double squares(Image picture, Image clean) {
+    double sum = 0;
+    for (int y = 0; y < clean.height(); y++) {
+      for (int x = 0; x < clean.width(); x++) {
+        double difference = picture.pixel(x, y).luminance() - clean.pixel(x, y).luminance();
+        sum += difference * difference;
+      }
+    }
+    return sum;
+  }
+
+  @Test
   void twoPictures(
       @RenderedScene(value = "../scenes/cornell-box.json", width = 32, height = 24, samples = 1)
           Image scene,

@@ -1,15 +1,8 @@
 package io.github.lumbre.cli.run;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.render.Film;
-import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.Progress;
 import io.github.lumbre.render.denoise.BuiltInDenoiser;
-import io.github.lumbre.render.denoise.NoisyPicture;
-import io.github.lumbre.scene.Layer;
-import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Setting;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import io.github.lumbre.stage.internal.PictureDrawing;
@@ -47,14 +40,6 @@ public final class CleanPicture {
    * @throws InterruptedException if the progress is cancelled or the thread interrupted
    */
   public static Image light(SceneFile file, Progress progress) throws InterruptedException {
-    RenderSettings settings =
-        file.settings().toBuilder().set(Setting.LAYERS, Layer.FOR_DENOISING).build();
-    FilmRenderer renderer = new FilmRenderer(settings, file.scene());
-    Film film = renderer.newFilm();
-    if (!new PassLoop(renderer, film).run(progress).complete()) {
-      throw new InterruptedException("cancelled");
-    }
-    int threads = Runtime.getRuntime().availableProcessors();
-    return BuiltInDenoiser.denoise(NoisyPicture.of(film), threads).image();
+    return BuiltInDenoiser.render(file.settings(), file.scene(), progress);
   }
 }

@@ -1,6 +1,7 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.base.file.FileContent;
+import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelOptions;
@@ -9,6 +10,7 @@ import io.github.lumbre.model.format.gltf.GltfReader;
 import io.github.lumbre.model.format.obj.ObjModelReader;
 import io.github.lumbre.model.format.off.OffReader;
 import io.github.lumbre.model.format.ply.PlyReader;
+import io.github.lumbre.model.format.ply.PlyWriter;
 import io.github.lumbre.model.format.stl.StlReader;
 import io.github.lumbre.model.format.threemf.ThreeMfReader;
 import io.github.lumbre.model.format.zip.ZipReader;
@@ -17,6 +19,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.stream.Collectors;
 
 /**
@@ -101,6 +104,20 @@ public enum ModelFormat {
   Model read(byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     return reader.read(content, folder, options);
+  }
+
+  /** Returns the PLY file of a mesh that is not divided into parts. */
+  public static byte[] plyOf(TriangleMesh mesh) {
+    return PlyWriter.write(mesh);
+  }
+
+  /**
+   * Returns the PLY file of meshes that are parts, by their names.
+   *
+   * @throws IllegalArgumentException if a name is not of words with single spaces between them
+   */
+  public static byte[] plyOf(SortedMap<String, TriangleMesh> parts) {
+    return PlyWriter.write(parts);
   }
 
   /** Returns what kind of file a content is, and what to do; empty if it is not recognized. */

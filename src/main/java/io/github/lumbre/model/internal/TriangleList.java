@@ -2,6 +2,7 @@ package io.github.lumbre.model.internal;
 
 import io.github.lumbre.math.Vec3;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.function.Supplier;
 
@@ -15,6 +16,19 @@ public final class TriangleList {
    */
   public TriangleList(int triangles) {
     indices = new int[Math.multiplyExact(3, triangles)];
+  }
+
+  /** Returns the triangles of some lists in turn; of a single one itself. */
+  public static TriangleList joined(List<TriangleList> lists) {
+    if (lists.size() == 1) {
+      return lists.get(0);
+    }
+    TriangleList all = new TriangleList(lists.stream().mapToInt(TriangleList::count).sum());
+    for (TriangleList list : lists) {
+      System.arraycopy(list.indices, 0, all.indices, all.size, list.size);
+      all.size += list.size;
+    }
+    return all;
   }
 
   public void add(int a, int b, int c) {

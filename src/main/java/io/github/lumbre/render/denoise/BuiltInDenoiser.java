@@ -1,9 +1,20 @@
 package io.github.lumbre.render.denoise;
 
 import io.github.lumbre.geometry.internal.CompiledKernel;
+import io.github.lumbre.image.Image;
 import io.github.lumbre.math.internal.Elementary;
+import io.github.lumbre.render.Film;
+import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.PassLoop;
+import io.github.lumbre.render.Progress;
+import io.github.lumbre.scene.Layer;
+import io.github.lumbre.scene.RenderSettings;
+import io.github.lumbre.scene.Scene;
+import io.github.lumbre.scene.Setting;
+import java.util.HashSet;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /**
  * Denoises with a small neural network, in plain Java: the same bits on every machine, for any
@@ -67,6 +78,26 @@ public final class BuiltInDenoiser {
     left = new float[noisy.light().noise().length];
     errorsInRow = FilteredUnits.count(features.right());
     errors = new double[Math.multiplyExact(features.bottom(), errorsInRow)];
+  }
+
+  /**
+   * Renders a scene and denoises the picture, with the layers that help. Its bits are those of
+   * {@link #denoise} of a film with {@link Layer#FOR_DENOISING}.
+   *
+   * @param settings whose layers are added to
+   * @throws InterruptedException if the progress is cancelled, or the thread is interrupted
+   */
+  public static Image render(RenderSettings settings, Scene scene, Progress progress)
+      throws InterruptedException {
+    Set<Layer> layers = new HashSet<>(settings.get(Setting.LAYERS));
+    layers.addAll(Layer.FOR_DENOISING);
+    RenderSettings layered = settings.toBuilder().set(Setting.LAYERS, layers).build();
+    FilmRenderer renderer = new FilmRenderer(layered, scene);
+    Film film = renderer.newFilm();
+    if (!new PassLoop(renderer, film).run(progress).complete()) {
+      throw new InterruptedException("cancelled");
+    }
+    return denoise(NoisyPicture.of(film), Runtime.getRuntime().availableProcessors()).image();
   }
 
   /**

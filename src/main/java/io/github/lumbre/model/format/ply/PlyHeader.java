@@ -13,12 +13,24 @@ import java.util.Optional;
 /**
  * The header of a PLY file.
  *
- * @param textures names of pictures, which comments state
+ * @param comments what comments state of the content
  * @param bodyOffset of the first byte after the header
  * @param bodyLine number of the first line after the header
  */
 record PlyHeader(
-    Format format, List<PlyElement> elements, List<String> textures, int bodyOffset, int bodyLine) {
+    Format format, List<PlyElement> elements, Comments comments, int bodyOffset, int bodyLine) {
+
+  /**
+   * What comments state: names.
+   *
+   * @param textures of pictures
+   * @param parts of parts, which the property {@link PlyParts#PROPERTY} of faces counts from 0
+   */
+  record Comments(List<String> textures, List<String> parts) {
+    Comments() {
+      this(new ArrayList<>(), new ArrayList<>());
+    }
+  }
 
   /** The forms of numbers after the header. */
   enum Format {
@@ -39,14 +51,14 @@ record PlyHeader(
     }
     boolean endsInReturn = endsInReturn(file, scanner.position());
     scanner.endLine();
-    List<String> textures = new ArrayList<>();
-    Format format = readFormat(scanner, textures);
+    Comments comments = new Comments();
+    Format format = readFormat(scanner, comments);
     List<PlyElement> elements = new ArrayList<>();
     String element = "";
     int count = 0;
     List<PlyProperty> properties = new ArrayList<>();
     while (true) {
-      String word = nextKeyword(scanner, textures);
+      String word = nextKeyword(scanner, comments);
       if (word.equals("property") && !element.isEmpty()) {
         properties.add(readProperty(scanner));
         scanner.require("properties", ModelLimits.MAX_PARTS, properties.size());
@@ -56,7 +68,7 @@ record PlyHeader(
           properties.clear();
         }
         if (word.equals("end_header")) {
-          return atEnd(file, scanner, endsInReturn, format, elements, textures);
+          return atEnd(file, scanner, endsInReturn, format, elements, comments);
         }
         element = name(scanner);
         requireNew(scanner, element, elements);
@@ -84,7 +96,7 @@ record PlyHeader(
       boolean endsInReturn,
       Format format,
       List<PlyElement> elements,
-      List<String> textures) {
+      Comments comments) {
     while (scanner.nextWord()) {
       // Nothing else belongs on this line, but binary data begins after it.
     }
@@ -92,12 +104,12 @@ record PlyHeader(
     scanner.endLine();
     int offset = endsInReturn ? Math.min(lineEnd + 1, file.length) : scanner.position();
     return new PlyHeader(
-        format, List.copyOf(elements), List.copyOf(textures), offset, scanner.line());
+        format, List.copyOf(elements), comments, offset, scanner.line());
   }
 
-  private static Format readFormat(TextScanner scanner, List<String> textures)
+  private static Format readFormat(TextScanner scanner, Comments comments)
       throws ModelFormatException {
-    String word = nextKeyword(scanner, textures);
+    String word = nextKeyword(scanner, comments);
     if (!word.equals("format")) {
       throw scanner.error("expected \"format\", found " + PrintableText.quoted(word));
     }
@@ -122,28 +134,31 @@ record PlyHeader(
   /**
    * Returns the first word of the next line that is no comment.
    *
-   * @param textures receives the names of pictures that comments state
+   * @param comments receives the names that comments state
    */
-  private static String nextKeyword(TextScanner scanner, List<String> textures)
+  private static String nextKeyword(TextScanner scanner, Comments comments)
       throws ModelFormatException {
     while (scanner.nextWordOfText()) {
       if (!scanner.wordIs("comment") && !scanner.wordIs("obj_info")) {
         return scanner.word();
       }
-      if (scanner.nextWord() && scanner.word().equalsIgnoreCase("TextureFile")) {
-        addTexture(scanner, textures);
+      String kind = scanner.nextWord() ? scanner.word() : "";
+      if (kind.equalsIgnoreCase("TextureFile")) {
+        addName(scanner, "textures", comments.textures);
+      } else if (kind.equalsIgnoreCase(PlyParts.COMMENT)) {
+        addName(scanner, "parts", comments.parts);
       }
       scanner.endLine();
     }
     throw scanner.error("expected \"end_header\", found the end of the file");
   }
 
-  private static void addTexture(TextScanner scanner, List<String> textures)
+  private static void addName(TextScanner scanner, String things, List<String> names)
       throws ModelFormatException {
     String name = scanner.remainingWords();
-    scanner.require("textures", ModelLimits.MAX_PARTS, textures.size() + 1);
+    scanner.require(things, ModelLimits.MAX_PARTS, names.size() + 1);
     if (!name.isEmpty()) {
-      textures.add(name);
+      names.add(name);
     }
   }
 

@@ -48,6 +48,8 @@ public final class PlyReader {
   /** What the faces have besides their corners; empty if there are no faces. */
   private Optional<PlyFaceData> faceData = Optional.empty();
 
+  private final PlyParts parts;
+
   private PlyReader(byte[] file, ModelOptions options) throws ModelFormatException {
     this.options = options;
     header = PlyHeader.read(file, warnings);
@@ -56,6 +58,7 @@ public final class PlyReader {
             ? new PlyTextBody(file, header, tally)
             : new PlyBinaryBody(file, header);
     requireBytes();
+    parts = new PlyParts(header.comments().parts());
     Optional<PlyElement> vertex =
         header.elements().stream().filter(PlyElement::isVertex).findFirst();
     if (vertex.isEmpty()) {
@@ -131,7 +134,7 @@ public final class PlyReader {
 
   private Model cloud() {
     tally.addTo(warnings);
-    if (!header.textures().isEmpty()) {
+    if (!header.comments().textures().isEmpty()) {
       warnings.add("comment TextureFile", "ignored, since points have no textures");
     }
     ModelGeometry all = vertices.geometry(new int[0]);
@@ -143,25 +146,42 @@ public final class PlyReader {
       separateTriangles(faceData.get());
     }
     tally.addTo(warnings);
-    int broken = triangles.removeBroken(vertices.positions());
+    List<TriangleList> split = soundTriangles();
+    ModelGeometry mesh = vertices.geometry(triangles.toArray());
+    PlainModel.showInvisible("element vertex", mesh.colors(), warnings);
+    return PlainModel.of(surfaces(mesh, split, folder), warnings.all());
+  }
+
+  /** Returns the triangles of each part without broken ones, which are left out of all, too. */
+  private List<TriangleList> soundTriangles() {
+    List<TriangleList> split = parts.split(triangles);
+    int broken = split.stream().mapToInt(list -> list.removeBroken(vertices.positions())).sum();
     if (broken > 0) {
       warnings.add("", "left out triangles with a vertex that is not a finite number: " + broken);
     }
-    int dropped = triangles.removeFlat(vertices.positions());
+    int dropped = split.stream().mapToInt(list -> list.removeFlat(vertices.positions())).sum();
     if (dropped > 0) {
       warnings.add("", "dropped triangles of zero area: " + dropped);
     }
+    triangles = TriangleList.joined(split);
     vertices.repair(triangles, broken > 0, warnings);
-    ModelGeometry mesh = vertices.geometry(triangles.toArray());
-    PlainModel.showInvisible("element vertex", mesh.colors(), warnings);
+    return split;
+  }
+
+  private List<ModelPart> surfaces(
+      ModelGeometry mesh, List<TriangleList> split, ModelFolder folder)
+      throws ModelFormatException, IOException {
     ModelMaterial material = PlainModel.material(mesh.colors());
     PlyTextures textures = textures(mesh, folder);
-    List<ModelPart> parts =
-        textures.isPresent()
-            ? textures.parts(mesh, material, this::textureOf, options)
-            : List.of(
-                new ModelPart(ModelNode.undivided(""), "", mesh, material, options.toWorld()));
-    return PlainModel.of(parts, warnings.all());
+    if (textures.isPresent()) {
+      if (parts.isUsed()) {
+        warnings.add("", "ignored the parts, since there is a texture");
+      }
+      return textures.parts(mesh, material, this::textureOf, options);
+    }
+    return parts.isUsed()
+        ? parts.of(mesh, split, options)
+        : List.of(new ModelPart(ModelNode.undivided(""), "", mesh, material, options.toWorld()));
   }
 
   private void separateTriangles(PlyFaceData faces) {
@@ -182,12 +202,12 @@ public final class PlyReader {
   private PlyTextures textures(ModelGeometry mesh, ModelFolder folder)
       throws ModelFormatException, IOException {
     boolean isUsed = mesh.uv0().length > 0;
-    if (!isUsed && !header.textures().isEmpty()) {
+    if (!isUsed && !header.comments().textures().isEmpty()) {
       warnings.add("comment TextureFile", "ignored, since there are no texture coordinates");
     }
     PlyTextures textures =
         new PlyTextures(
-            isUsed ? header.textures() : List.of(),
+            isUsed ? header.comments().textures() : List.of(),
             new ModelFiles(folder, options.limits(), warnings),
             options,
             warnings);
@@ -209,13 +229,15 @@ public final class PlyReader {
       List<String> ignored =
           element.properties().stream()
               .filter(p -> p != indices.get() && data.filter(d -> d.uses(p)).isEmpty())
+              .filter(p -> isStrip || !parts.uses(p))
               .map(PlyProperty::name)
               .collect(Collectors.toList());
       warnIgnored(element, ignored, warnings);
       // Most meshes consist of triangles or of quadrilaterals, and 12 bytes are few.
       // A face has at least one triangle, unless it is empty.
       ModelLimits.requireTriangles("element face", isStrip ? 0 : element.count(), options.limits());
-      ModelLimits.requireMemory("element face", 12L * element.count(), options.limits());
+      long bytes = !header.comments().parts().isEmpty() ? 28L : 12L;
+      ModelLimits.requireMemory("element face", bytes * element.count(), options.limits());
       triangles = triangles.count() == 0 ? new TriangleList(element.count()) : triangles;
     }
     for (int i = 0; i < element.count(); i++) {
@@ -229,6 +251,8 @@ public final class PlyReader {
           readIndices(property, isStrip);
         } else if (data.isPresent() && data.get().uses(property)) {
           data.get().read(property, body);
+        } else if (data.isPresent() && parts.uses(property)) {
+          parts.read(property, body);
         } else if (property.isList()) {
           skipList(property, body);
         } else {
@@ -238,6 +262,7 @@ public final class PlyReader {
       body.endItem();
       if (data.isPresent()) {
         data.get().endFace(triangles.count() - before);
+        parts.endFace(triangles.count() - before);
       }
     }
   }

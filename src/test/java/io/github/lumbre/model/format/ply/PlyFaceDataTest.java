@@ -1,6 +1,7 @@
 package io.github.lumbre.model.format.ply;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.lumbre.image.Rgb;
 import io.github.lumbre.image.internal.Srgb;
@@ -63,6 +64,36 @@ class PlyFaceDataTest {
     assertThat(file.part().geometry().colors()).isEmpty();
     assertThat(file.read().warnings())
         .containsExactly("ignored the colors, since there is a texture");
+  }
+
+  @Test
+  void commentsNameTheParts() throws Exception {
+    String comments = "comment PartName left wing;comment partname right;";
+    String face = "element face 2;" + CORNERS + "property uchar part;";
+    ModelFixture file = ply(comments, face, SQUARE + "3 0 1 2 1;3 0 2 3 0");
+    assertThat(file.read().warnings()).isEmpty();
+    assertThat(file.read().parts().stream().map(ModelPart::name))
+        .containsExactly("left wing", "right");
+    assertThat(file.read().parts().get(1).geometry().positions())
+        .containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0);
+    assertThatThrownBy(() -> ply(comments, face, SQUARE + "3 0 1 2 1;3 0 2 3 2").read())
+        .hasMessageContaining("line 18: element face: expected a part from 0 to 1, found 2");
+    ModelFixture unnamed = ply("", face, SQUARE + "3 0 1 2 1;3 0 2 3 7");
+    assertThat(unnamed.read().warnings())
+        .containsExactly("element face: ignored the properties part");
+  }
+
+  @Test
+  void partsOfTexturedFacesAreReported() throws Exception {
+    String face = "element face 2;" + CORNERS + TEXCOORD + "property uchar part;";
+    String corners = " 6 0 0 1 0 1 1 ";
+    ModelFixture file =
+        ply(
+            "comment TextureFile c.png;comment PartName a;",
+            face,
+            SQUARE + "3 0 1 2" + corners + "0;3 0 2 3" + corners + "0");
+    assertThat(file.read().warnings())
+        .containsExactly("ignored the parts, since there is a texture");
   }
 
   @Test
