@@ -148,7 +148,9 @@ final class BuildImage {
     Path scenes = share.resolve("lumbre/scenes");
     Files.createDirectories(scenes);
     Files.copy(Path.of("scenes/cornell-box.json"), scenes.resolve("cornell-box.json"));
-    Files.copy(Path.of("LICENSE"), share.resolve("lumbre/LICENSE"));
+    for (String file : List.of("LICENSE", "NOTICE")) {
+      Files.copy(Path.of(file), share.resolve("lumbre").resolve(file));
+    }
   }
 
   private void writeLauncher() throws IOException {

@@ -1,20 +1,29 @@
 package io.github.lumbre;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The files that packages are made from agree with the build. */
 class ReleaseFilesTest {
@@ -53,6 +62,78 @@ class ReleaseFilesTest {
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":cli");
     assertThat(alias(catalog()).getAsJsonArray("dependencies").get(0).getAsString())
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":lab");
+  }
+
+  /** What registries of research software read agrees with the build and the citation. */
+  @Test
+  void codeMetaStatesWhatTheBuildStates() throws IOException {
+    JsonObject meta =
+        JsonParser.parseString(Files.readString(Path.of("codemeta.json"))).getAsJsonObject();
+    assertThat(meta.get("version").getAsString())
+        .isEqualTo(first("pom.xml", "(?m)^  <version>(.+)</version>$"));
+    assertThat(meta.get("name").getAsString()).isEqualTo(first("pom.xml", "<name>(.+)</name>"));
+    assertThat(meta.get("description").getAsString())
+        .isEqualTo(first("pom.xml", "<description>(.+)</description>"));
+    String license = first("pom.xml", "<license>\\s*<name>(.+)</name>");
+    assertThat(license).isEqualTo(first("CITATION.cff", "(?m)^license: (.+)$"));
+    assertThat(meta.get("license").getAsString()).isEqualTo("https://spdx.org/licenses/" + license);
+    assertThat(meta.get("runtimePlatform").getAsString())
+        .isEqualTo("Java " + first("pom.xml", "<maven.compiler.release>(\\d+)<") + " or newer");
+    JsonObject author = meta.getAsJsonArray("author").get(0).getAsJsonObject();
+    assertThat(author.get("name").getAsString())
+        .isEqualTo(first("CITATION.cff", "(?m)^  - name: (.+)$"));
+    List<String> keywords =
+        Pattern.compile("(?m)^  - (?!name)(.+)$")
+            .matcher(Files.readString(Path.of("CITATION.cff")))
+            .results()
+            .map(found -> found.group(1))
+            .toList();
+    assertThat(meta.getAsJsonArray("keywords").asList().stream().map(JsonElement::getAsString))
+        .isEqualTo(keywords);
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void sumsAreThoseOfTheFiles(@TempDir Path folder) throws Exception {
+    Files.writeString(folder.resolve("b c.deb"), "second");
+    Files.writeString(folder.resolve("A.tar.gz"), "first");
+    Files.writeString(folder.resolve("SHA256SUMS"), "old");
+    Files.createDirectory(folder.resolve("other"));
+    assertThat(sums(folder)).isZero();
+    assertThat(Files.readString(folder.resolve("SHA256SUMS")))
+        .isEqualTo(sha256("first") + "  A.tar.gz\n" + sha256("second") + "  b c.deb\n");
+    assertThat(sums(folder.resolve("other"))).isEqualTo(2);
+    assertThat(sums(folder.resolve("none"))).isEqualTo(2);
+  }
+
+  private static int sums(Path folder) throws Exception {
+    return new ProcessBuilder("release/sums", folder.toString())
+        .redirectErrorStream(true)
+        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+        .start()
+        .waitFor();
+  }
+
+  private static String sha256(String text) throws NoSuchAlgorithmException {
+    byte[] hash = MessageDigest.getInstance("SHA-256").digest(text.getBytes(US_ASCII));
+    return HexFormat.of().formatHex(hash);
+  }
+
+  /** Every workflow names a release of each action, and what it is allowed to write. */
+  @Test
+  void workflowsNameReleasesOfTheirActions() throws IOException {
+    for (Path workflow : Folders.files(Path.of(".github", "workflows"), ".yml")) {
+      String text = Files.readString(workflow);
+      assertThat(text).contains("\npermissions:\n  contents: read\n");
+      Pattern.compile("uses: (.*)")
+          .matcher(text)
+          .results()
+          .forEach(
+              found ->
+                  assertThat(found.group(1))
+                      .as("%s", workflow)
+                      .matches("[\\w-]+/[\\w-]+@(v\\d+|[0-9a-f]{40} # v[\\d.]+)"));
+    }
   }
 
   /** The catalog's options are a copy, which {@code -Dlumbre.write=true} makes anew. */

@@ -17,7 +17,6 @@ final class BashCompletion {
   /** Everything but the commands. File names are what the shell completes if there is no answer. */
   private static final String SCRIPT =
       """
-      #!/usr/bin/env bash
       # Completion for lumbre in bash and zsh: source <(lumbre completion)
 
       if [ -n "${ZSH_VERSION-}" ]; then
