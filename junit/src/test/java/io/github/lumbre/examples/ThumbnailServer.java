@@ -9,15 +9,21 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Phaser;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * An example: a server that answers a model with its thumbnail. {@code POST /thumbnail/stl} with
  * the bytes of an STL file returns a PNG; so do the other formats.
+ *
+ * <p>{@code GET /health} answers 200, and 503 from the moment that the server is asked to stop. Then
+ * it refuses new models, finishes the running ones, and closes.
  *
  * <p>Each connection has a thread, which reads the upload within a number of bytes and a time. Only
  * then does the model wait for a thread that renders, so that a slow or endless upload stops nobody
@@ -43,15 +49,44 @@ public final class ThumbnailServer implements AutoCloseable {
   private final Thumbnails thumbnails;
   private final HttpServer http;
   private final ExecutorService handlers;
+  private final Duration patience;
+
+  /** Answers that are being made, and the server itself until it stops. */
+  private final Phaser running = new Phaser(1);
+
+  private volatile boolean stopping;
+
+  /**
+   * Serves until the process is asked to end, as by SIGTERM.
+   *
+   * @param args the port, 0 for a free one; and the address, without which only programs on this
+   *     machine can connect. In a container, the address is 0.0.0.0
+   */
+  public static void main(String[] args) throws IOException {
+    int port = args.length > 0 ? Integer.parseInt(args[0]) : 8080;
+    InetAddress address =
+        args.length > 1 ? InetAddress.getByName(args[1]) : InetAddress.getLoopbackAddress();
+    Limits limits = Limits.UPLOADS.withBytes(8 << 20).withTime(Duration.ofSeconds(20));
+    ThumbnailServer server = new ThumbnailServer(limits, new InetSocketAddress(address, port));
+    Runtime.getRuntime().addShutdownHook(new Thread(server::stop));
+    System.out.println("listening on port " + server.port());
+  }
 
   /** Starts a server on a free port of the local host. */
   public ThumbnailServer(Limits limits) throws IOException {
+    this(limits, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+  }
+
+  /** Starts a server at an address. */
+  public ThumbnailServer(Limits limits, InetSocketAddress address) throws IOException {
+    patience = limits.time();
     long uploads = Runtime.getRuntime().maxMemory() / (4 * limits.bytes());
     int most = (int) Math.max(2, Math.min(uploads, MAX_CONNECTIONS));
     handlers = new ThreadPoolExecutor(0, most, 1, TimeUnit.MINUTES, new SynchronousQueue<>());
     thumbnails = new Thumbnails(limits);
-    http = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
-    http.createContext(PATH, this::answer);
+    http = HttpServer.create(address, 0);
+    http.createContext(PATH, this::answerUnlessStopping);
+    http.createContext("/health", this::answerHealth);
     http.setExecutor(handlers);
     http.start();
   }
@@ -61,16 +96,37 @@ public final class ThumbnailServer implements AutoCloseable {
     return http.getAddress().getPort();
   }
 
+  private void answerHealth(HttpExchange exchange) throws IOException {
+    reply(exchange, stopping ? 503 : 200, text(stopping ? "stopping" : "ok"));
+  }
+
+  private void answerUnlessStopping(HttpExchange exchange) throws IOException {
+    if (stopping) {
+      reply(exchange, 503, text("stopping"));
+      return;
+    }
+    running.register();
+    try {
+      answer(exchange);
+    } finally {
+      running.arriveAndDeregister();
+    }
+  }
+
   private void answer(HttpExchange exchange) throws IOException {
     try {
       String ending = exchange.getRequestURI().getPath().substring(PATH.length());
       reply(exchange, 200, thumbnails.png("." + ending, exchange.getRequestBody(), SIDE));
     } catch (SceneFormatException e) {
       boolean isTooLarge = e.kind() == SceneFormatException.Kind.LIMIT;
-      reply(exchange, isTooLarge ? 413 : 422, e.getMessage().getBytes(StandardCharsets.UTF_8));
+      reply(exchange, isTooLarge ? 413 : 422, text(e.getMessage()));
     } catch (RejectedExecutionException | InterruptedException e) {
-      reply(exchange, 503, "busy, or stopped".getBytes(StandardCharsets.UTF_8));
+      reply(exchange, 503, text("busy, or stopped"));
     }
+  }
+
+  private static byte[] text(String message) {
+    return message.getBytes(StandardCharsets.UTF_8);
   }
 
   private static void reply(HttpExchange exchange, int status, byte[] body) throws IOException {
@@ -80,7 +136,24 @@ public final class ThumbnailServer implements AutoCloseable {
     exchange.close();
   }
 
-  /** Stops: interrupts all work, which ends within two seconds. */
+  /**
+   * Stops gracefully: refuses new models with 503, waits until the running ones are answered, but
+   * no longer than a model may take, and closes.
+   */
+  public void stop() {
+    stopping = true;
+    try {
+      running.awaitAdvanceInterruptibly(
+          running.arrive(), patience.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (TimeoutException e) {
+      System.err.println("gave up what was not answered within " + patience.toSeconds() + " s");
+    }
+    close();
+  }
+
+  /** Stops at once: interrupts all work, which ends within two seconds. */
   @Override
   public void close() {
     http.stop(0);
