@@ -11,6 +11,9 @@ final class UnitSpace {
    */
   static final double INSIDE = 1 + 0x1p-4;
 
+  /** Origins whose coordinates are at most this far from the center are near. */
+  private static final double NEAR = 8;
+
   /** The distance of outside origins whose errors the boxes include. */
   private static final double OUTSIDE = 0x1p23;
 
@@ -27,10 +30,8 @@ final class UnitSpace {
   /** The largest absolute world coordinate of the center, in units of this space. */
   final double centerReach;
 
-  /**
-   * A bound of the world coordinates of an inside origin and of the center, in units of this space.
-   */
-  final double worldReach;
+  /** A bound of the world coordinates of a near origin and of the center, in units of this space. */
+  final double nearReach;
 
   /**
    * The largest world coordinate of an outside origin and of the center, in units of this space,
@@ -38,7 +39,7 @@ final class UnitSpace {
    */
   final double coveredReach;
 
-  /** Whether {@link #worldReach} is at most {@link #REACH}. */
+  /** Whether floats are in reach: the bound of an inside origin is at most {@link #REACH}. */
   private final boolean isInReach;
 
   /** The margin of boxes; 0 if floats are out of reach. */
@@ -56,15 +57,21 @@ final class UnitSpace {
     double half = Math.max(box[1] - centerX, Math.max(box[3] - centerY, box[5] - centerZ));
     scale = Math.scalb(1.0, -1 - Math.getExponent(half));
     centerReach = scale * Axes.largest(centerX, centerY, centerZ);
-    worldReach = 2 * (centerReach + INSIDE);
+    double worldReach = 2 * (centerReach + INSIDE);
+    nearReach = 2 * centerReach + NEAR + INSIDE;
     isInReach = worldReach <= REACH;
     coveredReach = isInReach ? worldReach + OUTSIDE : 0;
     slack = isInReach ? slack(INSIDE, coveredReach) : 0;
   }
 
-  /** Returns whether a point of this space is inside, with floats in reach. */
-  boolean isInside(double x, double y, double z) {
-    return Math.abs(x) <= INSIDE && Math.abs(y) <= INSIDE && Math.abs(z) <= INSIDE && isInReach;
+  /** Returns whether a point of this space is near its center, with floats in reach. */
+  boolean isNear(double x, double y, double z) {
+    return Math.abs(x) <= NEAR && Math.abs(y) <= NEAR && Math.abs(z) <= NEAR && isInReach;
+  }
+
+  /** Returns whether a point of this space is inside. */
+  static boolean isInside(double x, double y, double z) {
+    return Math.abs(x) <= INSIDE && Math.abs(y) <= INSIDE && Math.abs(z) <= INSIDE;
   }
 
   /**

@@ -73,8 +73,8 @@ final class WideRay extends ShearedRay {
 
   private float edgeFloorOfUnit;
 
-  /** The space whose errors for inside rays are currently set; null if other errors are set. */
-  private UnitSpace inside;
+  /** The space whose errors for near origins are currently set; null if other errors are set. */
+  private UnitSpace near;
 
   /** The factor and the summand that map t to the tree's space. */
   private double tScale;
@@ -88,24 +88,30 @@ final class WideRay extends ShearedRay {
     double py = (oy - space.centerY) * space.scale;
     double pz = (oz - space.centerZ) * space.scale;
     double length = Axes.sum(dx, dy, dz);
-    if (length >= SHORT && length <= LONG && space.isInside(px, py, pz)) {
-      // The common case: all these rays have the same error bounds.
-      if (inside != space) {
-        setErrors(UnitSpace.INSIDE, space.worldReach);
-        tScale = space.scale * GROWTH;
-        tOffset = 0;
-        inside = space;
-      }
+    if (!(length >= SHORT && length <= LONG && space.isNear(px, py, pz))) {
+      return aimFromAnywhere(space, ox, oy, oz, dx, dy, dz);
+    }
+    // The common case: all these rays have the same error bounds.
+    if (near != space) {
+      setErrors(UnitSpace.INSIDE, space.nearReach);
+      tScale = space.scale * GROWTH;
+      near = space;
+    }
+    if (UnitSpace.isInside(px, py, pz)) {
+      tOffset = 0;
       setFloats(px, py, pz, dx, dy, dz);
       return true;
     }
-    return aimFromAnywhere(space, ox, oy, oz, dx, dy, dz);
+    double start = entry(px, py, pz, dx, dy, dz, space.nearReach);
+    tOffset = offset(start);
+    setFloats(px + start * dx, py + start * dy, pz + start * dz, dx, dy, dz);
+    return start >= 0;
   }
 
   /** Sets a ray with any origin and any length, as {@link #aim} does. */
   private boolean aimFromAnywhere(
       UnitSpace space, double ox, double oy, double oz, double dx, double dy, double dz) {
-    inside = null;
+    near = null;
     double px = (ox - space.centerX) * space.scale;
     double py = (oy - space.centerY) * space.scale;
     double pz = (oz - space.centerZ) * space.scale;
@@ -124,8 +130,7 @@ final class WideRay extends ShearedRay {
     double start = 0;
     boolean isOfLength = unit <= MAX_UNIT && perUnit <= MAX_UNIT;
     if (reach > UnitSpace.INSIDE && isOfLength) {
-      double room = 1 + 0x1p-5 + 0x1p-46 * worldReach;
-      start = entry(px, py, pz, atLeast(ux), atLeast(uy), atLeast(uz), room);
+      start = entry(px, py, pz, ux, uy, uz, worldReach);
       if (start < 0) {
         return false;
       }
@@ -136,7 +141,7 @@ final class WideRay extends ShearedRay {
     }
     // A product, because the JIT would keep one copy of a number made from bits for each use.
     tScale = perUnit * space.scale * GROWTH;
-    tOffset = start * (0x1p-48 - GROWTH);
+    tOffset = offset(start);
     if (reach <= UnitSpace.INSIDE && worldReach <= space.coveredReach && isOfLength) {
       setErrors(reach, worldReach);
       setFloats(px, py, pz, ux, uy, uz);
@@ -221,12 +226,23 @@ final class WideRay extends ShearedRay {
     first = sooner > 0 && later < FAR ? Float.floatToRawIntBits((float) sooner) : 0;
   }
 
+  /** Returns the summand of t for a ray that is moved by some t. */
+  private static double offset(double start) {
+    return start * (0x1p-48 - GROWTH);
+  }
+
   /**
-   * Returns the t at which a distant ray enters the cube [-room, room]³; negative if it misses the
-   * cube.
+   * Returns the t at which a ray from outside enters a cube that contains all boxes with their
+   * margins; negative if it misses the cube.
+   *
+   * @param worldReach see {@link #setErrors}
    */
   private static double entry(
-      double x, double y, double z, double dx, double dy, double dz, double room) {
+      double x, double y, double z, double ux, double uy, double uz, double worldReach) {
+    double room = 1 + 0x1p-5 + 0x1p-46 * worldReach;
+    double dx = atLeast(ux);
+    double dy = atLeast(uy);
+    double dz = atLeast(uz);
     double perX = 1 / dx;
     double perY = 1 / dy;
     double perZ = 1 / dz;

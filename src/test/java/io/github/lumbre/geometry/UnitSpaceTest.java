@@ -82,24 +82,37 @@ class UnitSpaceTest {
 
   @Test
   void pointsInTheCubeAreInsideAndOthersAreNot() {
-    UnitSpace space = around(0, 0, 0, 1);
     double edge = UnitSpace.INSIDE;
     double beyond = Math.nextUp(edge);
     for (double sign : new double[] {-1, 1}) {
-      assertThat(space.isInside(sign * edge, sign * edge, sign * edge)).isTrue();
-      assertThat(space.isInside(sign * beyond, 0, 0)).isFalse();
-      assertThat(space.isInside(0, sign * beyond, 0)).isFalse();
-      assertThat(space.isInside(0, 0, sign * beyond)).isFalse();
+      assertThat(UnitSpace.isInside(sign * edge, sign * edge, sign * edge)).isTrue();
+      assertThat(UnitSpace.isInside(sign * beyond, 0, 0)).isFalse();
+      assertThat(UnitSpace.isInside(0, sign * beyond, 0)).isFalse();
+      assertThat(UnitSpace.isInside(0, 0, sign * beyond)).isFalse();
     }
+  }
+
+  @Test
+  void pointsSomeSizesAwayAreNearAndOthersAreNot() {
+    UnitSpace space = around(300, 0, 0, 1);
+    for (double sign : new double[] {-1, 1}) {
+      assertThat(space.isNear(sign * 7, sign * 7, sign * 7)).isTrue();
+      assertThat(space.isNear(sign * 9, 0, 0)).isFalse();
+      assertThat(space.isNear(0, sign * 9, 0)).isFalse();
+      assertThat(space.isNear(0, 0, sign * 9)).isFalse();
+    }
+    // The origin and the center, which is 300 * scale away from 0.
+    double farthest = 300 * space.scale + 8 + 300 * space.scale;
+    assertThat(space.nearReach).isBetween(farthest, farthest + 2);
   }
 
   /** So far from the origin that doubles have no precision left for floats. */
   @Test
-  void nothingIsInsideOutOfTheReachOfFloats() {
+  void nothingIsNearOutOfTheReachOfFloats() {
     UnitSpace far = around(0x1p50, 0, 0, 1);
-    assertThat(far.isInside(0, 0, 0)).isFalse();
+    assertThat(far.isNear(0, 0, 0)).isFalse();
     assertThat(far.down(0, 0x1p50)).isZero();
     assertThat(far.up(0, 0x1p50)).isZero();
-    assertThat(around(0x1p30, 0, 0, 1).isInside(0, 0, 0)).isTrue();
+    assertThat(around(0x1p30, 0, 0, 1).isNear(0, 0, 0)).isTrue();
   }
 }
