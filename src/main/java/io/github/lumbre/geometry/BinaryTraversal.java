@@ -23,29 +23,47 @@ final class BinaryTraversal implements Traversal {
 
   private int nodeCount;
 
-  BinaryTraversal(BvhNode tree, int[] order, BvhItems items) {
-    nodes = new double[Math.multiplyExact(tree.innerNodes(), NODE_SIZE)];
-    children = new int[2 * tree.innerNodes()];
-    LeafOrder leaves = new LeafOrder(order, items.triangleCount());
-    root = store(tree, leaves);
+  BinaryTraversal(BvhTree tree, BvhItems items) {
+    int innerNodes = tree.innerNodes();
+    nodes = new double[Math.multiplyExact(innerNodes, NODE_SIZE)];
+    children = new int[2 * innerNodes];
+    LeafOrder leaves = new LeafOrder(tree.order(), items.triangleCount());
+    root = new Storing(tree, leaves).store(tree.root(), 0, tree.count(), new double[6], 0);
     triangles = items.triangles(leaves.triangles());
     shapes = items.shapes(leaves.shapes());
     hasTriangles = leaves.triangles().length > 0;
   }
 
-  private int store(BvhNode node, LeafOrder leaves) {
-    if (node instanceof BvhNode.Leaf leaf) {
-      return leaves.add(leaf);
+  /** Stores the nodes of a tree, a node before its children and the left child first. */
+  private final class Storing {
+    private final BvhTree tree;
+    private final LeafOrder leaves;
+    private final double[] leafBox = new double[6];
+
+    Storing(BvhTree tree, LeafOrder leaves) {
+      this.tree = tree;
+      this.leaves = leaves;
     }
-    BvhNode.Inner inner = (BvhNode.Inner) node;
-    int number = nodeCount++;
-    System.arraycopy(inner.left().box(), 0, nodes, number * NODE_SIZE, 6);
-    System.arraycopy(inner.right().box(), 0, nodes, number * NODE_SIZE + 6, 6);
-    int left = store(inner.left(), leaves);
-    int right = store(inner.right(), leaves);
-    children[2 * number] = left;
-    children[2 * number + 1] = right;
-    return number;
+
+    /**
+     * Stores a node over items in [first, end), and its box at an offset of an array; returns its
+     * number or a {@link LeafRef}.
+     */
+    int store(int node, int first, int end, double[] target, int at) {
+      if (node == BvhTree.LEAF) {
+        tree.copyBox(first, end, leafBox);
+        System.arraycopy(leafBox, 0, target, at, 6);
+        return leaves.add(first, end);
+      }
+      int number = nodeCount++;
+      int boxes = number * NODE_SIZE;
+      int left = store(tree.left(node), first, node, nodes, boxes);
+      int right = store(tree.right(node), node, end, nodes, boxes + 6);
+      ItemBox.storeUnion(nodes, boxes, nodes, boxes + 6, target, at);
+      children[2 * number] = left;
+      children[2 * number + 1] = right;
+      return number;
+    }
   }
 
   /**

@@ -68,7 +68,7 @@ final class BuildItems {
     double[] box = new double[6];
     for (int i = first + 1; i < end; i++) {
       source.copyBox(array[SIZE * i + NUMBER], box);
-      BvhNode.grow(all, box);
+      ItemBox.grow(all, box);
     }
     return all;
   }

@@ -38,8 +38,12 @@ final class BvhBuilder {
   /** Coordinates of ranges with a smaller extent are set again, at a finer resolution. */
   private static final int MIN_EXTENT = 1 << 14;
 
+  private final BvhItems source;
   private final BuildItems items;
   private final LeafCost costs;
+
+  /** The children of each inner node, as {@link BvhTree} has them; each task sets its own ones. */
+  private final int[] children;
 
   /** The thread whose interrupt cancels the build; every task checks its status. */
   private final Thread owner = Thread.currentThread();
@@ -57,8 +61,10 @@ final class BvhBuilder {
           "expected at most 2^26 - 1 triangles and other shapes in one hierarchy, found "
               + items.count());
     }
+    source = items;
     this.items = new BuildItems(items, costs);
     this.costs = costs;
+    children = new int[2 * items.count()];
   }
 
   /**
@@ -66,43 +72,39 @@ final class BvhBuilder {
    *
    * @throws CancellationException if the thread that created this builder is interrupted
    */
-  BvhNode build() {
+  BvhTree build() {
     int large = costs.isWide() ? items.partitionLarge() : 0;
+    int root = large;
     if (large == 0) {
-      return build(0, items.count(), 0, newSplitter());
+      root = build(0, items.count(), 0, newSplitter());
+    } else {
+      children[2 * large] = build(0, large, 1, new BvhSplitter(items.array(), costs.ofLarge()));
+      children[2 * large + 1] = build(large, items.count(), 1, newSplitter());
     }
-    BvhNode left = build(0, large, 1, new BvhSplitter(items.array(), costs.ofLarge()));
-    return new BvhNode.Inner(left, build(large, items.count(), 1, newSplitter()));
-  }
-
-  /** Returns the item numbers in leaf order; valid after {@link #build}. */
-  int[] order() {
-    return items.order();
+    return new BvhTree(source, items.order(), children, root);
   }
 
   private BvhSplitter newSplitter() {
     return new BvhSplitter(items.array(), costs);
   }
 
-  private BvhNode build(int first, int end, int depth, BvhSplitter splitter) {
+  /** Builds the node over a range; returns it. */
+  private int build(int first, int end, int depth, BvhSplitter splitter) {
     if (end - first == 1) {
-      return leaf(first, end);
+      return BvhTree.LEAF;
     }
     measure(first, end, splitter);
     int middle = depth < MAX_SAH_DEPTH ? splitter.split(first, end) : first;
     if (middle == first && splitter.fitsLeaf()) {
       middle = items.partitionKinds(first, end);
       if (middle == first || middle == end) {
-        return leaf(first, end);
+        return BvhTree.LEAF;
       }
     } else if (middle == first) {
       middle = (first + end) >>> 1;
     }
-    return buildInner(first, middle, end, depth + 1, splitter);
-  }
-
-  private BvhNode leaf(int first, int end) {
-    return new BvhNode.Leaf(items.box(first, end), first, end);
+    buildChildren(first, middle, end, depth + 1, splitter);
+    return middle;
   }
 
   private void measure(int first, int end, BvhSplitter splitter) {
@@ -113,22 +115,23 @@ final class BvhBuilder {
     }
   }
 
-  private BvhNode buildInner(int first, int middle, int end, int depth, BvhSplitter splitter) {
+  private void buildChildren(int first, int middle, int end, int depth, BvhSplitter splitter) {
     if (end - first >= MIN_TASK) {
       checkInterrupt();
     }
     if (Math.min(middle - first, end - middle) < MIN_TASK) {
-      BvhNode left = build(first, middle, depth, splitter);
-      return new BvhNode.Inner(left, build(middle, end, depth, splitter));
+      children[2 * middle] = build(first, middle, depth, splitter);
+      children[2 * middle + 1] = build(middle, end, depth, splitter);
+      return;
     }
-    ForkJoinTask<BvhNode> right =
+    ForkJoinTask<Integer> right =
         ForkJoinTask.adapt(() -> build(middle, end, depth, newSplitter())).fork();
-    BvhNode left = build(first, middle, depth, splitter);
-    return new BvhNode.Inner(left, joined(right));
+    children[2 * middle] = build(first, middle, depth, splitter);
+    children[2 * middle + 1] = joined(right);
   }
 
   /** Waits for a task. Unlike {@code join}, this passes an interrupt on to the other tasks. */
-  private BvhNode joined(ForkJoinTask<BvhNode> task) {
+  private int joined(ForkJoinTask<Integer> task) {
     try {
       return task.get();
     } catch (InterruptedException e) {

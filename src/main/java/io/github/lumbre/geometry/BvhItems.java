@@ -145,11 +145,11 @@ final class BvhItems {
   /** Returns the box of all items; callers must not modify it. */
   double[] box() {
     if (whole == null) {
-      whole = BvhNode.EMPTY.clone();
+      whole = ItemBox.empty();
       double[] box = new double[6];
       for (int item = 0; item < count(); item++) {
         copyBox(item, box);
-        BvhNode.grow(whole, box);
+        ItemBox.grow(whole, box);
       }
     }
     return whole;

@@ -18,21 +18,23 @@ final class CountingTraversal implements Traversal {
 
   private record Children(Node left, Node right) {}
 
-  CountingTraversal(BvhNode tree, int[] order, BvhItems items, LongAdder visits) {
-    LeafOrder leaves = new LeafOrder(order, items.triangleCount());
-    root = copy(tree, leaves);
+  CountingTraversal(BvhTree tree, BvhItems items, LongAdder visits) {
+    LeafOrder leaves = new LeafOrder(tree.order(), items.triangleCount());
+    root = copy(tree, tree.root(), 0, tree.count(), leaves);
     triangles = items.triangles(leaves.triangles());
     shapes = items.shapes(leaves.shapes());
     this.visits = visits;
   }
 
-  private static Node copy(BvhNode node, LeafOrder leaves) {
-    if (node instanceof BvhNode.Leaf leaf) {
-      return new Node(leaf.box(), Optional.empty(), leaves.add(leaf));
+  private static Node copy(BvhTree tree, int node, int first, int end, LeafOrder leaves) {
+    double[] box = new double[ItemBox.SIZE];
+    tree.copyBox(first, end, box);
+    if (node == BvhTree.LEAF) {
+      return new Node(box, Optional.empty(), leaves.add(first, end));
     }
-    BvhNode.Inner inner = (BvhNode.Inner) node;
-    Children children = new Children(copy(inner.left(), leaves), copy(inner.right(), leaves));
-    return new Node(node.box(), Optional.of(children), 0);
+    Node left = copy(tree, tree.left(node), first, node, leaves);
+    Node right = copy(tree, tree.right(node), node, end, leaves);
+    return new Node(box, Optional.of(new Children(left, right)), 0);
   }
 
   @Override

@@ -95,13 +95,12 @@ public enum Kernel {
         }
       }
     }
-    BvhBuilder builder = new BvhBuilder(items, BinaryTraversal.COSTS);
-    return new BinaryTraversal(builder.build(), builder.order(), items);
+    return new BinaryTraversal(new BvhBuilder(items, BinaryTraversal.COSTS).build(), items);
   }
 
   private static Traversal vectorsOver(BvhItems items, int lastPlace) {
-    BvhBuilder builder = new BvhBuilder(items, WideTree.COSTS);
-    return Vectors.over(new WideTree(builder.build(), builder.order(), items, lastPlace));
+    BvhTree tree = new BvhBuilder(items, WideTree.COSTS).build();
+    return Vectors.over(new WideTree(tree, items, lastPlace));
   }
 
   /** Returns a traversal over items that counts the nodes that {@link #SCALAR} visits. */
@@ -109,8 +108,8 @@ public enum Kernel {
     if (items.isEmpty()) {
       return Traversal.NONE;
     }
-    BvhBuilder builder = new BvhBuilder(items, BinaryTraversal.COSTS);
-    return new CountingTraversal(builder.build(), builder.order(), items, visits);
+    BvhTree tree = new BvhBuilder(items, BinaryTraversal.COSTS).build();
+    return new CountingTraversal(tree, items, visits);
   }
 
   private boolean usesVectors(BvhItems items) {

@@ -52,19 +52,19 @@ final class LeafOrder {
   }
 
   /**
-   * Adds the items of a leaf; returns the {@link LeafRef} to their new position.
+   * Adds the items of a leaf, a range of the builder's order; returns the {@link LeafRef} to their new position.
    *
    * @throws HierarchyLimitException if there is no place for them
    */
-  int add(BvhNode.Leaf leaf) {
-    int count = leaf.end() - leaf.first();
-    boolean ofShapes = order[leaf.first()] >= triangleItems;
-    int first = ofShapes ? shapeCount : place(count);
-    System.arraycopy(order, leaf.first(), ofShapes ? shapes : triangles, first, count);
+  int add(int first, int end) {
+    int count = end - first;
+    boolean ofShapes = order[first] >= triangleItems;
+    int place = ofShapes ? shapeCount : place(count);
+    System.arraycopy(order, first, ofShapes ? shapes : triangles, place, count);
     if (ofShapes) {
       shapeCount += count;
     }
-    return LeafRef.of(ofShapes, first, count);
+    return LeafRef.of(ofShapes, place, count);
   }
 
   /** Returns the first of so many places for triangles, in the fullest block that has them. */

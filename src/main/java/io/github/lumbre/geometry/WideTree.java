@@ -47,14 +47,14 @@ final class WideTree {
   /**
    * Creates the tree of a binary tree.
    *
-   * @param order the builder's order of item numbers
    * @param lastPlace the largest number of a triangle's place that a leaf can start at
    * @throws HierarchyLimitException if there are more triangles than places
    */
-  WideTree(BvhNode tree, int[] order, BvhItems items, int lastPlace) {
-    space = new UnitSpace(tree.box());
-    LeafOrder leafOrder = new LeafOrder(order, items.triangleCount(), WIDTH, lastPlace);
-    store(WideCollapse.root(tree), new WideCollapse(tree), leafOrder);
+  WideTree(BvhTree tree, BvhItems items, int lastPlace) {
+    LeafOrder leafOrder = new LeafOrder(tree.order(), items.triangleCount(), WIDTH, lastPlace);
+    WideCollapse collapse = new WideCollapse(tree);
+    space = new UnitSpace(collapse.root().box());
+    store(collapse.root(), collapse, leafOrder);
     nodes = Arrays.copyOf(nodes, size);
     int[] places = leafOrder.triangles();
     leaves = new float[Math.multiplyExact(places.length, TRIANGLE_SIZE)];
@@ -113,16 +113,17 @@ final class WideTree {
     sortLikeliestLast(lanes);
     for (int lane = 0; lane < WIDTH; lane++) {
       if (lane < lanes.length) {
-        storeBox(start + lane, lanes[lane].node().box());
+        storeBox(start + lane, lanes[lane].box());
       } else {
         storeNothing(start + lane);
       }
     }
     for (int lane = 0; lane < lanes.length; lane++) {
+      WideCollapse.Kept kept = lanes[lane];
       int child =
-          lanes[lane].node() instanceof BvhNode.Leaf leaf
-              ? leafOrder.add(leaf)
-              : store(lanes[lane], collapse, leafOrder);
+          kept.isLeaf()
+              ? leafOrder.add(kept.first(), kept.end())
+              : store(kept, collapse, leafOrder);
       nodes[start + CHILDREN + lane] = child;
     }
     return start;
@@ -137,7 +138,7 @@ final class WideTree {
     for (int lane = 1; lane < lanes.length; lane++) {
       WideCollapse.Kept moved = lanes[lane];
       int place = lane;
-      while (place > 0 && isLikelier(lanes[place - 1].node(), moved.node())) {
+      while (place > 0 && isLikelier(lanes[place - 1], moved)) {
         lanes[place] = lanes[place - 1];
         place--;
       }
@@ -145,12 +146,11 @@ final class WideTree {
     }
   }
 
-  private static boolean isLikelier(BvhNode node, BvhNode other) {
-    boolean isLeaf = node instanceof BvhNode.Leaf;
-    if (isLeaf != other instanceof BvhNode.Leaf) {
-      return isLeaf;
+  private static boolean isLikelier(WideCollapse.Kept node, WideCollapse.Kept other) {
+    if (node.isLeaf() != other.isLeaf()) {
+      return node.isLeaf();
     }
-    return BvhNode.halfArea(node.box()) > BvhNode.halfArea(other.box());
+    return ItemBox.halfArea(node.box()) > ItemBox.halfArea(other.box());
   }
 
   private void storeBox(int at, double[] box) {

@@ -62,7 +62,7 @@ class BuildItemsTest {
           assertThat(items.array()[SIZE * i + k]).isBetween(0, BuildItems.REACH);
         }
       }
-      assertThat(new BvhBuilder(source, BinaryTraversal.COSTS).build().box())
+      assertThat(built(List.of(Mesh.baked(mesh, Transform.IDENTITY)), BinaryTraversal.COSTS).box())
           .isEqualTo(items.box(0, source.count()));
     }
   }
@@ -136,15 +136,14 @@ class BuildItemsTest {
   @Test
   void wallsAreLeavesOfTheirOwn() {
     List<Shape> shapes = boxes(50, 1, Vec3.ZERO, new SplittableRandom(4));
-    BvhNode contents = new BvhBuilder(new BvhItems(shapes), WideTree.COSTS).build();
+    TreeNode contents = built(shapes, WideTree.COSTS);
     shapes.add(room(2));
-    BvhBuilder builder = new BvhBuilder(new BvhItems(shapes), WideTree.COSTS);
-    BvhNode.Inner root = (BvhNode.Inner) builder.build();
+    TreeNode.Inner root = (TreeNode.Inner) built(shapes, WideTree.COSTS);
     assertThat(root.right().box()).isEqualTo(contents.box());
-    List<BvhNode.Leaf> walls = new ArrayList<>();
+    List<TreeNode.Leaf> walls = new ArrayList<>();
     addLeaves(root.left(), walls);
     assertThat(walls).hasSize(6);
-    for (BvhNode.Leaf wall : walls) {
+    for (TreeNode.Leaf wall : walls) {
       assertThat(wall.end() - wall.first()).isEqualTo(2);
       double[] box = wall.box();
       double thinnest = Math.min(box[1] - box[0], Math.min(box[3] - box[2], box[5] - box[4]));
@@ -152,26 +151,30 @@ class BuildItemsTest {
     }
   }
 
-  private static void addLeaves(BvhNode node, List<BvhNode.Leaf> leaves) {
-    if (node instanceof BvhNode.Leaf leaf) {
+  private static TreeNode built(List<? extends Shape> shapes, LeafCost costs) {
+    return TreeNode.of(new BvhBuilder(new BvhItems(List.copyOf(shapes)), costs).build());
+  }
+
+  private static void addLeaves(TreeNode node, List<TreeNode.Leaf> leaves) {
+    if (node instanceof TreeNode.Leaf leaf) {
       leaves.add(leaf);
-    } else if (node instanceof BvhNode.Inner inner) {
+    } else if (node instanceof TreeNode.Inner inner) {
       addLeaves(inner.left(), leaves);
       addLeaves(inner.right(), leaves);
     }
   }
 
-  private static double surface(BvhNode node) {
-    double own = BvhNode.halfArea(node.box());
-    return node instanceof BvhNode.Inner inner
+  private static double surface(TreeNode node) {
+    double own = ItemBox.halfArea(node.box());
+    return node instanceof TreeNode.Inner inner
         ? own + surface(inner.left()) + surface(inner.right())
         : own;
   }
 
   /** Returns the node of the given number of items. */
-  private static BvhNode find(BvhNode node, double[] box) {
+  private static TreeNode find(TreeNode node, double[] box) {
     while (!Arrays.equals(node.box(), box)) {
-      BvhNode.Inner inner = (BvhNode.Inner) node;
+      TreeNode.Inner inner = (TreeNode.Inner) node;
       double[] left = inner.left().box();
       node = left[0] <= box[0] && left[1] >= box[1] ? inner.left() : inner.right();
     }
@@ -182,10 +185,10 @@ class BuildItemsTest {
   @Test
   void tinyClustersAreSplitWell() {
     List<Shape> cluster = boxes(500, 0x1p-40, Vec3.ZERO, new SplittableRandom(2));
-    BvhNode alone = new BvhBuilder(new BvhItems(cluster), BinaryTraversal.COSTS).build();
+    TreeNode alone = built(cluster, BinaryTraversal.COSTS);
     List<Shape> scene = new ArrayList<>(cluster);
     scene.add(new Box(Transform.translation(new Vec3(1000, 0, 0)), 5, 5, 5));
-    BvhNode whole = new BvhBuilder(new BvhItems(scene), BinaryTraversal.COSTS).build();
+    TreeNode whole = built(scene, BinaryTraversal.COSTS);
     assertThat(surface(find(whole, alone.box()))).isCloseTo(surface(alone), within(1e-26));
     assertThat(surface(alone)).isGreaterThan(1e-24);
   }

@@ -365,13 +365,28 @@ class KernelTest {
     }
   }
 
+  /**
+   * Nodes are integers while a hierarchy is built, and boxes are computed when they are stored:
+   * objects with boxes take 100 bytes more for each triangle, all at once.
+   */
+  @Test
+  void buildingTakesLittleMemoryPerTriangle() throws ReflectiveOperationException {
+    Mesh mesh = Mesh.baked(Shapes.closedBall(50, 70, .2, false), Transform.IDENTITY);
+    Bvh.over(List.of(mesh), Kernel.SCALAR);
+    long before = Allocation.ofThisThread();
+    Bvh.over(List.of(mesh), Kernel.SCALAR);
+    long bytes = Allocation.ofThisThread() - before;
+    // Few enough for one thread.
+    assertThat(mesh.triangles().triangleCount()).isBetween(6000, 8000);
+    assertThat(bytes / mesh.triangles().triangleCount()).isLessThan(180);
+  }
+
   private static WideTree tree(int threads, LeafCost costs, List<Shape> shapes) {
     ForkJoinPool pool = new ForkJoinPool(threads);
     try {
       BvhItems items = new BvhItems(shapes);
       BvhBuilder builder = new BvhBuilder(items, costs);
-      BvhNode root = pool.submit(builder::build).join();
-      return new WideTree(root, builder.order(), items, BvhBuilder.MAX_ITEMS);
+      return new WideTree(pool.submit(builder::build).join(), items, BvhBuilder.MAX_ITEMS);
     } finally {
       pool.shutdown();
     }

@@ -52,12 +52,11 @@ class LeafTest {
 
   @Test
   void itemsOfEachKindAreNumberedAsTheirLeavesAreMet() {
-    double[] box = new double[6];
     LeafOrder leaves = new LeafOrder(new int[] {5, 2, 0, 4, 3, 1}, 3);
-    int shape = leaves.add(new BvhNode.Leaf(box, 0, 1));
-    int triangles = leaves.add(new BvhNode.Leaf(box, 1, 3));
-    int shapes = leaves.add(new BvhNode.Leaf(box, 3, 5));
-    int triangle = leaves.add(new BvhNode.Leaf(box, 5, 6));
+    int shape = leaves.add(0, 1);
+    int triangles = leaves.add(1, 3);
+    int shapes = leaves.add(3, 5);
+    int triangle = leaves.add(5, 6);
     assertThat(leaves.shapes()).containsExactly(5, 4, 3);
     assertThat(leaves.triangles()).containsExactly(2, 0, 1);
     assertThat(shape).isEqualTo(LeafRef.of(true, 0, 1));
@@ -69,23 +68,21 @@ class LeafTest {
   /** A leaf takes the fullest block that has room for it. */
   @Test
   void noLeafIsInTwoBlocks() {
-    double[] box = new double[6];
     LeafOrder leaves = new LeafOrder(new int[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0}, 11, 4, 8);
-    assertThat(leaves.add(new BvhNode.Leaf(box, 0, 3))).isEqualTo(LeafRef.of(false, 0, 3));
-    assertThat(leaves.add(new BvhNode.Leaf(box, 3, 5))).isEqualTo(LeafRef.of(false, 4, 2));
-    assertThat(leaves.add(new BvhNode.Leaf(box, 5, 8))).isEqualTo(LeafRef.of(false, 8, 3));
-    assertThat(leaves.add(new BvhNode.Leaf(box, 8, 9))).isEqualTo(LeafRef.of(false, 11, 1));
-    assertThat(leaves.add(new BvhNode.Leaf(box, 9, 11))).isEqualTo(LeafRef.of(false, 6, 2));
+    assertThat(leaves.add(0, 3)).isEqualTo(LeafRef.of(false, 0, 3));
+    assertThat(leaves.add(3, 5)).isEqualTo(LeafRef.of(false, 4, 2));
+    assertThat(leaves.add(5, 8)).isEqualTo(LeafRef.of(false, 8, 3));
+    assertThat(leaves.add(8, 9)).isEqualTo(LeafRef.of(false, 11, 1));
+    assertThat(leaves.add(9, 11)).isEqualTo(LeafRef.of(false, 6, 2));
     assertThat(leaves.triangles()).containsExactly(1, 2, 3, 0, 4, 5, 10, 0, 6, 7, 8, 9);
   }
 
   @Test
   void triangleWithoutPlaceIsRefused() {
-    double[] box = new double[6];
     LeafOrder leaves = new LeafOrder(new int[] {1, 2, 3, 4, 5, 6, 7, 8, 0}, 9, 4, 4);
-    leaves.add(new BvhNode.Leaf(box, 0, 4));
-    leaves.add(new BvhNode.Leaf(box, 4, 8));
-    assertThatThrownBy(() -> leaves.add(new BvhNode.Leaf(box, 8, 9)))
+    leaves.add(0, 4);
+    leaves.add(4, 8);
+    assertThatThrownBy(() -> leaves.add(8, 9))
         .isInstanceOf(HierarchyLimitException.class)
         .hasMessage(
             "the vector kernel has no place for so many triangles; expected at most about"

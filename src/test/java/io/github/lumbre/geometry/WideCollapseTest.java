@@ -2,9 +2,11 @@ package io.github.lumbre.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.lumbre.math.Vec3;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Tests the choice of nodes with up to eight children. */
@@ -13,34 +15,40 @@ class WideCollapseTest {
   private static final int MAX_LEAVES = 60;
 
   /** Returns a tree of random shape over leaves with random boxes. */
-  private static BvhNode tree(int first, int end, SplittableRandom random) {
+  private static BvhTree tree(int count, SplittableRandom random) {
+    List<Shape> boxes = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      Vec3 center = new Vec3(random.nextDouble(), random.nextDouble(), random.nextDouble());
+      boxes.add(Box.of(center, new Vec3(side(random), side(random), side(random))));
+    }
+    int[] children = new int[2 * count];
+    int root = divide(0, count, children, random);
+    return new BvhTree(new BvhItems(boxes), IntStream.range(0, count).toArray(), children, root);
+  }
+
+  private static double side(SplittableRandom random) {
+    return random.nextDouble(1e-3, .3);
+  }
+
+  private static int divide(int first, int end, int[] children, SplittableRandom random) {
     if (end - first == 1) {
-      double[] box = new double[6];
-      for (int axis = 0; axis < 6; axis += 2) {
-        box[axis] = random.nextDouble();
-        box[axis + 1] = box[axis] + random.nextDouble(.3);
-      }
-      return new BvhNode.Leaf(box, first, end);
+      return BvhTree.LEAF;
     }
     int middle = random.nextInt(first + 1, end);
-    BvhNode left = tree(first, middle, random);
-    BvhNode right = tree(middle, end, random);
-    double[] box = new double[6];
-    for (int axis = 0; axis < 6; axis += 2) {
-      box[axis] = Math.min(left.box()[axis], right.box()[axis]);
-      box[axis + 1] = Math.max(left.box()[axis + 1], right.box()[axis + 1]);
-    }
-    return new BvhNode.Inner(box, left, right);
+    children[2 * middle] = divide(first, middle, children, random);
+    children[2 * middle + 1] = divide(middle, end, children, random);
+    return middle;
   }
 
   /** Collects the leaves in order; returns the total surface area of the kept nodes. */
-  private static double walk(WideCollapse collapse, WideCollapse.Kept node, List<BvhNode> leaves) {
-    double surface = BvhNode.halfArea(node.node().box());
+  private static double walk(
+      WideCollapse collapse, WideCollapse.Kept node, List<WideCollapse.Kept> leaves) {
+    double surface = ItemBox.halfArea(node.box());
     WideCollapse.Kept[] children = collapse.children(node);
     assertThat(children).hasSizeBetween(1, WideTree.WIDTH);
     for (WideCollapse.Kept child : children) {
-      if (child.node() instanceof BvhNode.Leaf) {
-        leaves.add(child.node());
+      if (child.isLeaf()) {
+        leaves.add(child);
       } else {
         surface += walk(collapse, child, leaves);
       }
@@ -48,20 +56,25 @@ class WideCollapseTest {
     return surface;
   }
 
+  private static double walk(BvhTree tree, List<WideCollapse.Kept> leaves) {
+    WideCollapse collapse = new WideCollapse(tree);
+    return walk(collapse, collapse.root(), leaves);
+  }
+
   /** Returns the total surface area of the nodes that a random choice keeps. */
-  private static double atRandom(BvhNode node, SplittableRandom random) {
-    List<BvhNode> lanes = new ArrayList<>(List.of(node));
+  private static double atRandom(TreeNode node, SplittableRandom random) {
+    List<TreeNode> lanes = new ArrayList<>(List.of(node));
     int wanted = random.nextInt(2, WideTree.WIDTH + 1);
     do {
       int lane = random.nextInt(lanes.size());
-      if (lanes.get(lane) instanceof BvhNode.Inner inner) {
+      if (lanes.get(lane) instanceof TreeNode.Inner inner) {
         lanes.set(lane, inner.left());
         lanes.add(inner.right());
       }
-    } while (lanes.size() < wanted && lanes.stream().anyMatch(BvhNode.Inner.class::isInstance));
-    return BvhNode.halfArea(node.box())
+    } while (lanes.size() < wanted && lanes.stream().anyMatch(TreeNode.Inner.class::isInstance));
+    return ItemBox.halfArea(node.box())
         + lanes.stream()
-            .filter(BvhNode.Inner.class::isInstance)
+            .filter(TreeNode.Inner.class::isInstance)
             .mapToDouble(lane -> atRandom(lane, random))
             .sum();
   }
@@ -69,14 +82,14 @@ class WideCollapseTest {
   /**
    * Returns the total surface area of the nodes kept when the largest node is always opened first.
    */
-  private static double byOpeningTheLargest(BvhNode node) {
-    List<BvhNode> lanes = new ArrayList<>(List.of(node));
+  private static double byOpeningTheLargest(TreeNode node) {
+    List<TreeNode> lanes = new ArrayList<>(List.of(node));
     while (lanes.size() < WideTree.WIDTH) {
-      BvhNode.Inner largest = null;
-      for (BvhNode lane : lanes) {
-        if (lane instanceof BvhNode.Inner inner
+      TreeNode.Inner largest = null;
+      for (TreeNode lane : lanes) {
+        if (lane instanceof TreeNode.Inner inner
             && (largest == null
-                || BvhNode.halfArea(inner.box()) > BvhNode.halfArea(largest.box()))) {
+                || ItemBox.halfArea(inner.box()) > ItemBox.halfArea(largest.box()))) {
           largest = inner;
         }
       }
@@ -86,18 +99,18 @@ class WideCollapseTest {
       lanes.set(lanes.indexOf(largest), largest.left());
       lanes.add(largest.right());
     }
-    return BvhNode.halfArea(node.box())
+    return ItemBox.halfArea(node.box())
         + lanes.stream()
-            .filter(BvhNode.Inner.class::isInstance)
+            .filter(TreeNode.Inner.class::isInstance)
             .mapToDouble(WideCollapseTest::byOpeningTheLargest)
             .sum();
   }
 
   @Test
   void halfAreasAreThoseOfBoxes() {
-    assertThat(BvhNode.halfArea(new double[] {0, 2, 1, 4, -5, 0})).isEqualTo(2 * 3 + 3 * 5 + 5 * 2);
-    assertThat(BvhNode.halfArea(new double[] {1, 1, 0, 2, 0, 3})).isEqualTo(6);
-    assertThat(BvhNode.halfArea(BvhNode.EMPTY)).isZero();
+    assertThat(ItemBox.halfArea(new double[] {0, 2, 1, 4, -5, 0})).isEqualTo(2 * 3 + 3 * 5 + 5 * 2);
+    assertThat(ItemBox.halfArea(new double[] {1, 1, 0, 2, 0, 3})).isEqualTo(6);
+    assertThat(ItemBox.halfArea(ItemBox.empty())).isZero();
   }
 
   @Test
@@ -105,12 +118,15 @@ class WideCollapseTest {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < TREES; i++) {
       int count = random.nextInt(1, MAX_LEAVES);
-      BvhNode tree = tree(0, count, random);
-      List<BvhNode> leaves = new ArrayList<>();
-      walk(new WideCollapse(tree), WideCollapse.root(tree), leaves);
+      BvhTree tree = tree(count, random);
+      List<WideCollapse.Kept> leaves = new ArrayList<>();
+      walk(tree, leaves);
       assertThat(leaves).hasSize(count);
       for (int leaf = 0; leaf < count; leaf++) {
-        assertThat(((BvhNode.Leaf) leaves.get(leaf)).first()).isEqualTo(leaf);
+        assertThat(leaves.get(leaf).first()).isEqualTo(leaf);
+        double[] box = new double[6];
+        tree.copyBox(leaf, leaf + 1, box);
+        assertThat(leaves.get(leaf).box()).isEqualTo(box);
       }
     }
   }
@@ -121,8 +137,9 @@ class WideCollapseTest {
     double all = 0;
     double allByLargest = 0;
     for (int i = 0; i < TREES; i++) {
-      BvhNode tree = tree(0, random.nextInt(2, MAX_LEAVES), random);
-      double least = walk(new WideCollapse(tree), WideCollapse.root(tree), new ArrayList<>());
+      BvhTree collapsed = tree(random.nextInt(2, MAX_LEAVES), random);
+      double least = walk(collapsed, new ArrayList<>());
+      TreeNode tree = TreeNode.of(collapsed);
       double byLargest = byOpeningTheLargest(tree);
       assertThat(least).isLessThanOrEqualTo(byLargest * (1 + 1e-12));
       for (int k = 0; k < 20; k++) {
