@@ -74,9 +74,10 @@ final class CheckCommand extends Subcommand {
 
   /** Returns a parser for the settings with which {@code render} writes its default picture. */
   private SceneParser parser() throws TaskException {
+    SceneParser parser = options.parser().searchedLater();
     return options.isModel()
-        ? options.parser().overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build())
-        : options.parser();
+        ? parser.overriding(s -> s.toBuilder().samples(Denoising.MODEL_SAMPLES).build())
+        : parser;
   }
 
   private static ExitCode describe(SceneFile file, JsonSummary report) {

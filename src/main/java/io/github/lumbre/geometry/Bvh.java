@@ -65,6 +65,19 @@ public final class Bvh {
   }
 
   /**
+   * Returns a hierarchy over shapes that is built when the first ray is traced, for scenes that are
+   * read and perhaps not rendered. It never changes to the vector kernel.
+   *
+   * @throws HierarchyLimitException if there are too many items for a hierarchy
+   */
+  public static Bvh later(List<? extends Shape> shapes, Kernel kernel) {
+    BvhItems items = new BvhItems(List.copyOf(shapes));
+    BvhBuilder.requirePlaces(items);
+    Kernel used = kernel == Kernel.AUTO ? Kernel.SCALAR : kernel;
+    return new Bvh(new LateTraversal(() -> used.over(items)), items.unbounded(), List.of());
+  }
+
+  /**
    * Builds the hierarchy over some shapes of a list, which keep their numbers in it.
    *
    * @param isIncluded returns whether the shape of a number is included
@@ -100,7 +113,8 @@ public final class Bvh {
   public Bvh part(List<? extends Shape> some) {
     List<Shape> shapes = List.copyOf(some);
     BvhItems items = new BvhItems(shapes);
-    Kernel kernel = bounded instanceof BinaryTraversal ? Kernel.SCALAR : Kernel.VECTOR;
+    boolean isPlain = bounded instanceof BinaryTraversal || bounded instanceof LateTraversal;
+    Kernel kernel = isPlain ? Kernel.SCALAR : Kernel.VECTOR;
     return new Bvh(kernel.over(items), items.unbounded(), isChangeable() ? shapes : List.of());
   }
 

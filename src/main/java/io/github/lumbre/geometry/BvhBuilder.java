@@ -56,15 +56,24 @@ final class BvhBuilder {
    * @throws HierarchyLimitException if there are more than {@link #MAX_ITEMS}
    */
   BvhBuilder(BvhItems items, LeafCost costs) {
+    requirePlaces(items);
+    source = items;
+    this.items = new BuildItems(items, costs);
+    this.costs = costs;
+    children = new int[2 * items.count()];
+  }
+
+  /**
+   * Checks the number of items.
+   *
+   * @throws HierarchyLimitException if there are more than {@link #MAX_ITEMS}
+   */
+  static void requirePlaces(BvhItems items) {
     if (items.count() > MAX_ITEMS) {
       throw new HierarchyLimitException(
           "expected at most 2^26 - 1 triangles and other shapes in one hierarchy, found "
               + items.count());
     }
-    source = items;
-    this.items = new BuildItems(items, costs);
-    this.costs = costs;
-    children = new int[2 * items.count()];
   }
 
   /**

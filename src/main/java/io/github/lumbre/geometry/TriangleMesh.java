@@ -40,6 +40,9 @@ public final class TriangleMesh {
   /** Whether the mesh encloses a volume; null before it is asked for. */
   private volatile Boolean closed;
 
+  /** The box around the triangles; null before it is asked for. */
+  private volatile Bounds3 bounds;
+
   private TriangleMesh(
       double[] positions,
       double[] normals,
@@ -316,6 +319,16 @@ public final class TriangleMesh {
 
   /** Returns the smallest local-space box around the triangles; empty without triangles. */
   public Bounds3 bounds() {
+    Bounds3 known = bounds;
+    if (known == null) {
+      // Two threads may compute this at once; their results are equal.
+      known = computeBounds();
+      bounds = known;
+    }
+    return known;
+  }
+
+  private Bounds3 computeBounds() {
     double[] min = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     double[] max = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
     for (int vertex : indices) {

@@ -33,6 +33,12 @@ record Hierarchies(Bvh all, Bvh blockers, KernelChange change) {
     return of(all, shapes, lights, all::part);
   }
 
+  /** Returns hierarchies that are built when the first ray is traced; see {@link Bvh#later}. */
+  static Hierarchies later(List<Shape> shapes, Kernel kernel) {
+    Bvh all = Bvh.later(shapes, kernel);
+    return new Hierarchies(all, all, KernelChange.of(List.of(), List.of()));
+  }
+
   /**
    * Returns the hierarchies of the poses of a scene in motion. They share one of the shapes that
    * are the same in all poses, if all poses have equally many shapes, and change kernels together.

@@ -103,7 +103,11 @@ public final class Scene extends OpenScene {
                         .filter(other -> other.shapes().equals(shapes()))
                         .map(
                             other -> other.hierarchies.of(lights.all().equals(other.lights.all()))))
-            .orElseGet(() -> Hierarchies.over(shapes(), built.kernel, lights.all()));
+            .orElseGet(
+                () ->
+                    built.isSearchedLater
+                        ? Hierarchies.later(shapes(), built.kernel)
+                        : Hierarchies.over(shapes(), built.kernel, lights.all()));
     bvh = hierarchies.all();
     names = SurfaceNames.of(built.objectNames, built.materialNames);
     shortcuts = Specialization.of(primitives, emitters().size());

@@ -37,6 +37,7 @@ public final class SceneAssembly {
   Rgb ambient = Rgb.BLACK;
   Optional<Backplate> backplate = Optional.empty();
   Kernel kernel = Kernel.AUTO;
+  boolean isSearchedLater;
   private String objectName = "";
   private String materialName = "";
   private String lightGroup = "";
@@ -170,6 +171,12 @@ public final class SceneAssembly {
    */
   public SceneAssembly searchedBy(Kernel newKernel) {
     kernel = Objects.requireNonNull(newKernel, "kernel");
+    return this;
+  }
+
+  /** Delays building the hierarchy of a scene that does not move until the first ray is traced. */
+  public SceneAssembly searchedLater() {
+    isSearchedLater = true;
     return this;
   }
 

@@ -30,7 +30,10 @@ final class InputFile {
       throws SceneFormatException, IOException {
     try {
       long max = Math.min(AssetData.MAX_BYTES, maxBytes);
-      Optional<String> excess = Limits.excess(bytes, max, Files.size(file));
+      long size = Files.size(file);
+      Optional<String> excess =
+          Limits.excess(bytes, max, size)
+              .or(() -> Limits.excess("bytes, the whole heap", Limits.NONE.heap(), size));
       if (excess.isPresent()) {
         problems.error(Kind.LIMIT, () -> "$", excess.get());
         throw problems.exception();

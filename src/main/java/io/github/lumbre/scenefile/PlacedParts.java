@@ -21,6 +21,7 @@ import java.util.function.Consumer;
  * their own in each pose. Not reusable.
  */
 final class PlacedParts {
+  private boolean isSearchedLater;
   private final List<Entry> entries = new ArrayList<>();
   private final List<Origin> primitives = new ArrayList<>();
   private final List<Origin> materials = new ArrayList<>();
@@ -58,6 +59,11 @@ final class PlacedParts {
                 .toList()));
   }
 
+  /** Delays building the hierarchy; see {@link SceneAssembly#searchedLater}. */
+  void searchLater() {
+    isSearchedLater = true;
+  }
+
   /** Returns whether some parts move. */
   boolean areMoving() {
     return entries.stream().anyMatch(entry -> entry.poses.size() > 1);
@@ -83,6 +89,9 @@ final class PlacedParts {
     for (int pose = 0; pose < poses; pose++) {
       SceneAssembly scene =
           new SceneAssembly(cameras.get(cameras.size() == 1 ? 0 : pose)).searchedBy(kernel);
+      if (isSearchedLater) {
+        scene.searchedLater();
+      }
       backplate.ifPresent(scene::backplate);
       add(pose, scene, pose == poses / 2);
       all.add(scene);

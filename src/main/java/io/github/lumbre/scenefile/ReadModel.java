@@ -145,6 +145,9 @@ final class ReadModel implements LoneModel {
             parser.kernel(),
             "",
             Optional.of(new ModelObjects.Known(shown, place, decoded)));
+    if (parser.isSearchedLater()) {
+      world.searchLater();
+    }
     world.read(settings.aspect(), Optional.empty());
     problems.throwIfAny();
     Scene scene = world.scene(Optional.empty());

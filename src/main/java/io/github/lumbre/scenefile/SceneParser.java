@@ -41,11 +41,12 @@ public final class SceneParser {
   private final SettingsChange settings;
   private final TextureChange textures;
   private final Optional<Kernel> kernel;
+  private final boolean later;
   private final List<Path> assets;
 
   /** Creates a parser without overrides: missing assets are errors, settings are the file's. */
   public SceneParser() {
-    this(false, SettingsChange.NONE, TextureChange.NONE, Optional.empty(), List.of());
+    this(false, SettingsChange.NONE, TextureChange.NONE, Optional.empty(), false, List.of());
   }
 
   private SceneParser(
@@ -53,11 +54,13 @@ public final class SceneParser {
       SettingsChange settings,
       TextureChange textures,
       Optional<Kernel> kernel,
+      boolean later,
       List<Path> assets) {
     this.lenient = lenient;
     this.settings = settings;
     this.textures = textures;
     this.kernel = kernel;
+    this.later = later;
     this.assets = List.copyOf(assets);
   }
 
@@ -66,17 +69,17 @@ public final class SceneParser {
    * in scenes, as warnings, not errors.
    */
   public SceneParser lenient() {
-    return new SceneParser(true, settings, textures, kernel, assets);
+    return new SceneParser(true, settings, textures, kernel, later, assets);
   }
 
   /** Returns a parser that overrides the render mode of the file. */
   public SceneParser inMode(RenderSettings.Mode newMode) {
-    return new SceneParser(lenient, settings.inMode(newMode), textures, kernel, assets);
+    return new SceneParser(lenient, settings.inMode(newMode), textures, kernel, later, assets);
   }
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
-    return new SceneParser(lenient, settings.overriding(newChange), textures, kernel, assets);
+    return new SceneParser(lenient, settings.overriding(newChange), textures, kernel, later, assets);
   }
 
   /**
@@ -101,7 +104,7 @@ public final class SceneParser {
    *     #MAX_PIXELS_EVER}
    */
   public SceneParser limitedTo(Limits newLimits) {
-    return new SceneParser(lenient, settings.limitedTo(newLimits), textures, kernel, assets);
+    return new SceneParser(lenient, settings.limitedTo(newLimits), textures, kernel, later, assets);
   }
 
   /**
@@ -111,18 +114,26 @@ public final class SceneParser {
    */
   public SceneParser interpolatingTextures(boolean interpolated) {
     TextureChange changed = textures.filtering(interpolated ? Filter.BILINEAR : Filter.NEAREST);
-    return new SceneParser(lenient, settings, changed, kernel, assets);
+    return new SceneParser(lenient, settings, changed, kernel, later, assets);
   }
 
   /** Returns a parser whose textures increment a counter at each lookup, for measurements. */
   public SceneParser counting(LongAdder lookUps) {
     TextureChange changed = textures.counting(Objects.requireNonNull(lookUps, "lookUps"));
-    return new SceneParser(lenient, settings, changed, kernel, assets);
+    return new SceneParser(lenient, settings, changed, kernel, later, assets);
   }
 
   /** Returns a parser whose scenes use a traversal kernel; the default is {@link Kernel#AUTO}. */
   public SceneParser searchedBy(Kernel newKernel) {
-    return new SceneParser(lenient, settings, textures, Optional.of(newKernel), assets);
+    return new SceneParser(lenient, settings, textures, Optional.of(newKernel), later, assets);
+  }
+
+  /**
+   * Returns a parser whose scenes build their hierarchy when the first ray is traced, for those
+   * that are checked and perhaps not rendered. Scenes in motion build it at once.
+   */
+  public SceneParser searchedLater() {
+    return new SceneParser(lenient, settings, textures, kernel, true, assets);
   }
 
   /**
@@ -131,7 +142,7 @@ public final class SceneParser {
    * among other objects get none.
    */
   public SceneParser withAssets(List<Path> folders) {
-    return new SceneParser(lenient, settings, textures, kernel, folders);
+    return new SceneParser(lenient, settings, textures, kernel, later, folders);
   }
 
   /**
@@ -175,6 +186,10 @@ public final class SceneParser {
 
   TextureChange textures() {
     return textures;
+  }
+
+  boolean isSearchedLater() {
+    return later;
   }
 
   Kernel kernel() {
@@ -303,6 +318,9 @@ public final class SceneParser {
             kernel(),
             String.valueOf(file.getFileName()),
             Optional.empty());
+    if (later) {
+      world.searchLater();
+    }
     world.read(used.aspect(), background);
     problems.throwIfAny();
     Scene scene = world.scene(known);

@@ -192,6 +192,11 @@ final class SceneReader {
         .orElse(root);
   }
 
+  /** Delays building the hierarchy of the scene until the first ray is traced. */
+  void searchLater() {
+    parts.searchLater();
+  }
+
   /**
    * Returns the scene; there must be no errors.
    *

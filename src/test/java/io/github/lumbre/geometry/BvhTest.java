@@ -365,4 +365,35 @@ class BvhTest {
     }
     return shapes;
   }
+
+  @Test
+  void laterHierarchiesAreBuiltByTheFirstRay() {
+    Random random = new Random(3);
+    List<Shape> shapes = Shapes.zoo(random, 50);
+    int[] builds = new int[1];
+    Traversal late =
+        new LateTraversal(
+            () -> {
+              builds[0]++;
+              return Kernel.SCALAR.over(new BvhItems(shapes));
+            });
+    Bvh later = Bvh.later(shapes, Kernel.AUTO);
+    assertThat(later.bounded()).isInstanceOf(LateTraversal.class);
+    Bvh expected = Bvh.over(shapes, Kernel.SCALAR);
+    NearestHit found = new NearestHit();
+    NearestHit nearest = new NearestHit();
+    assertThat(builds[0]).isZero();
+    for (int i = 0; i < 500; i++) {
+      Ray ray = Shapes.ray(random, AROUND);
+      boolean isHit = expected.intersect(ray, nearest);
+      assertThat(later.intersect(ray, found)).isEqualTo(isHit);
+      assertThat(found.shape()).isEqualTo(nearest.shape());
+      assertThat(found.t()).isEqualTo(nearest.t());
+      Vec3 o = ray.origin();
+      Vec3 d = ray.direction();
+      found.aim(ray);
+      late.traverse(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), found);
+      assertThat(builds[0]).isEqualTo(1);
+    }
+  }
 }

@@ -16,7 +16,34 @@ public final class ModelLimits {
   /** Items between two checks for an interrupt, minus 1; a power of two minus 1. */
   public static final int INTERRUPT_MASK = (1 << 14) - 1;
 
+  /**
+   * Heap bytes of a triangle of a mesh with shared vertices, at least, while the hierarchy of its
+   * scene is built.
+   */
+  private static final long BYTES_PER_TRIANGLE = 140;
+
   private ModelLimits() {}
+
+  /**
+   * Checks that the scene of a model can fit into the heap, before anything of it is allocated.
+   *
+   * @param triangles of all meshes, each counted once
+   * @throws ModelFormatException if it cannot
+   */
+  public static void requireHeap(String location, long triangles) throws ModelFormatException {
+    requireHeap(location, triangles, Runtime.getRuntime().maxMemory());
+  }
+
+  static void requireHeap(String location, long triangles, long heap) throws ModelFormatException {
+    long bytes = BYTES_PER_TRIANGLE * triangles;
+    if (bytes > heap) {
+      throw Kind.TOO_LARGE.at(
+          location,
+          ("expected a model that fits into the heap of %d MiB, found %d triangles, which take %d MiB"
+                  + " or more; Java's option -Xmx sets the heap")
+              .formatted(heap >> 20, triangles, (bytes >> 20) + 1));
+    }
+  }
 
   /**
    * Checks that a model fits into the heap, and the memory that the limits allow.

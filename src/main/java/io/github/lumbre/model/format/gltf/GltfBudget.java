@@ -113,6 +113,7 @@ final class GltfBudget {
     indices += count;
     ModelLimits.require(location, "indices in the model", MAX_COUNT, indices);
     allocate(location, Integer.BYTES * count);
+    ModelLimits.requireHeap(location, indices / 3);
   }
 
   /** Adds a part, and the bytes that it needs. */

@@ -62,6 +62,7 @@ record ObjCensus(int positions, int uvs, int normals, long triangles, boolean ha
     bytes += BYTES_PER_POINT * points;
     ModelLimits.requireMemory("", bytes, limits);
     ModelLimits.requireTriangles("", triangles, limits);
+    ModelLimits.requireHeap("", triangles);
     ModelLimits.require("", "points", limits.triangles(), points);
   }
 

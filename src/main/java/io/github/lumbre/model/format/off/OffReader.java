@@ -63,6 +63,7 @@ public final class OffReader {
     int expected = Math.min(header.faces(), size / TRIANGLE_BYTES);
     ModelLimits.requireTriangles("", expected, options.limits());
     ModelLimits.requireMemory("", 16L * expected, options.limits());
+    ModelLimits.requireHeap("", expected);
     triangles = new TriangleList(expected);
     faces = new int[expected];
   }

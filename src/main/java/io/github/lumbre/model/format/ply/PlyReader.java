@@ -238,6 +238,7 @@ public final class PlyReader {
       ModelLimits.requireTriangles("element face", isStrip ? 0 : element.count(), options.limits());
       long bytes = !header.comments().parts().isEmpty() ? 28L : 12L;
       ModelLimits.requireMemory("element face", bytes * element.count(), options.limits());
+      ModelLimits.requireHeap("element face", isStrip ? 0 : element.count());
       triangles = triangles.count() == 0 ? new TriangleList(element.count()) : triangles;
     }
     for (int i = 0; i < element.count(); i++) {

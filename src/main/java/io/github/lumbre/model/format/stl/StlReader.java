@@ -82,6 +82,7 @@ public final class StlReader {
     }
     ModelLimits.requireTriangles("", triangles, options.limits());
     ModelLimits.requireMemory("", 12 * triangles, options.limits());
+    ModelLimits.requireHeap("", triangles);
     StlSolid solid = new StlSolid("", "", (int) triangles);
     ByteBuffer in = little(file);
     double[] facet = new double[12];

@@ -121,6 +121,7 @@ final class MeshReader {
         if ((++count & ModelLimits.INTERRUPT_MASK) == 0) {
           file.take(xml.location(), 2L * Integer.BYTES * 3 * ModelLimits.INTERRUPT_MASK);
           ModelLimits.requireTriangles(xml.location(), count, file.options().limits());
+          ModelLimits.requireHeap(xml.location(), count);
         }
         readTriangle();
       }
