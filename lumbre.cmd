@@ -69,7 +69,7 @@ echo lumbre: another build seems to have been ended; delete "%LUMBRE_LOCK%">&2
 exit /b 7
 
 :locked
-echo lumbre: building, which takes about a minute>&2
+echo lumbre: building, which takes about 65 s of one processor>&2
 rem The build replaces the jar in one step. It gets the time of the build's beginning, so that whatever changes meanwhile counts
 rem as newer.
 pushd "%LUMBRE_HOME%"

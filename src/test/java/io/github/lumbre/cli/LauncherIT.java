@@ -46,6 +46,9 @@ class LauncherIT {
       views --size 64x48 -s 2 small.txt
       """;
 
+  private static final String BUILDING =
+      "lumbre: building, which takes about 65 s of one processor\n";
+
   @TempDir private Path directory;
   private Path home;
 
@@ -128,7 +131,7 @@ class LauncherIT {
   @Test
   void programIsBuiltOnceAndAgainWhenItsSourcesChange() throws IOException, InterruptedException {
     Outcome first = launch();
-    assertThat(first.err()).isEqualTo("lumbre: building, which takes about a minute\n");
+    assertThat(first.err()).isEqualTo(BUILDING);
     assertThat(first.out()).startsWith("Lumbre ");
     assertThat(launch().err()).isEmpty();
     assertThat(builds()).isEqualTo(1);
@@ -136,6 +139,17 @@ class LauncherIT {
     Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(1)));
     assertThat(launch().exitCode()).isZero();
     assertThat(builds()).isEqualTo(2);
+  }
+
+  /** A line at least every ten seconds, none after the end, and nothing that holds the output. */
+  @Test
+  void aLongBuildIsReported() throws IOException, InterruptedException {
+    script(home.resolve("mvnw"), "#!/bin/sh\nsleep 17\n" + Files.readString(home.resolve("mvnw")));
+    Outcome first = launch();
+    assertThat(first.err())
+        .startsWith(BUILDING + "lumbre: still building, 8 s\nlumbre: still building, 16 s\n");
+    Thread.sleep(9000);
+    assertThat(directory.resolve("one").resolve("err.txt")).hasContent(first.err());
   }
 
   /** A program that is starting from the jar would lose its classes. */
