@@ -169,6 +169,9 @@ public final class MeshEdges {
 
   /** Finds the edges whose two triangles have the same vertex normals there. */
   private void findSmooth(List<TriangleMesh> meshes) {
+    if (meshes.stream().noneMatch(TriangleMesh::hasNormals)) {
+      return;
+    }
     int[] meshOf = new int[corners.length / 3];
     int[] begin = new int[meshes.size()];
     int at = 0;

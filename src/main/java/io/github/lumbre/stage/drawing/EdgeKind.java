@@ -21,6 +21,15 @@ final class EdgeKind {
    */
   private static final double EQUAL_DEGREES = .05;
 
+  /** More than rounding adds to the cosine of the angle between triangles that are no slivers. */
+  private static final double ROUNDING = 1e-6;
+
+  /** The squared sine, at a corner of a triangle, below which it is a sliver. */
+  private static final double SLIVER = 1e-8;
+
+  /** Products of four squared lengths below this may have lost digits. */
+  private static final double LEAST = 1e-280;
+
   private final MeshEdges edges;
   private final double[] positions;
   private final double cosCrease;
@@ -77,6 +86,9 @@ final class EdgeKind {
    * two opposite directions. Triangles on the first one do not count.
    */
   boolean isFeature(int edge) {
+    if (isSurelyFlat(edge)) {
+      return false;
+    }
     Vec3 along = along(edge);
     Vec3 first = Vec3.ZERO;
     double flat = edges.isSmooth(edge) ? cosSmooth : cosCrease;
@@ -94,6 +106,34 @@ final class EdgeKind {
       continues |= isContinued;
     }
     return !continues;
+  }
+
+  /**
+   * Returns whether the two triangles of an edge continue each other by more than rounding could
+   * change. Nearly all edges of a large mesh do, and this needs no square root.
+   */
+  private boolean isSurelyFlat(int edge) {
+    if (edges.triangles(edge) != 2) {
+      return false;
+    }
+    Vec3 from = from(edge);
+    Vec3 along = to(edge).minus(from);
+    Vec3 one = place(edges.opposite(edge, 0)).minus(from);
+    Vec3 other = place(edges.opposite(edge, 1)).minus(from);
+    double squared = along.dot(along);
+    double oneAlong = one.dot(along);
+    double otherAlong = other.dot(along);
+    // Of the directions across the edge: their product, and the product of their lengths squared.
+    double product = one.dot(other) * squared - oneAlong * otherAlong;
+    double oneLength = one.dot(one) * squared - oneAlong * oneAlong;
+    double otherLength = other.dot(other) * squared - otherAlong * otherAlong;
+    double lengths = oneLength * otherLength;
+    double flat = Math.max(0, edges.isSmooth(edge) ? cosSmooth : cosCrease) + ROUNDING;
+    return product < 0
+        && product * product > flat * flat * lengths
+        && oneLength > SLIVER * one.dot(one) * squared
+        && otherLength > SLIVER * other.dot(other) * squared
+        && lengths > LEAST;
   }
 
   /**
