@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -13,6 +14,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -242,6 +245,30 @@ class ClusterTest {
       String end = "-%03d.pfm".formatted(frame);
       assertThat(bytes("spark" + end)).as(end).isEqualTo(bytes("here" + end));
     }
+  }
+
+  /** The program and the model are gone when the executors begin. */
+  @Test
+  @Tag("cluster")
+  @DisabledOnOs(OS.WINDOWS)
+  void executorsNeedNoProgramThatConverts() throws IOException, InterruptedException {
+    startCluster();
+    GlbSample.write(directory.resolve("sheet.glb"));
+    Files.writeString(directory.resolve("a.fbx"), "a model");
+    Path tool = directory.resolve("tool");
+    String script = "#!/bin/sh\ncp '%s' \"$2\"\nrm \"$0\" \"$1\"\n";
+    Files.writeString(tool, script.formatted(path("sheet.glb")));
+    Files.setPosixFilePermissions(tool, PosixFilePermissions.fromString("rwxr-xr-x"));
+    String[] size = {"-s", "24", "--size", "60x50"};
+    List<String> args = new ArrayList<>(List.of(path("a.fbx"), "-o", path("spark.pfm")));
+    args.addAll(List.of("--import-with", tool + " {in} {out}", "--unit", "1s"));
+    args.addAll(List.of(size));
+    assertDone(driver("driver", args.toArray(String[]::new)), "driver");
+    assertThat(directory.resolve("a.fbx")).doesNotExist();
+    List<String> here = new ArrayList<>(List.of(path("sheet.glb"), "-o", path("here.pfm")));
+    here.addAll(List.of(size));
+    renderHere(here.toArray(String[]::new));
+    assertThat(bytes("spark.pfm")).isEqualTo(bytes("here.pfm"));
   }
 
   @Test

@@ -10,6 +10,11 @@ import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.stage.internal.ModelSource;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.InputStream;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -83,7 +88,21 @@ class SceneBundleTest {
     SceneBundle bundle = SceneBundle.of(model, scene);
 
     assertThat(bundle.assets()).containsOnlyKeys("beside.png");
-    assertThat(bundle.read().hash()).isEqualTo(scene.hash());
+    SceneBundle arrived = sent(bundle);
+    assertThat(arrived.read().hash()).isEqualTo(scene.hash());
+    assertThat(arrived.identity()).isEqualTo(bundle.identity());
+  }
+
+  /** Returns the bundle as another process receives it. */
+  private static SceneBundle sent(SceneBundle bundle) throws Exception {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+      out.writeObject(bundle);
+    }
+    InputStream received = new ByteArrayInputStream(bytes.toByteArray());
+    try (ObjectInputStream in = new ObjectInputStream(received)) {
+      return (SceneBundle) in.readObject();
+    }
   }
 
   private SceneFile converted(Path model, byte[] glb) throws Exception {
