@@ -136,6 +136,15 @@ class ReleaseFilesTest {
     }
   }
 
+  @Test
+  void pagesSayTheSameOfWindows() throws IOException {
+    for (String page : List.of("README.md", "docs/install.md", "docs/releasing.md")) {
+      assertThat(Files.readString(Path.of(page)).replaceAll("\\s+", " "))
+          .as(page)
+          .contains("`lumbre.cmd` was tried under Wine, not on Windows.");
+    }
+  }
+
   /** The catalog's options are a copy, which {@code -Dlumbre.write=true} makes anew. */
   @Test
   void catalogPassesTheOptionsOfTheLaunchers() throws IOException {
