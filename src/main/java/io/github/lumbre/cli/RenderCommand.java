@@ -17,6 +17,7 @@ import io.github.lumbre.cli.run.DrawingJob;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FilmKeeper;
 import io.github.lumbre.cli.run.FilmNotes;
+import io.github.lumbre.cli.run.FrameWindow;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.JoinedFrames;
@@ -32,6 +33,7 @@ import io.github.lumbre.render.checkpoint.FilmHeader;
 import io.github.lumbre.render.checkpoint.RecordedLayers;
 import io.github.lumbre.render.denoise.BuiltInDenoiser;
 import io.github.lumbre.render.stopping.Budget;
+import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import io.github.lumbre.stage.internal.PictureDrawing;
@@ -117,7 +119,8 @@ final class RenderCommand extends Subcommand {
     options.validate(scenes);
     try (Interruption interruption = Interruption.listen()) {
       Invocation invocation =
-          new Invocation(start, startup, deadline, interruption, scenes, drawn -> {});
+          new Invocation(
+              start, startup, deadline, interruption, scenes, drawn -> {}, Optional.empty());
       if (options.to.sheet().isPresent()) {
         return new RenderSheet(options, invocation, this::each).run();
       }
@@ -180,6 +183,7 @@ final class RenderCommand extends Subcommand {
    *
    * @param startup time between the start and the first line of the command
    * @param receiver receives the pictures with their lines and labels
+   * @param window the frames with which a frame is denoised; empty if it is denoised by itself
    */
   record Invocation(
       Instant start,
@@ -187,7 +191,14 @@ final class RenderCommand extends Subcommand {
       Deadline deadline,
       Interruption interruption,
       List<Path> scenes,
-      Consumer<DisplayLight> receiver) {}
+      Consumer<DisplayLight> receiver,
+      Optional<FrameWindow> window) {
+    /** Returns the same for frames that are denoised with each other. */
+    Invocation with(Optional<FrameWindow> frames) {
+      return new Invocation(
+          start, startup, deadline, interruption, scenes, receiver, frames);
+    }
+  }
 
   /** Renders one frame. */
   private ExitCode run(
@@ -202,11 +213,9 @@ final class RenderCommand extends Subcommand {
     SceneOptions scene = options.scene;
     try (FilmKeeper keeper = options.checkpoints.newKeeper(options.checkpoint(), messages);
         RenderMonitor monitor = options.run.monitor(invocation.interruption, invocation.deadline)) {
-      SceneFile file;
-      Interruption.Wait reading = monitor.reading(scene.scene());
-      try (reading) {
-        file = scene.load(options.parser(), messages);
-      }
+      Optional<FrameWindow> window = invocation.window;
+      Optional<SceneFile> known = window.flatMap(FrameWindow::file);
+      SceneFile file = known.isPresent() ? known.get() : read(monitor, messages);
       if (dryRun) {
         return isFilmless(file) ? vectorEstimate(file, report) : estimate(file, denoising, report);
       }
@@ -216,14 +225,26 @@ final class RenderCommand extends Subcommand {
       frames.requireFits(file.settings());
       // The first frame of several takes longest to read: all of them share that time.
       Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
+      if (window.isPresent()) {
+        invocation.interruption.requireRender();
+        requireMemory(file);
+        window
+            .get()
+            .render(
+                new NextFrames(invocation, window.get().current(), file, from, monitor),
+                new FrameWindow.Work(
+                    scene.scene(),
+                    engine,
+                    denoising.orElseThrow(),
+                    options.flags.samples().first(),
+                    monitor,
+                    messages));
+      }
+      Optional<RunBudget> spent = window.flatMap(FrameWindow::budget);
       RunBudget budget =
-          options.budgets.since(
-              from,
-              invocation.startup,
-              options.budgets.share(invocation.start, from, frames.left()),
-              file.settings(),
-              options.quality.targetError(),
-              Budget.CONFIDENCE);
+          spent.isPresent()
+              ? spent.get()
+              : budget(invocation, from, frames.left(), file.settings());
       RenderJob job =
           job(
               file,
@@ -234,6 +255,7 @@ final class RenderCommand extends Subcommand {
               denoising,
               exposing,
               invocation.receiver,
+              window,
               report);
       invocation.interruption.requireRender();
       ExitCode code =
@@ -250,6 +272,81 @@ final class RenderCommand extends Subcommand {
     }
   }
 
+  private SceneFile read(RenderMonitor monitor, Messages messages) throws Exception {
+    return monitor.reading(
+        options.scene.scene(), () -> options.scene.load(options.parser(), messages));
+  }
+
+  /**
+   * @param left number of frames that share the time, this one included
+   */
+  private RunBudget budget(
+      Invocation invocation, Instant from, int left, RenderSettings settings) {
+    return options.budgets.since(
+        from,
+        invocation.startup,
+        options.budgets.share(invocation.start, from, left),
+        settings,
+        options.quality.targetError(),
+        Budget.CONFIDENCE);
+  }
+
+  /** Reads the frames around the current one, which is read. */
+  private final class NextFrames implements FrameWindow.Source {
+    private final Invocation invocation;
+    private final int current;
+    private final SceneFile file;
+    private final Instant begin;
+    private final RenderMonitor monitor;
+
+    NextFrames(
+        Invocation invocation,
+        int current,
+        SceneFile file,
+        Instant begin,
+        RenderMonitor monitor) {
+      this.invocation = invocation;
+      this.current = current;
+      this.file = file;
+      this.begin = begin;
+      this.monitor = monitor;
+    }
+
+    @Override
+    public SceneFile read(int index) throws Exception {
+      if (index == current) {
+        return file;
+      }
+      options.scene.choose(index);
+      try {
+        return RenderCommand.this.read(monitor, options.run.errors());
+      } finally {
+        options.scene.choose(current);
+      }
+    }
+
+    @Override
+    public RunBudget budget(SceneFile frame, int left) {
+      Instant from = frame == file ? begin : Instant.now();
+      return RenderCommand.this.budget(invocation, from, left, frame.settings());
+    }
+  }
+
+  /** Requires memory for the frames with which a frame is denoised. */
+  private static void requireMemory(SceneFile file) throws TaskException {
+    FilmLayers layers = FilmLayers.of(file.settings(), file.scene());
+    MemoryEstimate one = MemoryEstimate.of(file.settings(), layers);
+    long needed = one.neededBytes() + FrameWindow.bytes(one.pixels(), layers);
+    if (needed > one.maxHeapBytes()) {
+      throw ExitCode.LIMIT.failure(
+          "frames that are denoised with each other need %s of memory, but the maximum heap size"
+                  .formatted(MemoryEstimate.mebibytes(needed))
+              + " is %s; %s, or use --no-denoise"
+                  .formatted(
+                      MemoryEstimate.mebibytes(one.maxHeapBytes()), MemoryCheck.advice(needed)));
+    }
+  }
+
   private RenderJob job(
       SceneFile file,
       Frames frames,
@@ -259,6 +356,7 @@ final class RenderCommand extends Subcommand {
       Optional<Denoising> denoising,
       PictureExposure exposing,
       Consumer<DisplayLight> receiver,
+      Optional<FrameWindow> window,
       JsonSummary report)
       throws TaskException {
     Path scene = options.scene.scene();
@@ -284,7 +382,8 @@ final class RenderCommand extends Subcommand {
                 options.flags.layers(),
                 exposing,
                 receiver)
-            .withDither(options.to.animation().isEmpty());
+            .withDither(options.to.animation().isEmpty())
+            .withWindow(window);
     Messages messages = options.run.errors();
     return new RenderJob(
         scene, file, picture, keeper, monitor, messages, report, budget, jobOptions, engine);
@@ -303,6 +402,14 @@ final class RenderCommand extends Subcommand {
       options.run.out().line("denoise  " + more);
     }
     report.put("denoise_bytes", denoise);
+    if (options.sequence.areGiven() && denoising.filter(d -> d.program().isEmpty()).isPresent()) {
+      long frames = FrameWindow.bytes(estimate.pixels(), estimate.layers());
+      report.put("window_bytes", frames);
+      if (!options.run.isJson()) {
+        String more = MemoryEstimate.mebibytes(frames);
+        options.run.out().line("window   " + more + " more for frames that are denoised together");
+      }
+    }
     report.putScene(file);
     report.putEstimate(estimate);
     if (options.isDrawing()) {

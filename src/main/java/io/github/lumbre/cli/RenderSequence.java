@@ -9,6 +9,7 @@ import io.github.lumbre.cli.output.JsonSummary;
 import io.github.lumbre.cli.output.PictureMetadata;
 import io.github.lumbre.cli.run.Engine;
 import io.github.lumbre.cli.run.FinishedFrames;
+import io.github.lumbre.cli.run.FrameWindow;
 import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.cli.run.JoinedFrames;
 import io.github.lumbre.cli.run.PictureExposure;
@@ -55,6 +56,7 @@ final class RenderSequence {
   private int written;
   private String partial = "";
   private boolean isDenoised;
+  private Optional<FrameWindow> window = Optional.empty();
 
   /** Renders the current frame and returns its exit code. */
   interface FrameRender {
@@ -113,6 +115,7 @@ final class RenderSequence {
           frames.each(
               index -> {
                 choose(missing.get(index));
+                window.ifPresent(around -> around.choose(missing.get(index)));
                 options.run.about(frames);
                 return render(frames, exposing);
               });
@@ -122,9 +125,21 @@ final class RenderSequence {
     return code;
   }
 
+  /** Returns the frames that are denoised with each other; empty if each is by itself. */
+  private Optional<FrameWindow> window(Path picture) throws TaskException {
+    boolean isShared =
+        options.sequence.areGiven()
+            && all.size() > 1
+            && options.denoising(picture, engine).filter(d -> d.program().isEmpty()).isPresent();
+    return isShared
+        ? Optional.of(
+            new FrameWindow(all, options.sequence.motion().orElseThrow().turns() > 0))
+        : Optional.empty();
+  }
+
   private ExitCode render(Frames frames, PictureExposure exposing) throws Exception {
     try {
-      return render.run(invocation, frames, exposing);
+      return render.run(invocation.with(window), frames, exposing);
     } catch (TaskException e) {
       throw frames.haveEnded() && isJoined
           ? new TaskException(e.code(), e.getMessage() + GO_ON, e)
@@ -178,7 +193,7 @@ final class RenderSequence {
               .formatted(
                   target,
                   Numbers.count(all.size(), "frame"),
-                  isDenoised ? ", denoised" : "",
+                  (isDenoised ? ", denoised" : "") + neighbors(),
                   options.sequence.rate(),
                   kept() > 0 ? "; " + keptText() : ""),
           sinceStart());
@@ -203,11 +218,18 @@ final class RenderSequence {
         + Numbers.count(part.size(), "picture")
         + " written"
         + (isDenoised ? ", denoised" : "")
+        + neighbors()
         + partial
         + (kept() > 0 ? ", " + keptText() : "")
         + ": "
         + all.get(part.get(0))
         + (part.size() > 1 ? " to " + all.get(part.get(part.size() - 1)) : "");
+  }
+
+  /** Returns {@code , 6 neighbors rendered again}; empty if there are none. */
+  private String neighbors() {
+    int again = window.map(FrameWindow::again).orElse(0);
+    return again == 0 ? "" : ", " + Numbers.count(again, "neighbor") + " rendered again";
   }
 
   private int kept() {
@@ -242,6 +264,7 @@ final class RenderSequence {
     try (RenderMonitor monitor = monitor()) {
       all = Frames.numbered(pictures, count(monitor));
       part = options.sequence.part(all.size());
+      window = window(pictures);
       if (options.sequence.areContinued()) {
         requireMetadata(pictures);
         monitor.reading(options.scene.scene(), this::find);
@@ -249,6 +272,7 @@ final class RenderSequence {
     }
     requireExposure();
     missing = part.stream().filter(index -> !finished.contains(all.get(index))).toList();
+    window.ifPresent(around -> around.write(missing));
     return ExitCode.OK;
   }
 
@@ -325,6 +349,7 @@ final class RenderSequence {
     options
         .denoising(all.get(index), engine)
         .ifPresent(denoising -> expected.put(PictureMetadata.DENOISED, ""));
+    window.ifPresent(around -> expected.put(PictureMetadata.DENOISED_WITH, around.note(index)));
     return expected;
   }
 }

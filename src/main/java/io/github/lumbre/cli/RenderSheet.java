@@ -112,7 +112,8 @@ final class RenderSheet {
         invocation.deadline(),
         invocation.interruption(),
         invocation.scenes(),
-        drawn -> sheet.put(frames.index(), shown(drawn)));
+        drawn -> sheet.put(frames.index(), shown(drawn)),
+        Optional.empty());
   }
 
   private static Image shown(DisplayLight drawn) {

@@ -170,7 +170,8 @@ public final class RunFlags extends Flags {
         exposing,
         receiver,
         this::hint,
-        true);
+        true,
+        Optional.empty());
   }
 
   /** Returns the border of the command, which prints a summary under {@code --json}. */

@@ -40,6 +40,9 @@ public final class PictureMetadata {
   /** The keyword of the denoiser. */
   public static final String DENOISED = "Denoised";
 
+  /** The keyword of the number of frames with which a frame of a sequence was denoised. */
+  public static final String DENOISED_WITH = "DenoisedWith";
+
   /** The keyword that marks a picture that lacks samples, or a step after them. */
   public static final String PARTIAL = "Partial";
 
@@ -146,7 +149,8 @@ public final class PictureMetadata {
                 "Labels",
                 HIDDEN,
                 TARGET_ERROR,
-                DENOISED));
+                DENOISED,
+                DENOISED_WITH));
     settings().map(PictureMetadata::keyword).forEach(keywords::add);
     return keywords;
   }
@@ -155,7 +159,7 @@ public final class PictureMetadata {
   public static Set<String> ofAllFrames() {
     Set<String> keywords = identifying();
     keywords.add(SCENE);
-    keywords.removeAll(Set.of(SCENE_HASH, CONVERTED_HASH));
+    keywords.removeAll(Set.of(SCENE_HASH, CONVERTED_HASH, DENOISED_WITH));
     return keywords;
   }
 

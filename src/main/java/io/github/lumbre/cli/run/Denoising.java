@@ -69,6 +69,11 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
     return new Denoising(program.map(p -> p.withThreads(count)), count);
   }
 
+  /** Returns the number of threads that are used, at least 1. */
+  int usedThreads() {
+    return threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
+  }
+
   /**
    * Denoises a picture.
    *
@@ -76,11 +81,10 @@ public record Denoising(Optional<OpenImageDenoise> program, int threads) {
    * @throws InterruptedException if the thread is interrupted
    */
   public Denoised denoise(NoisyPicture noisy) throws TaskException, InterruptedException {
-    int all = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
     try {
       return program.isPresent()
           ? program.get().denoise(noisy)
-          : BuiltInDenoiser.denoise(noisy, all);
+          : BuiltInDenoiser.denoise(noisy, usedThreads());
     } catch (DenoiseException e) {
       throw ExitCode.OUTPUT.failure(e.getMessage(), e);
     }

@@ -70,6 +70,12 @@ record LaterSteps(
     }
 
     private DenoisedPicture denoised() {
+      Optional<FrameWindow> window = job.options().window();
+      if (window.isPresent()) {
+        int threads = job.options().denoising().orElseThrow().usedThreads();
+        return new DenoisedPicture(
+            Optional.of(window.get().mixed(threads, job.monitor())), Optional.empty(), true);
+      }
       return job.options()
           .denoising()
           .map(chosen -> chosen.withThreads(job.file().settings().threads()))

@@ -76,6 +76,8 @@ public record RenderJob(
    * @param hints receives finders of hints in the order of their weight
    * @param dithered whether an 8-bit PNG is dithered; frames that are joined into one file are not,
    *     because their still places would no longer be equal in all of them
+   * @param window the frames with which the picture is denoised, and which is rendered; empty if it
+   *     is denoised by itself
    */
   public record Options(
       int bits,
@@ -88,7 +90,8 @@ public record RenderJob(
       PictureExposure exposing,
       Consumer<DisplayLight> receiver,
       Consumer<Supplier<Optional<String>>> hints,
-      boolean dithered) {
+      boolean dithered,
+      Optional<FrameWindow> window) {
     /** Returns these options, with dithering or without. */
     public Options withDither(boolean isWanted) {
       return new Options(
@@ -102,32 +105,57 @@ public record RenderJob(
           exposing,
           receiver,
           hints,
-          isWanted);
+          isWanted,
+          window);
+    }
+
+    /** Returns these options, for a frame that is denoised with others. */
+    public Options withWindow(Optional<FrameWindow> frames) {
+      return new Options(
+          bits,
+          jpegQuality,
+          quiet,
+          stats,
+          strict,
+          denoising,
+          layers,
+          exposing,
+          receiver,
+          hints,
+          dithered,
+          frames);
     }
   }
 
   /** Renders a new film. */
   public ExitCode run(int firstSample) throws TaskException, InterruptedException {
+    if (options.window().isPresent()) {
+      FrameWindow.Sampled frame = options.window().get().sampled();
+      return run(frame.renderer(), frame.film(), Optional.empty(), frame.statistics());
+    }
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
-    return run(renderer, renderer.newFilm(firstSample), Optional.empty());
+    return run(
+        renderer, renderer.newFilm(firstSample), Optional.empty(), RenderStatistics.ZERO);
   }
 
   /** Renders the remaining samples of a film and returns the exit code. */
   public ExitCode run(FilmFile begun) throws TaskException, InterruptedException {
     budget.watch().resume(begun.film());
     FilmRenderer renderer = new FilmRenderer(file.settings(), file.scene());
-    return run(renderer, begun.film(), Optional.of(begun.header()));
+    return run(
+        renderer, begun.film(), Optional.of(begun.header()), begun.header().faults());
   }
 
   /**
    * Renders a film.
    *
-   * @param header of the film's existing samples
+   * @param header of the film's existing samples, if they are from a file
+   * @param faults of the film's existing samples
    */
-  private ExitCode run(FilmRenderer renderer, Film film, Optional<FilmHeader> header)
+  private ExitCode run(
+      FilmRenderer renderer, Film film, Optional<FilmHeader> header, RenderStatistics faults)
       throws TaskException, InterruptedException {
     try (monitor) {
-      RenderStatistics faults = header.map(FilmHeader::faults).orElse(RenderStatistics.ZERO);
       long start = System.nanoTime();
       boolean isForVectors = file.scene().mayChangeKernel();
       boolean isTimed = budget.secondsLeft().isPresent();
@@ -149,7 +177,9 @@ public record RenderJob(
       RendererInside.of(renderer).guiding().ifPresent(g -> tell("guiding", g.text(), g.values()));
       RenderResult result = new RenderResult(film.develop(), passes.complete(), statistics);
       NoiseReport noise = budget.report(film);
-      finish(film, result, noise, 1e-9 * (System.nanoTime() - start), isForVectors);
+      double seconds = 1e-9 * (System.nanoTime() - start);
+      double before = options.window().map(window -> window.sampled().seconds()).orElse(0.);
+      finish(film, result, noise, before + seconds, isForVectors);
       return exitCode(result.statistics(), noise);
     }
   }
@@ -293,6 +323,9 @@ public record RenderJob(
     if (!summary.isComplete()) {
       metadata.put(PictureMetadata.PARTIAL, summary.progress());
     }
+    options
+        .window()
+        .ifPresent(window -> metadata.put(PictureMetadata.DENOISED_WITH, window.note()));
     noise.putInto(metadata);
     light.putInto(metadata);
     if (settings.exposure().stops().isEmpty()) {

@@ -15,6 +15,7 @@ import java.util.HashSet;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * Denoises with a small neural network, in plain Java: the same bits on every machine, for any
@@ -110,7 +111,19 @@ public final class BuiltInDenoiser {
    * @throws InterruptedException if the thread is interrupted
    */
   public static Denoised denoise(NoisyPicture noisy, int threads) throws InterruptedException {
-    return denoise(noisy, threads, tile());
+    return denoise(noisy, threads, tile(), noise -> {});
+  }
+
+  /**
+   * Denoises a picture; see {@link #denoise(NoisyPicture, int)}.
+   *
+   * @param left receives the noise that is left of the result, as {@link NoisyPicture.Halves} have
+   *     it; no values if the noise of the picture is not known
+   * @throws InterruptedException if the thread is interrupted
+   */
+  public static Denoised denoise(NoisyPicture noisy, int threads, Consumer<float[]> left)
+      throws InterruptedException {
+    return denoise(noisy, threads, tile(), left);
   }
 
   /** Returns about how many bytes a film of this many pixels needs besides, to be denoised. */
@@ -125,13 +138,23 @@ public final class BuiltInDenoiser {
 
   /** Denoises a picture in tiles of at most about a number of pixels, margins included. */
   static Denoised denoise(NoisyPicture noisy, int threads, int tile) throws InterruptedException {
+    return denoise(noisy, threads, tile, noise -> {});
+  }
+
+  private static Denoised denoise(
+      NoisyPicture noisy, int threads, int tile, Consumer<float[]> left)
+      throws InterruptedException {
     try (Workers workers = new Workers(useful(threads, noisy))) {
       Optional<CaughtShadow> shadow = CaughtShadow.of(noisy);
-      if (shadow.isEmpty()) {
-        return new BuiltInDenoiser(noisy, workers).denoised(tile, Optional.empty());
+      NoisyPicture lit = noisy;
+      if (shadow.isPresent()) {
+        float[] gray = new BuiltInDenoiser(shadow.get().picture(), workers).light(tile);
+        lit = shadow.get().denoised(gray);
       }
-      float[] gray = new BuiltInDenoiser(shadow.get().picture(), workers).light(tile);
-      return new BuiltInDenoiser(shadow.get().denoised(gray), workers).denoised(tile, shadow);
+      BuiltInDenoiser denoiser = new BuiltInDenoiser(lit, workers);
+      Denoised denoised = denoiser.denoised(tile, shadow);
+      left.accept(denoiser.left);
+      return denoised;
     } finally {
       CompiledKernel.denoised();
     }

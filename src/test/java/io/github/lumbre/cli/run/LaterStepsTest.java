@@ -125,7 +125,8 @@ class LaterStepsTest {
               PictureExposure.ofEach(),
               drawn -> {},
               hint -> {},
-              true);
+              true,
+              Optional.empty());
       Path model = directory.resolve("sample.glb");
       RenderJob job =
           new RenderJob(

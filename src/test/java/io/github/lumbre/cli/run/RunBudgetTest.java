@@ -113,7 +113,8 @@ class RunBudgetTest {
               PictureExposure.ofEach(),
               drawn -> {},
               hint -> {},
-              true);
+              true,
+              Optional.empty());
       JsonSummary report = new JsonSummary("render", target);
       ExitCode code =
           new RenderJob(
