@@ -220,14 +220,14 @@ final class RenderCommand extends Subcommand {
         return isFilmless(file) ? vectorEstimate(file, report) : estimate(file, denoising, report);
       }
       if (!isFilmless(file)) {
-        MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+        MemoryCheck.require(estimate(file));
       }
       frames.requireFits(file.settings());
       // The first frame of several takes longest to read: all of them share that time.
       Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
       if (window.isPresent()) {
         invocation.interruption.requireRender();
-        requireMemory(file);
+        window.get().require(estimate(file));
         window
             .get()
             .render(
@@ -291,6 +291,10 @@ final class RenderCommand extends Subcommand {
         Budget.CONFIDENCE);
   }
 
+  private static MemoryEstimate estimate(SceneFile file) {
+    return MemoryEstimate.of(file.settings(), FilmLayers.of(file.settings(), file.scene()));
+  }
+
   /** Reads the frames around the current one, which is read. */
   private final class NextFrames implements FrameWindow.Source {
     private final Invocation invocation;
@@ -329,21 +333,6 @@ final class RenderCommand extends Subcommand {
     public RunBudget budget(SceneFile frame, int left) {
       Instant from = frame == file ? begin : Instant.now();
       return RenderCommand.this.budget(invocation, from, left, frame.settings());
-    }
-  }
-
-  /** Requires memory for the frames with which a frame is denoised. */
-  private static void requireMemory(SceneFile file) throws TaskException {
-    FilmLayers layers = FilmLayers.of(file.settings(), file.scene());
-    MemoryEstimate one = MemoryEstimate.of(file.settings(), layers);
-    long needed = one.neededBytes() + FrameWindow.bytes(one.pixels(), layers);
-    if (needed > one.maxHeapBytes()) {
-      throw ExitCode.LIMIT.failure(
-          "frames that are denoised with each other need %s of memory, but the maximum heap size"
-                  .formatted(MemoryEstimate.mebibytes(needed))
-              + " is %s; %s, or use --no-denoise"
-                  .formatted(
-                      MemoryEstimate.mebibytes(one.maxHeapBytes()), MemoryCheck.advice(needed)));
     }
   }
 
@@ -403,7 +392,8 @@ final class RenderCommand extends Subcommand {
     }
     report.put("denoise_bytes", denoise);
     if (options.sequence.areGiven() && denoising.filter(d -> d.program().isEmpty()).isPresent()) {
-      long frames = FrameWindow.bytes(estimate.pixels(), estimate.layers());
+      boolean isClosed = options.sequence.motion().orElseThrow().turns() > 0;
+      long frames = FrameWindow.bytes(estimate.pixels(), isClosed);
       report.put("window_bytes", frames);
       if (!options.run.isJson()) {
         String more = MemoryEstimate.mebibytes(frames);

@@ -1,10 +1,13 @@
 package io.github.lumbre.cli.run;
 
+import io.github.lumbre.base.ExitCode;
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.base.text.Numbers;
+import io.github.lumbre.cli.output.MemoryCheck;
 import io.github.lumbre.cli.output.Messages;
 import io.github.lumbre.render.Film;
-import io.github.lumbre.render.FilmLayers;
 import io.github.lumbre.render.FilmRenderer;
+import io.github.lumbre.render.MemoryEstimate;
 import io.github.lumbre.render.PassListener;
 import io.github.lumbre.render.PassLoop;
 import io.github.lumbre.render.PassResult;
@@ -31,20 +34,26 @@ import java.util.stream.IntStream;
 /**
  * The frames of a sequence around the current one, with which it is denoised. Frames are rendered
  * ahead, in their order; those that this command does not write are rendered for their neighbors
- * alone. What a frame becomes depends on nothing but the frames around it. Mutable, for one run.
+ * alone. Films of frames ahead are kept as far as memory allows, otherwise they are rendered again.
+ * What a frame becomes depends on nothing but the frames around it. Mutable, for one run.
  */
 public final class FrameWindow {
   private final List<Path> targets;
   private final boolean isClosed;
   private Set<Integer> wanted = Set.of();
+  private final Set<Integer> unwritten = new HashSet<>();
 
   /** The frames that are rendered and not written yet. */
   private final Map<Integer, Sampled> ahead = new HashMap<>();
 
+  /** The frames that others still need, denoised by themselves. */
   private final TreeMap<Integer, SeenFrame> seen = new TreeMap<>();
   private final Set<Integer> rendered = new HashSet<>();
   private int current;
   private int again;
+
+  /** The largest number of rendered frames that are kept; 0 before it is known. */
+  private int mostKept;
 
   /**
    * @param targets paths of all frames of the sequence
@@ -58,6 +67,7 @@ public final class FrameWindow {
   /** Sets the numbers of the frames that are written. */
   public void write(List<Integer> numbers) {
     wanted = Set.copyOf(numbers);
+    unwritten.addAll(numbers);
   }
 
   /** Returns with how many other frames a frame is denoised, for its metadata. */
@@ -129,16 +139,43 @@ public final class FrameWindow {
     return ahead.get(current);
   }
 
-  /** Returns how often a frame was rendered that is not one of those that are written. */
+  /** Returns how often a frame was rendered for its neighbors alone. */
   public int again() {
     return again;
   }
 
-  /** Returns about how many bytes the frames of a window need, besides the film of one of them. */
-  public static long bytes(long pixels, FilmLayers layers) {
-    long film = 80 + layers.bytesPerPixel();
-    long frames = (2 * SharedFrames.REACH + 1) * (long) SeenFrame.BYTES_PER_PIXEL;
-    return pixels * (SharedFrames.REACH * film + frames + SharedFrames.BYTES_PER_PIXEL);
+  /**
+   * Returns about how many bytes the frames of a window need, besides the render of one of them.
+   *
+   * @param isClosed whether the first frame follows the last one, so that both ends are kept
+   */
+  public static long bytes(long pixels, boolean isClosed) {
+    long frames = (isClosed ? 4L : 2L) * SharedFrames.REACH + 1;
+    return pixels * (frames * SeenFrame.BYTES_PER_PIXEL + SharedFrames.BYTES_PER_PIXEL);
+  }
+
+  /**
+   * Requires memory for the frames of a window, and finds out how many frames ahead can be kept.
+   *
+   * @param one estimate for the render of a frame that has just been read
+   * @throws TaskException if it does not suffice
+   */
+  public void require(MemoryEstimate one) throws TaskException {
+    long needed = one.neededBytes() + bytes(one.pixels(), isClosed);
+    if (needed > one.maxHeapBytes()) {
+      throw ExitCode.LIMIT.failure(
+          "frames that are denoised with each other need %s of memory, but the maximum heap size"
+                  .formatted(MemoryEstimate.mebibytes(needed))
+              + " is %s; %s, or use --no-denoise"
+                  .formatted(
+                      MemoryEstimate.mebibytes(one.maxHeapBytes()), MemoryCheck.advice(needed)));
+    }
+    if (mostKept == 0) {
+      // Frames of a turntable share their scene.
+      long each = one.filmBytes() + (isClosed ? 0 : one.sceneBytes());
+      long left = one.maxHeapBytes() - needed - BuiltInDenoiser.bytes(one.pixels());
+      mostKept = 1 + (int) Math.max(0, Math.min(2L * SharedFrames.REACH, left / each));
+    }
   }
 
   /**
@@ -147,9 +184,7 @@ public final class FrameWindow {
    * @throws CancellationException if a signal or the deadline ends a render
    */
   public void render(Source source, Work work) throws Exception {
-    Set<Integer> window = new TreeSet<>(around(current));
-    seen.keySet().retainAll(window);
-    for (int index : window) {
+    for (int index : new TreeSet<>(around(current))) {
       if (!seen.containsKey(index) || index == current && !ahead.containsKey(index)) {
         render(index, source, work);
       }
@@ -203,13 +238,12 @@ public final class FrameWindow {
     }
     double seconds = 1e-9 * (System.nanoTime() - start);
     Denoised denoised = denoised(index, file, film, work);
-    rendered.add(index);
-    if (wanted.contains(index)) {
+    boolean isFirst = rendered.add(index);
+    again += wanted.contains(index) && isFirst ? 0 : 1;
+    if (index == current || wanted.contains(index) && isFirst && ahead.size() < mostKept) {
       ahead.put(
           index,
           new Sampled(file, renderer, film, passes.statistics(), seconds, budget, denoised));
-    } else {
-      again++;
     }
   }
 
@@ -245,26 +279,36 @@ public final class FrameWindow {
         .orElseThrow(() -> new CancellationException("stopped"));
   }
 
+  /** Drops the frames that no frame needs which is still to be written. */
+  private void forget() {
+    Set<Integer> needed = new HashSet<>();
+    unwritten.forEach(index -> needed.addAll(around(index)));
+    seen.keySet().retainAll(needed);
+  }
+
   /**
-   * Returns the current frame, mixed with those around it.
+   * Returns the current frame, mixed with those around it. It is then written.
    *
    * @param threads number of threads; the result does not depend on it
    * @throws CancellationException if it is stopped
    */
   Denoised mixed(int threads, RenderMonitor monitor) {
     Denoised alone = ahead.remove(current).denoised();
-    return monitor
-        .finishing(
-            "denoising",
-            () ->
-                new Denoised(
-                    SharedFrames.mixed(
-                        seen.get(current), seen(-1), seen(1), threads),
-                    alone.engine(),
-                    alone.change(),
-                    alone.relativeNoise(),
-                    alone.relativeError()))
-        .orElseThrow(() -> new CancellationException("stopped"));
+    Denoised mixed =
+        monitor
+            .finishing(
+                "denoising",
+                () ->
+                    new Denoised(
+                        SharedFrames.mixed(seen.get(current), seen(-1), seen(1), threads),
+                        alone.engine(),
+                        alone.change(),
+                        alone.relativeNoise(),
+                        alone.relativeError()))
+            .orElseThrow(() -> new CancellationException("stopped"));
+    unwritten.remove(current);
+    forget();
+    return mixed;
   }
 
   /** Returns the frames to one side that have the size of the current one. */
