@@ -6,6 +6,13 @@
  * <p>Of a glTF, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP file:
  *
  * <pre>{@code
+ * import io.github.lumbre.image.*;
+ * import io.github.lumbre.render.*;
+ * import io.github.lumbre.render.denoise.*;
+ * import io.github.lumbre.scenefile.*;
+ * import io.github.lumbre.stage.*;
+ * import java.nio.file.*;
+ *
  * SceneFile file =
  *     StagedModel.read(Path.of("model.glb"), Stage.DEFAULT, new SceneParser()).scene();
  * Image image = BuiltInDenoiser.render(file.settings(), file.scene(), Progress.NONE);
@@ -15,15 +22,17 @@
  * <p>Of triangles in memory, by arrays of coordinates and of vertex numbers, it begins with:
  *
  * <pre>{@code
+ * import io.github.lumbre.geometry.*;
+ *
  * SceneFile file =
  *     StagedModel.of(TriangleMesh.of(positions, indices), Stage.DEFAULT, new SceneParser())
  *         .scene();
  * }</pre>
  *
  * <p>{@link io.github.lumbre.stage.Stage Stage} has the direction of the view, the light and the
- * background; {@link io.github.lumbre.scenefile.SceneParser#overriding} changes the size of the
- * picture and its samples. {@link io.github.lumbre.stage.thumbnail.Thumbnails Thumbnails} serves
- * uploads, within limits.
+ * background; {@link io.github.lumbre.scenefile.SceneParser#overriding overriding} changes the size
+ * of the picture and its samples. {@link io.github.lumbre.stage.thumbnail.Thumbnails Thumbnails}
+ * serves uploads, within limits.
  *
  * <h2>Other ways</h2>
  *

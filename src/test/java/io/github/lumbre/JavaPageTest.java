@@ -128,15 +128,22 @@ class JavaPageTest {
         Pattern.compile("\\{@code\n(.*?) \\* \\}</pre>", Pattern.DOTALL)
             .matcher(module)
             .results()
-            .map(found -> found.group(1).replaceAll("(?m)^ \\* ", ""))
+            .map(found -> found.group(1).replaceAll("(?m)^ \\* ?", ""))
             .map(example -> example.replace("model.glb", "scenes/models/lantern.glb"))
             .map(example -> example.replace("new SceneParser()", SMALL))
             .toList();
     assertThat(examples).hasSize(2);
-    runs(blocks().get(0), examples.get(0));
+    String imports = imports(examples.get(0));
+    String code = examples.get(0).substring(imports.length());
+    runs(imports, code);
+    String more = imports(examples.get(1));
     String arrays = "double[] positions = {0, 0, 0, 1, 0, 0, 0, 1, 0}; int[] indices = {0, 1, 2};";
-    String rest = examples.get(0).substring(examples.get(0).indexOf("Image image"));
-    runs(blocks().get(0), arrays + examples.get(1) + rest);
+    String rest = code.substring(code.indexOf("Image image"));
+    runs(imports + more, arrays + examples.get(1).substring(more.length()) + rest);
+  }
+
+  private static String imports(String example) {
+    return example.substring(0, example.indexOf("\n\n") + 1);
   }
 
   private void runs(String imports, String example) throws Exception {
