@@ -36,7 +36,6 @@ final class ReadModel implements LoneModel {
   private final AssetData data;
   private final ModelPlace place;
   private final Model model;
-  private final byte[] content;
 
   ReadModel(SceneParser parser, Source source) throws SceneFormatException, IOException {
     this.parser = parser;
@@ -47,8 +46,9 @@ final class ReadModel implements LoneModel {
             Optional.of(WrittenSurroundings.SKY)); // Nothing else around it can be wrong.
     place = new ModelPlace.OfFile(problems);
     Allowance allowance = new Allowance(parser.settings().limits());
+    // No field, so that it does not fill the memory while the hierarchy is built.
     Optional<byte[]> known = source.imported().map(Imported::glb).or(source::content);
-    content =
+    byte[] content =
         known.isPresent()
             ? known.get()
             : LoneModels.content(source.file(), parser.settings().limits().bytes());
@@ -57,7 +57,7 @@ final class ReadModel implements LoneModel {
     data =
         new AssetData(textPath(), hash, allowance, Map.of(), List.of(), Optional.empty());
     data.note(name(), source.imported().map(Imported::identity).orElse(content));
-    model = read();
+    model = read(content);
   }
 
   private Path textPath() {
@@ -68,7 +68,7 @@ final class ReadModel implements LoneModel {
     return AssetData.slashed(source.folder().relativize(source.file()));
   }
 
-  private Model read() throws SceneFormatException, IOException {
+  private Model read(byte[] content) throws SceneFormatException, IOException {
     ModelOptions options = source.options().limitedTo(left());
     ModelFolder others =
         source
