@@ -24,6 +24,7 @@ class ComparisonTest {
         "comparison/RenderServer.java",
         "comparison/KernelServer.java",
         "comparison/DenoiserMeter.java",
+        "comparison/AnimationMeter.java",
         "denoiser/TrainingRenderer.java"
       })
   void compilesAgainstTheLibraryAlone(String source) throws Exception {

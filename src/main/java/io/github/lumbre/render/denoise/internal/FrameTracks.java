@@ -2,6 +2,7 @@ package io.github.lumbre.render.denoise.internal;
 
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -25,6 +26,7 @@ final class FrameTracks {
 
   private final SeenFrame from;
   private final SeenFrame to;
+  private final double[] places;
   private final int[] numbers;
   private final int width;
   private final int height;
@@ -38,8 +40,9 @@ final class FrameTracks {
   /** 1 for pixels whose point is visible in the other frame, otherwise 0. */
   final float[] isFollowed;
 
-  private FrameTracks(SeenFrame from, SeenFrame to) {
+  private FrameTracks(SeenFrame from, double[] places, SeenFrame to) {
     this.from = from;
+    this.places = places;
     this.to = to;
     numbers = from.surfaces.numbersIn(to.surfaces);
     width = from.image.width();
@@ -50,12 +53,33 @@ final class FrameTracks {
   }
 
   /**
+   * Returns where the camera of a frame sees the point of each pixel, as two film coordinates for
+   * each pixel; NaN where there is none.
+   */
+  static double[] places(SeenFrame frame) {
+    int pixels = frame.image.width() * frame.image.height();
+    double[] places = new double[2 * pixels];
+    Arrays.fill(places, Double.NaN);
+    for (int i = 0; i < pixels; i++) {
+      if (frame.primitive(i) >= 0) {
+        Optional<Point2> place =
+            frame.surfaces.project(frame.point(i, frame.surfaces, frame.primitive(i)));
+        places[2 * i] = place.isPresent() ? place.get().x() : Double.NaN;
+        places[2 * i + 1] = place.isPresent() ? place.get().y() : Double.NaN;
+      }
+    }
+    return places;
+  }
+
+  /**
    * Follows all points of a frame to another frame of the same size.
    *
+   * @param places of the frame
    * @throws InterruptedException if the calling thread is interrupted
    */
-  static FrameTracks of(SeenFrame from, SeenFrame to, int threads) throws InterruptedException {
-    FrameTracks tracks = new FrameTracks(from, to);
+  static FrameTracks of(SeenFrame from, double[] places, SeenFrame to, int threads)
+      throws InterruptedException {
+    FrameTracks tracks = new FrameTracks(from, places, to);
     Rows.compute(tracks.height, threads, () -> tracks.new Follower()::follow);
     return tracks;
   }
@@ -65,6 +89,7 @@ final class FrameTracks {
     private final double[] light = new double[3];
     private double variance;
     private double share;
+    private int triangle;
 
     void follow(int y) {
       for (int x = 0; x < width; x++) {
@@ -78,20 +103,19 @@ final class FrameTracks {
 
     private void follow(int x, int y, int pixel, int primitive) {
       Vec3 there = from.point(pixel, to.surfaces, numbers[primitive]);
-      Optional<Point2> start =
-          from.surfaces.project(from.point(pixel, from.surfaces, primitive));
       Optional<Point2> end = to.surfaces.project(there);
-      if (start.isEmpty() || end.isEmpty()) {
+      if (end.isEmpty()) {
         return;
       }
       // Differences cancel errors of rounding: what stands still does not move at all.
-      double px = x + (end.get().x() - start.get().x()) * from.settings.width();
-      double py = y + (end.get().y() - start.get().y()) * from.settings.height();
+      double px = x + (end.get().x() - places[2 * pixel]) * from.settings.width();
+      double py = y + (end.get().y() - places[2 * pixel + 1]) * from.settings.height();
       if (!(px > -1 && py > -1 && px < width && py < height)) {
         return;
       }
       clear();
-      Vec3 across = to.surfaces.across(numbers[primitive], from.triangle(pixel));
+      triangle = from.triangle(pixel);
+      Vec3 across = to.surfaces.across(numbers[primitive], triangle);
       addAround(px, py, numbers[primitive], there, across);
       if (share >= LEAST_SHARE) {
         store(pixel);
@@ -123,7 +147,8 @@ final class FrameTracks {
         return;
       }
       int pixel = y * width + x;
-      if (to.primitive(pixel) != number || !shows(pixel, number, point, across)) {
+      if (to.primitive(pixel) != number
+          || to.triangle(pixel) != triangle && !shows(pixel, number, point, across)) {
         return;
       }
       share += weight;

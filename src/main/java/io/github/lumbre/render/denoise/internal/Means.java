@@ -17,27 +17,32 @@ final class Means {
     this.threads = threads;
   }
 
-  /** Writes the mean of the values around each pixel. */
-  void of(float[] values, float[] means) throws InterruptedException {
-    sum(values, means, true);
-  }
-
-  /** Writes the sum of the values around each pixel. */
-  void sums(float[] values, float[] sums) throws InterruptedException {
-    sum(values, sums, false);
-  }
-
-  private void sum(float[] values, float[] sums, boolean isMean) throws InterruptedException {
+  /**
+   * Writes the mean of the values around each pixel, of those pixels that count.
+   *
+   * @param counts 1 for each pixel that counts, otherwise 0, as its value is
+   * @param means receives 0 where no pixel counts
+   */
+  void of(float[] values, float[] counts, float[] means) throws InterruptedException {
     Rows.compute(
         height,
         threads,
         () -> {
           double[] columns = new double[width];
-          return y -> sum(values, y, columns, sums, isMean);
+          double[] sums = new double[width];
+          double[] numbers = new double[width];
+          return y -> {
+            sum(values, y, columns, sums);
+            sum(counts, y, columns, numbers);
+            for (int x = 0; x < width; x++) {
+              means[y * width + x] = numbers[x] > 0 ? (float) (sums[x] / numbers[x]) : 0;
+            }
+          };
         });
   }
 
-  private void sum(float[] values, int y, double[] columns, float[] sums, boolean isMean) {
+  /** Writes the sums of the values around the pixels of a row. */
+  private void sum(float[] values, int y, double[] columns, double[] sums) {
     int first = Math.max(0, y - near);
     int last = Math.min(height - 1, y + near);
     for (int x = 0; x < width; x++) {
@@ -54,8 +59,7 @@ final class Means {
       for (int column = from; column <= to; column++) {
         sum += columns[column];
       }
-      int count = (to - from + 1) * (last - first + 1);
-      sums[y * width + x] = (float) (isMean ? sum / count : sum);
+      sums[x] = sum;
     }
   }
 }

@@ -39,7 +39,13 @@ final class PosedSurfaces {
   private record Name(String object, String material) {}
 
   /** A mesh at its place. */
-  private record Placed(Corners corners, Transform toWorld) {}
+  private record Placed(Corners corners, Transform toWorld) {
+    /** Returns a corner of a triangle in world space. */
+    Vec3 corner(int triangle, int corner) {
+      Vec3 local = corners.corner(triangle, corner);
+      return toWorld == Transform.IDENTITY ? local : toWorld.point(local);
+    }
+  }
 
   /**
    * The corners of the triangles of a mesh.
@@ -192,18 +198,18 @@ final class PosedSurfaces {
   /** Returns the point of a triangle with the barycentric weights (1 − b1 − b2, b1, b2). */
   Vec3 point(int primitive, int triangle, double b1, double b2) {
     Placed at = placed.get(primitive).orElseThrow();
-    Vec3 a = at.corners.corner(triangle, 0);
-    Vec3 e1 = at.corners.corner(triangle, 1).minus(a);
-    Vec3 e2 = at.corners.corner(triangle, 2).minus(a);
-    return at.toWorld.point(a.plus(b1, e1).plus(b2, e2));
+    Vec3 a = at.corner(triangle, 0);
+    Vec3 e1 = at.corner(triangle, 1).minus(a);
+    Vec3 e2 = at.corner(triangle, 2).minus(a);
+    return a.plus(b1, e1).plus(b2, e2);
   }
 
   /** Returns a vector across a triangle, whose length is twice the area. */
   Vec3 across(int primitive, int triangle) {
     Placed at = placed.get(primitive).orElseThrow();
-    Vec3 a = at.toWorld.point(at.corners.corner(triangle, 0));
-    Vec3 e1 = at.toWorld.point(at.corners.corner(triangle, 1)).minus(a);
-    Vec3 e2 = at.toWorld.point(at.corners.corner(triangle, 2)).minus(a);
+    Vec3 a = at.corner(triangle, 0);
+    Vec3 e1 = at.corner(triangle, 1).minus(a);
+    Vec3 e2 = at.corner(triangle, 2).minus(a);
     return e1.cross(e2);
   }
 
@@ -213,9 +219,9 @@ final class PosedSurfaces {
    */
   Point2 weights(int primitive, int triangle, Vec3 point) {
     Placed at = placed.get(primitive).orElseThrow();
-    Vec3 a = at.toWorld.point(at.corners.corner(triangle, 0));
-    Vec3 e1 = at.toWorld.point(at.corners.corner(triangle, 1)).minus(a);
-    Vec3 e2 = at.toWorld.point(at.corners.corner(triangle, 2)).minus(a);
+    Vec3 a = at.corner(triangle, 0);
+    Vec3 e1 = at.corner(triangle, 1).minus(a);
+    Vec3 e2 = at.corner(triangle, 2).minus(a);
     Vec3 v = point.minus(a);
     double d11 = e1.dot(e1);
     double d12 = e1.dot(e2);

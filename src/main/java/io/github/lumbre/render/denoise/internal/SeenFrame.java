@@ -148,7 +148,9 @@ public final class SeenFrame {
       squares[i / 3] += (float) (noise * noise);
     }
     Means means = new Means(image.width(), image.height(), NEAR, threads);
-    means.of(squares, variances);
+    float[] counts = new float[squares.length];
+    Arrays.fill(counts, 1);
+    means.of(squares, counts, variances);
   }
 
   /** Finds the point at the center of a pixel. */

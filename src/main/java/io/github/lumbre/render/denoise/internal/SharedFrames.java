@@ -20,7 +20,7 @@ public final class SharedFrames {
   public static final int REACH = 3;
 
   /** What {@link #mixed} needs in memory, besides the frames. */
-  public static final int BYTES_PER_PIXEL = 12 + 4 + 2 * 20 + 4 * 4 + 12;
+  public static final int BYTES_PER_PIXEL = 12 + 4 + 16 + 2 * 20 + 5 * 4 + 12;
 
   /** Pixels to each side whose differences are compared with their noise. */
   private static final int NEAR = 2;
@@ -29,7 +29,7 @@ public final class SharedFrames {
   private static final double EXPECTED = 1;
 
   /** The excess of squared differences that makes weights smaller by a factor of e. */
-  private static final double TOLERANCE = .7;
+  private static final double TOLERANCE = .5;
 
   /** How much less frames weigh for each squared step in time, as a power of e. */
   private static final double DECAY = .02;
@@ -46,6 +46,9 @@ public final class SharedFrames {
   private final int height;
   private final Means around;
 
+  /** Where the camera sees the point of each pixel. */
+  private final double[] places;
+
   /** Sums of weighted differences. */
   private final float[] sums;
 
@@ -60,6 +63,7 @@ public final class SharedFrames {
     around = new Means(width, height, NEAR, threads);
     sums = new float[3 * width * height];
     weights = new float[width * height];
+    places = FrameTracks.places(frame);
   }
 
   /**
@@ -90,7 +94,7 @@ public final class SharedFrames {
   private Optional<FrameTracks> tracks(List<SeenFrame> frames, int index)
       throws InterruptedException {
     return index < frames.size()
-        ? Optional.of(FrameTracks.of(frame, frames.get(index), threads))
+        ? Optional.of(FrameTracks.of(frame, places, frames.get(index), threads))
         : Optional.empty();
   }
 
@@ -132,7 +136,7 @@ public final class SharedFrames {
   }
 
   private static double weight(double ratio) {
-    return Elementary.exp(-Math.max(0, ratio - EXPECTED) / TOLERANCE);
+    return ratio <= EXPECTED ? 1 : Elementary.exp((EXPECTED - ratio) / TOLERANCE);
   }
 
   private double ratio(FrameTracks tracks, int pixel) {
@@ -178,12 +182,7 @@ public final class SharedFrames {
           }
         });
     float[] averaged = new float[ratios.length];
-    float[] counts = new float[ratios.length];
-    around.sums(ratios, averaged);
-    around.sums(isFollowed, counts);
-    for (int i = 0; i < averaged.length; i++) {
-      averaged[i] = counts[i] > 0 ? averaged[i] / counts[i] : 0;
-    }
+    around.of(ratios, isFollowed, averaged);
     return averaged;
   }
 
