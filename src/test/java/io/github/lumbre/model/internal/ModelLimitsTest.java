@@ -8,10 +8,10 @@ import org.junit.jupiter.api.Test;
 
 /** Tests what is refused before memory is allocated for it. */
 class ModelLimitsTest {
-  /** A million triangles were rendered with a heap of 175 MiB, and not with one of 165 MiB. */
+  /** A million triangles were rendered with a heap of 155 MiB, and not with one of 146 MiB. */
   @Test
   void modelsThatCannotFitIntoTheHeapAreRefused() {
-    assertThatCode(() -> ModelLimits.requireHeap("", 1_000_000, 175L << 20))
+    assertThatCode(() -> ModelLimits.requireHeap("", 1_000_000, 155L << 20))
         .doesNotThrowAnyException();
     assertThatThrownBy(() -> ModelLimits.requireHeap("element face", 1_000_000, 100L << 20))
         .isInstanceOf(ModelFormatException.class)
