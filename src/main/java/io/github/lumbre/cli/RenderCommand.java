@@ -219,7 +219,8 @@ final class RenderCommand extends Subcommand {
       if (dryRun) {
         return isFilmless(file) ? vectorEstimate(file, report) : estimate(file, denoising, report);
       }
-      if (!isFilmless(file)) {
+      boolean hasMemory = window.filter(FrameWindow::hasMemory).isPresent();
+      if (!isFilmless(file) && !hasMemory) {
         MemoryCheck.require(estimate(file));
       }
       frames.requireFits(file.settings());
@@ -227,7 +228,9 @@ final class RenderCommand extends Subcommand {
       Instant from = frames.isFirst() && !frames.isSingle() ? Instant.now() : begin;
       if (window.isPresent()) {
         invocation.interruption.requireRender();
-        window.get().require(estimate(file));
+        if (!hasMemory) {
+          window.get().require(estimate(file));
+        }
         window
             .get()
             .render(

@@ -154,6 +154,11 @@ public final class FrameWindow {
     return pixels * (frames * SeenFrame.BYTES_PER_PIXEL + SharedFrames.BYTES_PER_PIXEL);
   }
 
+  /** Returns whether the memory is known to suffice. Later, it also holds frames of the window. */
+  public boolean hasMemory() {
+    return mostKept > 0;
+  }
+
   /**
    * Requires memory for the frames of a window, and finds out how many frames ahead can be kept.
    *
@@ -170,12 +175,10 @@ public final class FrameWindow {
                   .formatted(
                       MemoryEstimate.mebibytes(one.maxHeapBytes()), MemoryCheck.advice(needed)));
     }
-    if (mostKept == 0) {
-      // Frames of a turntable share their scene.
-      long each = one.filmBytes() + (isClosed ? 0 : one.sceneBytes());
-      long left = one.maxHeapBytes() - needed - BuiltInDenoiser.bytes(one.pixels());
-      mostKept = 1 + (int) Math.max(0, Math.min(2L * SharedFrames.REACH, left / each));
-    }
+    // Frames of a turntable share their scene.
+    long each = one.filmBytes() + (isClosed ? 0 : one.sceneBytes());
+    long left = one.maxHeapBytes() - needed - BuiltInDenoiser.bytes(one.pixels());
+    mostKept = 1 + (int) Math.max(0, Math.min(2L * SharedFrames.REACH, left / each));
   }
 
   /**

@@ -34,6 +34,9 @@ public final class SharedFrames {
   /** How much less frames weigh for each squared step in time, as a power of e. */
   private static final double DECAY = .02;
 
+  /** The weight of frames at the ends of a sequence, whose light may change steadily. */
+  private static final double ONE_SIDED = .35;
+
   /** Larger ratios of squared differences and variances count as this. */
   private static final double LARGEST_RATIO = 1e6;
 
@@ -85,7 +88,7 @@ public final class SharedFrames {
       if (one.isPresent() && other.isPresent()) {
         shared.add(one.get(), other.get(), most);
       } else {
-        shared.add(one.or(() -> other).orElseThrow(), most);
+        shared.add(one.or(() -> other).orElseThrow(), ONE_SIDED * most);
       }
     }
     return shared.picture();
