@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import io.github.lumbre.cli.output.ExitCodes;
 import io.github.lumbre.testing.Folders;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.module.ModuleFinder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -14,6 +16,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.BeforeEach;
@@ -446,6 +450,36 @@ class LauncherIT {
     Files.writeString(home.resolve("java/release"), "JAVA_VERSION=\"17.0.1\"\n");
     assertThat(SHORT.lines()).allMatch(this::isShort);
     assertThat(LONG.lines()).noneMatch(this::isShort);
+  }
+
+  /** Whoever captures the output of the first render reads it to its end. */
+  @Test
+  void nobodyWaitsForTheArchive() throws IOException, InterruptedException {
+    launch();
+    Path go = home.resolve("go");
+    String wait = "while [ ! -e '" + go + "' ]; do sleep .1; done";
+    script(
+        home.resolve("java/bin/java"),
+        "#!/bin/sh\ncase $* in *DumpLoadedClassList*) " + wait + " ;; *) echo done ;; esac\n");
+    Files.writeString(home.resolve("java/release"), "JAVA_VERSION=\"17.0.1\"\n");
+    ProcessBuilder builder = new ProcessBuilder(home.resolve("lumbre").toString(), "render", "a");
+    builder.environment().put("JAVA_HOME", home.resolve("java").toString());
+    Process process = builder.start();
+    try {
+      assertThat(CompletableFuture.supplyAsync(() -> text(process)))
+          .succeedsWithin(20, TimeUnit.SECONDS)
+          .isEqualTo("done\n");
+    } finally {
+      Files.createFile(go);
+    }
+  }
+
+  private static String text(Process process) {
+    try {
+      return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private boolean isShort(String arguments) {
