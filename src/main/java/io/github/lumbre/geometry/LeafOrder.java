@@ -52,7 +52,8 @@ final class LeafOrder {
   }
 
   /**
-   * Adds the items of a leaf, a range of the builder's order; returns the {@link LeafRef} to their new position.
+   * Adds the items of a leaf, a range of the builder's order; returns the {@link LeafRef} to their
+   * new position.
    *
    * @throws HierarchyLimitException if there is no place for them
    */

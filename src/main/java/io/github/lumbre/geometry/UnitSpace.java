@@ -30,7 +30,7 @@ final class UnitSpace {
   /** The largest absolute world coordinate of the center, in units of this space. */
   final double centerReach;
 
-  /** A bound of the world coordinates of a near origin and of the center, in units of this space. */
+  /** A bound of the world coordinates of near origins and the center, in units of this space. */
   final double nearReach;
 
   /**

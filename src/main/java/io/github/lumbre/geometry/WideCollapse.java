@@ -40,7 +40,7 @@ final class WideCollapse {
 
   private int filled;
 
-  /** For each depth, the results of {@link #weigh} for a left and a right child, and their boxes. */
+  /** For each depth, the results of {@link #weigh} for left and right children, and their boxes. */
   private final double[][] weights = new double[2 * (BvhBuilder.MAX_DEPTH + 1)][WIDTH + 1];
 
   private final double[][] childBoxes = new double[2 * (BvhBuilder.MAX_DEPTH + 1)][ItemBox.SIZE];

@@ -79,7 +79,8 @@ public final class SceneParser {
 
   /** Returns a parser that applies a function to the file's settings before it uses them. */
   public SceneParser overriding(UnaryOperator<RenderSettings> newChange) {
-    return new SceneParser(lenient, settings.overriding(newChange), textures, kernel, later, assets);
+    return new SceneParser(
+        lenient, settings.overriding(newChange), textures, kernel, later, assets);
   }
 
   /**

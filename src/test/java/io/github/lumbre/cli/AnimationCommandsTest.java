@@ -408,7 +408,8 @@ class AnimationCommandsTest extends CommandFixture {
 
   @Test
   void joinedFramesAreRoundedAndOthersAreDithered() throws IOException {
-    String line = "render T/sample.glb --turntable 2 --no-denoise --size 48x40 -s 1 --tonemap srgb -o T/";
+    String line =
+        "render T/sample.glb --turntable 2 --no-denoise --size 48x40 -s 1 --tonemap srgb -o T/";
     runs(line + "light.pfm");
     runs(line + "a.png");
     // Of values spread evenly between two steps, a quarter gets the farther one.

@@ -97,7 +97,8 @@ class SharedFramesCommandsTest extends CommandFixture {
     run(line + "--turntable 3 --continue")
         .assertFailed(
             ExitCodes.USAGE,
-            "a-000.png: cannot be continued: its metadata have DenoisedWith 0 neighbors, expected 2");
+            "a-000.png: cannot be continued: its metadata have DenoisedWith 0 neighbors,"
+                + " expected 2");
   }
 
   @Test

@@ -22,8 +22,8 @@ import java.util.concurrent.TimeoutException;
  * An example: a server that answers a model with its thumbnail. {@code POST /thumbnail/stl} with
  * the bytes of an STL file returns a PNG; so do the other formats.
  *
- * <p>{@code GET /health} answers 200, and 503 from the moment that the server is asked to stop. Then
- * it refuses new models, finishes the running ones, and closes.
+ * <p>{@code GET /health} answers 200, and 503 from the moment that the server is asked to stop.
+ * Then it refuses new models, finishes the running ones, and closes.
  *
  * <p>Each connection has a thread, which reads the upload within a number of bytes and a time. Only
  * then does the model wait for a thread that renders, so that a slow or endless upload stops nobody

@@ -39,8 +39,8 @@ public final class ModelLimits {
     if (bytes > heap) {
       throw Kind.TOO_LARGE.at(
           location,
-          ("expected a model that fits into the heap of %d MiB, found %d triangles, which take %d MiB"
-                  + " or more; Java's option -Xmx sets the heap")
+          ("expected a model that fits into the heap of %d MiB, found %d triangles,"
+                  + " which take %d MiB or more; Java's option -Xmx sets the heap")
               .formatted(heap >> 20, triangles, (bytes >> 20) + 1));
     }
   }
