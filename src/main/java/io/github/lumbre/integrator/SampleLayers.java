@@ -246,12 +246,16 @@ public final class SampleLayers implements PathListener {
     }
   }
 
+  /** Returns whether guides are of what is seen in a surface: it is a mirror, or clear glass. */
+  public static boolean isClear(Bsdf bsdf) {
+    return bsdf.clearAlbedo().max() > LEAST_CLEAR * bsdf.albedo().max();
+  }
+
   /** Sets the guides of a vertex, for good if it is no mirror and no clear glass. */
   private void setGuides(SurfaceHit surface, Bsdf bsdf) {
     Rgb color = bsdf.albedo();
-    double clear = bsdf.clearAlbedo().max();
-    isGuidedByMirror = clear > LEAST_CLEAR * color.max();
-    mayBlur = clear < color.max();
+    isGuidedByMirror = isClear(bsdf);
+    mayBlur = bsdf.clearAlbedo().max() < color.max();
     isGuided = !isGuidedByMirror;
     setNormal(guideNormal, surface, surface.shadingNormal());
     setColor(guideAlbedo, color);

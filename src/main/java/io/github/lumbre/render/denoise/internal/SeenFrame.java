@@ -4,6 +4,7 @@ import io.github.lumbre.camera.CameraRay;
 import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Image;
+import io.github.lumbre.integrator.SampleLayers;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.sampling.Sampler;
@@ -168,6 +169,9 @@ public final class SeenFrame {
       return;
     }
     SurfaceHit surface = scene.surfaceAt(hit);
+    if (SampleLayers.isClear(scene.primitiveAt(hit).material().at(surface))) {
+      return;
+    }
     Vec3 normal = new Vec3(normals[3 * pixel], normals[3 * pixel + 1], normals[3 * pixel + 2]);
     double side = surface.shadingNormal().dot(surface.wo()) < 0 ? -1 : 1;
     if (!(side * surface.shadingNormal().dot(normal) >= LEAST_AGREEMENT)) {

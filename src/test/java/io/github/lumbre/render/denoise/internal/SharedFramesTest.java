@@ -8,7 +8,11 @@ import io.github.lumbre.geometry.Sphere;
 import io.github.lumbre.geometry.TriangleMesh;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.image.Rgb;
+import io.github.lumbre.material.Glass;
+import io.github.lumbre.material.Material;
 import io.github.lumbre.material.Matte;
+import io.github.lumbre.material.Mirror;
+import io.github.lumbre.material.ShadowCatcher;
 import io.github.lumbre.math.Transform;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.render.Film;
@@ -22,10 +26,16 @@ import io.github.lumbre.scene.Scene;
 import io.github.lumbre.scene.SceneBuilder;
 import io.github.lumbre.scene.Setting;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Frames of a camera that looks down on a board with a post, which moves by {@link #STEP} pixels a
@@ -187,6 +197,78 @@ class SharedFramesTest {
     List<Image> references = references(SharedFramesTest::moving);
     double alone = variance(moved.alone, references);
     assertThat(variance(moved.mixed, references)).isLessThan(.6 * alone);
+  }
+
+  /** A thing on the board, which moves with it. */
+  private static IntFunction<Scene> thing(Material material) {
+    return frame -> {
+      double moved = side() * STEP * PIXEL * (frame - FRAMES / 2);
+      Transform at = Transform.translation(new Vec3(moved, 0, 0));
+      return around(moved).add("crate", CRATE.transformed(at), material).build();
+    };
+  }
+
+  /** The board through a lens that is focused far above it. */
+  private static Scene blurred(int frame) {
+    double moved = side() * STEP * PIXEL * (frame - FRAMES / 2);
+    return around(moved)
+        .lookingAt(new Vec3(0, 10, 0), Vec3.ZERO, Vec3.Z, Lens.thinLens(23, 8, .5))
+        .build();
+  }
+
+  /** The board while it moves by a pixel more in four poses. */
+  private static Scene inMotion(int frame) {
+    List<Scene> poses = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      poses.add(around(side() * PIXEL * (STEP * (frame - FRAMES / 2) + .25 * i)).build());
+    }
+    return Scene.inMotion(poses);
+  }
+
+  static Stream<Arguments> scenesOfSeveralSurfaces() {
+    return Stream.of(
+        Arguments.of("mirror", thing(Mirror.of(Rgb.gray(.9)))),
+        Arguments.of("glass", thing(Glass.of(1.5))),
+        Arguments.of("shadow alone", thing(ShadowCatcher.of(Rgb.gray(.5)))),
+        Arguments.of("lens", (IntFunction<Scene>) SharedFramesTest::blurred),
+        Arguments.of("motion", (IntFunction<Scene>) SharedFramesTest::inMotion));
+  }
+
+  /** Returns how many of 14 pixels of the thing in the middle frame, beside the post, are mixed. */
+  private static long mixedInside(Material material) throws InterruptedException {
+    Sequence sequence = Sequence.of(thing(material), 2);
+    float[] alone = sequence.alone.get(FRAMES / 2).rgb();
+    float[] mixed = sequence.mixed.get(FRAMES / 2).rgb();
+    return IntStream.range(0, 14)
+        .map(i -> 3 * ((HEIGHT / 2 - 4 + i / 7) * WIDTH + WIDTH / 2 - 3 + i % 7))
+        .filter(i -> alone[i] != mixed[i])
+        .count();
+  }
+
+  @Test
+  void mirrorsGlassAndShadowsAreLeftToTheirFrame() throws InterruptedException {
+    assertThat(mixedInside(Mirror.of(Rgb.gray(.9)))).isZero();
+    assertThat(mixedInside(ShadowCatcher.of(Rgb.gray(.5)))).isZero();
+    assertThat(mixedInside(Matte.GRAY)).isGreaterThan(10);
+    assertThat(mixedInside(Glass.of(1.5))).isZero();
+  }
+
+  /** Whatever a pixel mixes, frames that are mixed have no larger error than frames alone. */
+  @ParameterizedTest
+  @MethodSource("scenesOfSeveralSurfaces")
+  void pixelsOfSeveralSurfacesKeepTheirError(String name, IntFunction<Scene> scenes)
+      throws InterruptedException {
+    Sequence sequence = Sequence.of(scenes, 2);
+    List<Image> references = references(scenes);
+    boolean[] mask = new boolean[WIDTH * HEIGHT];
+    Arrays.fill(mask, true);
+    double alone = 0;
+    double mixed = 0;
+    for (int i = REACH; i < FRAMES - REACH; i++) {
+      alone += squaredError(sequence.alone.get(i), references.get(i), mask);
+      mixed += squaredError(sequence.mixed.get(i), references.get(i), mask);
+    }
+    assertThat(mixed).isLessThan(1.02 * alone);
   }
 
   private static double squaredError(Image image, Image reference, boolean[] mask) {
