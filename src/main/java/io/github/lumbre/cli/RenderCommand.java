@@ -215,7 +215,15 @@ final class RenderCommand extends Subcommand {
         RenderMonitor monitor = options.run.monitor(invocation.interruption, invocation.deadline)) {
       Optional<FrameWindow> window = invocation.window;
       Optional<SceneFile> known = window.flatMap(FrameWindow::file);
-      SceneFile file = known.isPresent() ? known.get() : read(monitor, messages);
+      SceneFile file;
+      if (known.isPresent()) {
+        file = known.get();
+      } else {
+        Interruption.Wait reading = monitor.reading(scene.scene());
+        try (reading) {
+          file = scene.load(options.parser(), messages);
+        }
+      }
       if (dryRun) {
         return isFilmless(file) ? vectorEstimate(file, report) : estimate(file, denoising, report);
       }
@@ -275,11 +283,6 @@ final class RenderCommand extends Subcommand {
     }
   }
 
-  private SceneFile read(RenderMonitor monitor, Messages messages) throws Exception {
-    return monitor.reading(
-        options.scene.scene(), () -> options.scene.load(options.parser(), messages));
-  }
-
   /**
    * @param left number of frames that share the time, this one included
    */
@@ -326,7 +329,9 @@ final class RenderCommand extends Subcommand {
       }
       options.scene.choose(index);
       try {
-        return RenderCommand.this.read(monitor, options.run.errors());
+        return monitor.reading(
+            options.scene.scene(),
+            () -> options.scene.load(options.parser(), options.run.errors()));
       } finally {
         options.scene.choose(current);
       }

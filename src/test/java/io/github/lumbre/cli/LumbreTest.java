@@ -181,7 +181,7 @@ class LumbreTest {
   void completionKnowsCommandsAndFlags() {
     Outcome outcome = Outcome.of("completion").done();
     assertThat(outcome.out())
-        .startsWith("#!/usr/bin/env bash")
+        .startsWith("# Completion for lumbre in bash and zsh: source <(lumbre completion)\n")
         .contains("render", "check", "--tonemap", "complete -o default -F");
   }
 
