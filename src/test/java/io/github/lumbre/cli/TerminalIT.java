@@ -319,7 +319,7 @@ class TerminalIT {
   void signalsEndATurntableAfterThePartialFrame(String name, int code)
       throws IOException, InterruptedException {
     ModelSample.write(directory);
-    String frames = " --turntable 3 --size 64x48 -s " + ENDLESS + " -o a.png";
+    String frames = " --turntable 3 --no-denoise --size 64x48 -s " + ENDLESS + " -o a.png";
     try (PseudoTerminal terminal = lumbre(200, "render sample.glb" + frames)) {
       awaitBar(terminal);
       signal(name);
@@ -334,10 +334,28 @@ class TerminalIT {
     assertNothingLeftBehind();
   }
 
+  /** A frame that is denoised with its neighbors is not written before they are rendered. */
+  @Test
+  void controlCLeavesNoFrameWithoutItsNeighbors() throws IOException, InterruptedException {
+    ModelSample.write(directory);
+    String frames = " --turntable 3 --size 64x48 -o a.gif -s ";
+    try (PseudoTerminal terminal = lumbre(200, "render sample.glb" + frames + ENDLESS)) {
+      awaitBar(terminal);
+      terminal.control('C');
+      assertThat(terminal.exitCode()).as(terminal.printed()).isEqualTo(ExitCodes.INTERRUPTED);
+      assertThat(terminal.screen())
+          .contains(
+              "lumbre: stopped after 0 of 3 pictures: 3 not rendered: a.gif.frames/a-000.png to"
+                  + " a.gif.frames/a-002.png; the same command with --continue goes on");
+    }
+    assertThat(directory.resolve("a.gif.frames")).doesNotExist();
+    assertNothingLeftBehind();
+  }
+
   @Test
   void controlCKeepsTheFramesOfAnAnimation() throws IOException, InterruptedException {
     ModelSample.write(directory);
-    String frames = " --animation lift --fps 3 --size 64x48 -o a.gif -s ";
+    String frames = " --animation lift --no-denoise --fps 3 --size 64x48 -o a.gif -s ";
     try (PseudoTerminal terminal = lumbre(200, "render sample.glb" + frames + ENDLESS)) {
       terminal.await("a bar", printed -> printed.contains("1/3:   0 % ["));
       terminal.control('C');
