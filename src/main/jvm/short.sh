@@ -14,15 +14,17 @@ is_short() {
       -o | --output) previous= && continue ;;
       --size) size=$argument ;;
       -s | --samples) samples=$argument ;;
+      --explode) case $argument in *..*) return 1 ;; esac ;;
     esac
     case $argument in
       --size=*) size=${argument#*=} ;;
       --samples=*) samples=${argument#*=} ;;
-      --turntable* | --animation* | --sheet*) return 1 ;;
+      --turntable* | --animation* | --sheet* | --explode=*..*) return 1 ;;
     esac
     if [ -f "$argument" ]; then
       files=$((files + 1))
-      [ -r "$argument" ] && [ "$(wc -c <"$argument")" -le 8000000 ] || return 1
+      # A minimal system has no wc.
+      [ -r "$argument" ] && bytes=$(wc -c <"$argument" 2>/dev/null) && [ "$bytes" -le 8000000 ] || return 1
     fi
     previous=$argument
   done

@@ -34,6 +34,7 @@ class LauncherIT {
       check small.txt --json
       render small.txt --size 256x192 -s 2 -o small.txt --overwrite
       render --size=256 --samples=2 small.txt -o large.txt
+      render --size 64x48 -s 2 small.txt --explode 1
       """;
   private static final String LONG =
       """
@@ -47,6 +48,8 @@ class LauncherIT {
       render --size 64x48 -s 2 large.txt
       render --size 64x48 -s 2 small.txt small.txt
       render --size 64x48 -s 2 small.txt --turntable 96
+      render --size 64x48 -s 2 small.txt --explode 0..1
+      render --size 64x48 -s 2 small.txt --explode=0..1
       views --size 64x48 -s 2 small.txt
       """;
 
