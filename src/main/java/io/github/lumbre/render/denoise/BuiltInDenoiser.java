@@ -85,7 +85,8 @@ public final class BuiltInDenoiser {
    * Renders a scene and denoises the picture, with the layers that help. Its bits are those of
    * {@link #denoise} of a film with {@link Layer#FOR_DENOISING}.
    *
-   * @param settings whose layers are added to
+   * @param settings whose layers are added to; their threads also denoise, 0 are one for each
+   *     processor
    * @throws InterruptedException if the progress is cancelled, or the thread is interrupted
    */
   public static Image render(RenderSettings settings, Scene scene, Progress progress)
@@ -98,7 +99,9 @@ public final class BuiltInDenoiser {
     if (!new PassLoop(renderer, film).run(progress).complete()) {
       throw new InterruptedException("cancelled");
     }
-    return denoise(NoisyPicture.of(film), Runtime.getRuntime().availableProcessors()).image();
+    int all = Runtime.getRuntime().availableProcessors();
+    int threads = settings.threads() > 0 ? settings.threads() : all;
+    return denoise(NoisyPicture.of(film), threads).image();
   }
 
   /**
