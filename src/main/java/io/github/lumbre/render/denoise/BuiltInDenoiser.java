@@ -85,7 +85,7 @@ public final class BuiltInDenoiser {
    * Renders a scene and denoises the picture, with the layers that help. Its bits are those of
    * {@link #denoise} of a film with {@link Layer#FOR_DENOISING}.
    *
-   * @param settings whose layers are added to; their threads also denoise, 0 are one for each
+   * @param settings whose layers are added to; their threads also denoise; for 0, one for each
    *     processor
    * @throws InterruptedException if the progress is cancelled, or the thread is interrupted
    */
