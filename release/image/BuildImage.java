@@ -141,7 +141,7 @@ final class BuildImage {
     Files.writeString(
         app.resolve("options"),
         options + "\n--add-modules=" + VECTORS + "\n--add-opens=java.base/java.io=ALL-UNNAMED\n");
-    for (String name : List.of("short.sh", "short-options")) {
+    for (String name : List.of("short.sh", "short-options", "check-options")) {
       Files.copy(Path.of("src/main/jvm", name), app.resolve(name));
     }
     Files.write(app.resolve("version.options"), VERSION_OPTIONS);

@@ -2,9 +2,10 @@
 
 # Tells whether a command ends before the optimizing compiler's code pays: the check of small files, and a
 # picture of one small file whose arguments state a few samples in all. At half a million they take the same
-# processor time with it.
+# processor time with it. Then short_options is the name of the options that it gets.
 is_short() {
   command=${1:-}
+  short_options=short-options
   size=
   samples=
   files=0
@@ -29,7 +30,7 @@ is_short() {
     previous=$argument
   done
   case $command in
-    check) return 0 ;;
+    check) short_options=check-options ;;
     render) [ "$files" = 1 ] && is_few "${size%x*}" "${size#*x}" "$samples" ;;
     *) return 1 ;;
   esac

@@ -13,13 +13,15 @@ import org.junit.jupiter.api.Test;
 
 /** Tests the JVM options file that both launchers use. */
 class JvmOptionsTest {
-  private static final Path FILE = Path.of("src", "main", "jvm", "options");
+  private static final Path FOLDER = Path.of("src", "main", "jvm");
   private static final Pattern HINT =
       Pattern.compile("(?m)^-XX:CompileCommand=\\w+,([\\w.]+)::(\\w+)(,[\\w.]+)?$");
 
   @Test
   void everyHintedMethodExists() throws IOException {
-    String options = Files.readString(FILE);
+    String options =
+        Files.readString(FOLDER.resolve("options"))
+            + Files.readString(FOLDER.resolve("short-options"));
     List<MatchResult> hints = HINT.matcher(options).results().toList();
     assertThat(hints).hasSize(options.split("CompileCommand=\\w+,", -1).length - 1).isNotEmpty();
     for (MatchResult hint : hints) {

@@ -47,7 +47,7 @@ final class Program {
   /** Copies what the launcher reads to a copy of the project. */
   static void copyOptions(Path home) throws IOException {
     Path folder = Files.createDirectories(home.resolve("src/main/jvm"));
-    for (String name : List.of("options", "short-options", "short.sh")) {
+    for (String name : List.of("options", "short-options", "check-options", "short.sh")) {
       Files.copy(Path.of("src/main/jvm", name), folder.resolve(name));
     }
   }

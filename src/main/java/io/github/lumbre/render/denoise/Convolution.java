@@ -3,6 +3,7 @@ package io.github.lumbre.render.denoise;
 import io.github.lumbre.math.internal.FusedMultiplyAdd;
 import io.github.lumbre.render.denoise.Network.Layer;
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Convolutions of 3x3 taps, with their memory; one for each thread. Pixels that are computed
@@ -20,6 +21,7 @@ final class Convolution {
 
   private static final int TAPS = 9;
 
+  private final Optional<ScalarConvolution> scalar;
   private final float[][] taps = new float[TAPS][CHUNK];
   private float[][] sums = new float[0][];
 
@@ -28,6 +30,13 @@ final class Convolution {
 
   private int runCount;
   private int pixels;
+
+  /**
+   * @param isScalar whether {@link ScalarConvolution} computes, with the same results
+   */
+  Convolution(boolean isScalar) {
+    scalar = isScalar ? Optional.of(new ScalarConvolution()) : Optional.empty();
+  }
 
   /**
    * Computes rows of a layer, with negative values replaced by 0. Pixels that are not filtered stay
@@ -39,6 +48,13 @@ final class Convolution {
    * @param out receives the rows
    */
   void apply(Layer layer, Maps[] inputs, int first, int end, FilteredPart part, Maps out) {
+    if (scalar.isPresent()) {
+      for (int y = first; y < end; y++) {
+        int row = y;
+        part.forEach(y, (x, right) -> scalar.get().apply(layer, inputs, x, right, row, out));
+      }
+      return;
+    }
     if (sums.length < layer.outputs()) {
       sums = new float[layer.outputs()][CHUNK];
     }
@@ -81,7 +97,7 @@ final class Convolution {
       }
     }
     for (int o = 0; o < layer.outputs(); o++) {
-      Loops.rectify(sums[o], pixels);
+      Loops.rectify(sums[o], 0, pixels);
       scatter(sums[o], out, out.plane(o));
     }
     runCount = 0;

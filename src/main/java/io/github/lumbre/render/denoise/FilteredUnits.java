@@ -19,14 +19,20 @@ final class FilteredUnits {
   private final int across;
   private final boolean[] filtered;
 
-  private FilteredUnits(int across, int down) {
+  /**
+   * @param across number of squares beside each other
+   * @param filtered by row and column
+   */
+  FilteredUnits(int across, boolean[] filtered) {
     this.across = across;
-    filtered = new boolean[Math.multiplyExact(across, down)];
+    this.filtered = filtered;
   }
 
   /** Returns the squares of a picture that are filtered. */
   static FilteredUnits of(Features picture, Workers workers) throws InterruptedException {
-    FilteredUnits units = new FilteredUnits(count(picture.right()), count(picture.bottom()));
+    int across = count(picture.right());
+    boolean[] none = new boolean[Math.multiplyExact(across, count(picture.bottom()))];
+    FilteredUnits units = new FilteredUnits(across, none);
     int right = picture.right() - 1;
     int bottom = picture.bottom() - 1;
     workers.compute(

@@ -90,10 +90,10 @@ final class Loops {
     }
   }
 
-  /** Replaces negative values by 0, and rounds the others. */
-  static void rectify(float[] values, int count) {
-    for (int i = 0; i < count; i++) {
-      values[i] = rounded(Math.max(0f, values[i]));
+  /** Replaces negative values by 0, and rounds the others; up to half of the largest float. */
+  static void rectify(float[] values, int first, int end) {
+    for (int i = first; i < end; i++) {
+      values[i] = rounded(.5f * (values[i] + Math.abs(values[i])));
     }
   }
 

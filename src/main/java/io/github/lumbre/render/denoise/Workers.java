@@ -31,7 +31,7 @@ final class Workers implements AutoCloseable {
     this.threads = threads;
     pool = Executors.newFixedThreadPool(threads, Workers::daemon);
     for (int i = 0; i < threads; i++) {
-      convolutions.add(new Convolution());
+      convolutions.add(new Convolution(ScalarConvolution.isUsed()));
     }
   }
 

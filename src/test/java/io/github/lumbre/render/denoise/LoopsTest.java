@@ -100,8 +100,8 @@ class LoopsTest {
 
   @Test
   void negativeValuesAreReplacedAndOthersRounded() {
-    float[] values = {-3, 2.00001f, .25f, -0f};
-    Loops.rectify(values, 3);
-    assertThat(values).containsExactly(0, 2, .25f, -0f);
+    float[] values = {5.00001f, -3, 2.00001f, .25f, -0f, -1};
+    Loops.rectify(values, 1, 5);
+    assertThat(values).containsExactly(5.00001f, 0, 2, .25f, 0f, -1);
   }
 }
