@@ -3,6 +3,7 @@ package io.github.lumbre.model.format.ply;
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.internal.ModelLimits;
+import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.Tally;
 import io.github.lumbre.model.internal.Warnings;
 import java.util.Arrays;
@@ -41,6 +42,8 @@ final class PlyFaceData {
 
   private float[] rgba = {};
   private int[] textures = {};
+
+  /** The number of triangles of faces. */
   private int triangles;
   private int incomplete;
 
@@ -96,24 +99,26 @@ final class PlyFaceData {
   }
 
   /**
-   * Ends a face.
+   * Ends a face, whose triangles are a fan.
    *
-   * @param added the number of its triangles, which are a fan
+   * @param first the number of its first triangle, among all of the file
+   * @param end the number after its last one
    */
-  void endFace(int added) throws ModelFormatException {
+  void endFace(int first, int end) throws ModelFormatException {
     if (isUsed()) {
-      incomplete += texcoord.isPresent() && coordinates.length < 2 * (added + 2) ? 1 : 0;
-      grow(triangles + added);
-      for (int k = 0; k < added; k++) {
-        put(0, 6 * triangles);
-        put(k + 1, 6 * triangles + 2);
-        put(k + 2, 6 * triangles + 4);
-        textures[triangles] = texture;
+      int needed = 2 * (end - first + 2);
+      incomplete += texcoord.isPresent() && coordinates.length < needed ? 1 : 0;
+      cover(end);
+      for (int triangle = first; triangle < end; triangle++) {
+        put(0, 6 * triangle);
+        put(triangle - first + 1, 6 * triangle + 2);
+        put(triangle - first + 2, 6 * triangle + 4);
+        textures[triangle] = texture;
         if (!colors.isEmpty()) {
-          System.arraycopy(color, 0, rgba, 4 * triangles, 4);
+          System.arraycopy(color, 0, rgba, 4 * triangle, 4);
         }
-        triangles++;
       }
+      triangles += end - first;
       coordinates = new double[0];
     }
   }
@@ -128,7 +133,8 @@ final class PlyFaceData {
     }
   }
 
-  private void grow(int count) throws ModelFormatException {
+  /** Makes room for triangles, which are light gray and have coordinates of 0 before they end. */
+  void cover(int count) throws ModelFormatException {
     if (count <= textures.length) {
       return;
     }
@@ -138,27 +144,40 @@ final class PlyFaceData {
     ModelLimits.requireMemory("element face", 268L * larger, limits);
     textures = Arrays.copyOf(textures, larger);
     uvs = Arrays.copyOf(uvs, texcoord.isPresent() ? 6 * larger : 0);
+    int painted = rgba.length;
     rgba = Arrays.copyOf(rgba, colors.isEmpty() ? 0 : 4 * larger);
+    for (int i = painted; i < rgba.length; i++) {
+      rgba[i] = i % 4 == 3 ? 1 : (float) PlainModel.ALBEDO;
+    }
   }
 
-  /** Adds a warning of faces whose corners lack coordinates, which are 0 then. */
-  void warnOfIncomplete(Warnings warnings) {
+  /**
+   * Adds warnings of what lacks data: strips, and faces some of whose corners have no coordinates.
+   *
+   * @param all the number of all triangles
+   */
+  void warnOfIncomplete(int all, Warnings warnings) {
+    if (triangles < all) {
+      warnings.add(
+          "element tristrips",
+          "triangles without the colors or texture coordinates of faces: " + (all - triangles));
+    }
     if (incomplete > 0) {
       warnings.add("element face", "faces without coordinates for all corners: " + incomplete);
     }
   }
 
-  /** Returns six coordinates per triangle; empty if there are none. */
+  /** Returns six coordinates per triangle, at least; empty if there are none. */
   double[] uvs() {
     return texcoord.isPresent() ? uvs : new double[0];
   }
 
-  /** Returns four linear colors per triangle; empty if there are none. */
+  /** Returns four linear colors per triangle, at least; empty if there are none. */
   float[] colors() {
     return colors.isEmpty() ? new float[0] : rgba;
   }
 
   int texture(int triangle) {
-    return triangle < triangles ? textures[triangle] : 0;
+    return textures[triangle];
   }
 }

@@ -144,21 +144,23 @@ record PlyHeader(
       }
       String kind = scanner.nextWord() ? scanner.word() : "";
       if (kind.equalsIgnoreCase("TextureFile")) {
-        addName(scanner, "textures", comments.textures);
+        addTexture(scanner, comments.textures);
       } else if (kind.equalsIgnoreCase(PlyParts.COMMENT)) {
-        addName(scanner, "parts", comments.parts);
+        // An empty name counts, too: faces state the numbers of names.
+        comments.parts.add(scanner.remainingWords());
+        scanner.require("parts", ModelLimits.MAX_PARTS, comments.parts.size());
       }
       scanner.endLine();
     }
     throw scanner.error("expected \"end_header\", found the end of the file");
   }
 
-  private static void addName(TextScanner scanner, String things, List<String> names)
+  private static void addTexture(TextScanner scanner, List<String> textures)
       throws ModelFormatException {
     String name = scanner.remainingWords();
-    scanner.require(things, ModelLimits.MAX_PARTS, names.size() + 1);
+    scanner.require("textures", ModelLimits.MAX_PARTS, textures.size() + 1);
     if (!name.isEmpty()) {
-      names.add(name);
+      textures.add(name);
     }
   }
 

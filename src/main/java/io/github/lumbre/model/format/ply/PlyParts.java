@@ -7,6 +7,7 @@ import io.github.lumbre.model.internal.ModelNode;
 import io.github.lumbre.model.internal.ModelPart;
 import io.github.lumbre.model.internal.PlainModel;
 import io.github.lumbre.model.internal.TriangleList;
+import io.github.lumbre.model.internal.Warnings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -15,7 +16,8 @@ import java.util.Optional;
 /**
  * The parts of a PLY file whose faces have the integer property {@code part}, which counts the
  * names that comments {@code PartName} state, from 0; so that programs without a format of scenes
- * can name parts. Files without such names have no parts. Mutable.
+ * can name parts. Files without such names have no parts. Triangles of strips are in the first part.
+ * Mutable.
  */
 final class PlyParts {
   /** The first word of a comment that names a part. */
@@ -25,9 +27,12 @@ final class PlyParts {
   static final String PROPERTY = "part";
 
   private final List<String> names;
+  private boolean isUsed;
   private int part;
   private int[] ofTriangles = {};
-  private int triangles;
+
+  /** The number of triangles whose part is stated. */
+  private int stated;
 
   /**
    * @param names of the parts, in their order; empty if the file is not divided
@@ -50,43 +55,56 @@ final class PlyParts {
       throw body.error("expected a part from 0 to " + (names.size() - 1) + ", found " + number);
     }
     part = (int) number;
-    grow(triangles + 1);
+    isUsed = true;
   }
 
   /**
    * Ends a face.
    *
-   * @param added the number of its triangles
+   * @param first the number of its first triangle, among all of the file
+   * @param end the number after its last one
    */
-  void endFace(int added) {
-    if (isUsed()) {
-      grow(triangles + added);
-      Arrays.fill(ofTriangles, triangles, triangles + added, part);
-      triangles += added;
-    }
-  }
-
-  private void grow(int count) {
-    if (count > ofTriangles.length) {
-      ofTriangles = Arrays.copyOf(ofTriangles, Math.max(count, 2 * ofTriangles.length));
+  void endFace(int first, int end) {
+    if (isUsed) {
+      if (end > ofTriangles.length) {
+        ofTriangles = Arrays.copyOf(ofTriangles, Math.max(end, 2 * ofTriangles.length));
+      }
+      Arrays.fill(ofTriangles, first, end, part);
+      stated += end - first;
     }
   }
 
   /** Returns whether the faces state their parts. */
   boolean isUsed() {
-    return ofTriangles.length > 0;
+    return isUsed;
+  }
+
+  /**
+   * Warns of names that no face uses, and of triangles without a part.
+   *
+   * @param triangles the number of all triangles
+   */
+  void warn(int triangles, Warnings warnings) {
+    if (!isUsed && !names.isEmpty()) {
+      warnings.add(
+          "comment " + COMMENT, "ignored, since no face has the integer property " + PROPERTY);
+    } else if (isUsed && stated < triangles) {
+      warnings.add(
+          "element tristrips",
+          "triangles without a part, which are in the first one: " + (triangles - stated));
+    }
   }
 
   /** Returns the triangles of each part in turn; all triangles if there are no parts. */
   List<TriangleList> split(TriangleList all) {
-    if (!isUsed()) {
+    if (!isUsed) {
       return List.of(all);
     }
     List<TriangleList> split = new ArrayList<>();
     names.forEach(name -> split.add(new TriangleList(0)));
     for (int i = 0; i < all.count(); i++) {
       split
-          .get(i < triangles ? ofTriangles[i] : 0)
+          .get(i < ofTriangles.length ? ofTriangles[i] : 0)
           .add(all.vertex(3 * i), all.vertex(3 * i + 1), all.vertex(3 * i + 2));
     }
     return split;

@@ -137,6 +137,7 @@ public final class PlyReader {
     if (!header.comments().textures().isEmpty()) {
       warnings.add("comment TextureFile", "ignored, since points have no textures");
     }
+    parts.warn(0, warnings);
     ModelGeometry all = vertices.geometry(new int[0]);
     return PlainModel.cloud("element vertex", all, options.toWorld(), warnings);
   }
@@ -146,6 +147,7 @@ public final class PlyReader {
       separateTriangles(faceData.get());
     }
     tally.addTo(warnings);
+    parts.warn(triangles.count(), warnings);
     List<TriangleList> split = soundTriangles();
     ModelGeometry mesh = vertices.geometry(triangles.toArray());
     PlainModel.showInvisible("element vertex", mesh.colors(), warnings);
@@ -184,9 +186,10 @@ public final class PlyReader {
         : List.of(new ModelPart(ModelNode.undivided(""), "", mesh, material, options.toWorld()));
   }
 
-  private void separateTriangles(PlyFaceData faces) {
-    faces.warnOfIncomplete(warnings);
+  private void separateTriangles(PlyFaceData faces) throws ModelFormatException {
     int count = triangles.count();
+    faces.cover(count);
+    faces.warnOfIncomplete(count, warnings);
     vertices.separate(triangles.toArray(), faces);
     triangles = new TriangleList(count);
     for (int i = 0; i < count; i++) {
@@ -262,8 +265,8 @@ public final class PlyReader {
       }
       body.endItem();
       if (data.isPresent()) {
-        data.get().endFace(triangles.count() - before);
-        parts.endFace(triangles.count() - before);
+        data.get().endFace(before, triangles.count());
+        parts.endFace(before, triangles.count());
       }
     }
   }

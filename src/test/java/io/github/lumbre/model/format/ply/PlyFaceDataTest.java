@@ -83,6 +83,59 @@ class PlyFaceDataTest {
         .containsExactly("element face: ignored the properties part");
   }
 
+  /** Faces count the comments, and writers may leave names out. */
+  @Test
+  void commentsWithoutANameCountAsParts() throws Exception {
+    String face = "element face 2;" + CORNERS + "property uchar part;";
+    Model model =
+        ply("comment PartName;comment PartName lid;", face, SQUARE + "3 0 1 2 0;3 0 2 3 1").read();
+    assertThat(model.warnings()).isEmpty();
+    assertThat(model.parts().stream().map(part -> part.node().label()))
+        .containsExactly("part 0", "lid");
+  }
+
+  @Test
+  void namesThatNoFaceUsesAreReported() throws Exception {
+    String names = "comment PartName a;comment PartName b;";
+    String ignored =
+        "comment PartName: ignored, since no face has the integer property part";
+    String face = "element face 1;" + CORNERS;
+    assertThat(ply(names, face, SQUARE + "3 0 1 2").read().warnings()).containsExactly(ignored);
+    assertThat(ply(names, face + "property float part;", SQUARE + "3 0 1 2 1").read().warnings())
+        .containsExactly("element face: ignored the properties part", ignored);
+    assertThat(ply(names, "", SQUARE).read().warnings()).containsExactly(ignored);
+  }
+
+  /** Strips have neither parts nor data of their own, whether they are before the faces or after. */
+  @Test
+  void stripsBesideFacesDoNotChangeThem() throws Exception {
+    String strip = "element tristrips 1;property list int int vertex_indices;";
+    String faces =
+        "element face 1;"
+            + CORNERS
+            + "property uchar red;property uchar green;property uchar blue;property uchar part;";
+    String names = "comment PartName a;comment PartName b;";
+    String stripLine = "11 0 1 2 3 -1 0 1 2 3 0 1;";
+    String faceLine = "3 1 2 3 255 0 0 1;";
+    for (boolean isBefore : new boolean[] {true, false}) {
+      Model model =
+          ply(
+                  names,
+                  isBefore ? strip + faces : faces + strip,
+                  SQUARE + (isBefore ? stripLine + faceLine : faceLine + stripLine))
+              .read();
+      assertThat(model.warnings())
+          .containsExactly(
+              "element tristrips: triangles without the colors or texture coordinates of faces: 6",
+              "element tristrips: triangles without a part, which are in the first one: 6");
+      List<ModelGeometry> parts = model.parts().stream().map(ModelPart::geometry).toList();
+      assertThat(parts.get(0).indices()).hasSize(18);
+      assertThat(parts.get(0).colors()).contains(1, .7f).doesNotContain(0);
+      assertThat(parts.get(1).positions()).containsExactly(1, 0, 0, 1, 1, 0, 0, 1, 0);
+      assertThat(parts.get(1).colors()).containsExactly(1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1);
+    }
+  }
+
   @Test
   void partsOfTexturedFacesAreReported() throws Exception {
     String face = "element face 2;" + CORNERS + TEXCOORD + "property uchar part;";
