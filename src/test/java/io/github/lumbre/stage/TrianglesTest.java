@@ -218,10 +218,20 @@ class TrianglesTest {
   @Test
   void aNameThatAFileCannotKeepIsRefused() {
     TriangleMesh sheet = new Sheet(0, 9).mesh();
-    for (String name : List.of("", " a", "a  b", "a\nend_header", "a\u0000b")) {
+    for (String name : List.of("", " a", "a  b", "a\nend_header", "a\u0000b", "a\ud800")) {
       assertThatThrownBy(() -> StagedModel.of(Map.of(name, sheet), Stage.DEFAULT, parser()))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageStartingWith("parts: expected names of words with single spaces");
     }
+  }
+
+  /** A PLY file of vertices alone shows points. */
+  @Test
+  void verticesWithoutTrianglesAreRefused() {
+    TriangleMesh none = TriangleMesh.of(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[0]);
+    String message = "triangles.ply: expected at least one triangle with an area, found none";
+    assertThatThrownBy(() -> StagedModel.of(none, Stage.DEFAULT, parser())).hasMessage(message);
+    assertThatThrownBy(() -> StagedModel.of(Map.of("a", none), Stage.DEFAULT, parser()))
+        .hasMessage(message);
   }
 }

@@ -26,7 +26,9 @@ public final class PlyWriter {
   private final boolean hasColors;
 
   private PlyWriter(Collection<TriangleMesh> meshes, Collection<String> names) {
-    this.meshes = List.copyOf(meshes);
+    // Vertices alone would be read as points.
+    boolean hasFaces = meshes.stream().anyMatch(mesh -> faces(mesh) > 0);
+    this.meshes = hasFaces ? List.copyOf(meshes) : List.of();
     this.names = List.copyOf(names);
     hasNormals = meshes.stream().anyMatch(TriangleMesh::hasNormals);
     hasColors = meshes.stream().anyMatch(PlyWriter::isColored);
@@ -47,13 +49,19 @@ public final class PlyWriter {
   public static byte[] write(SortedMap<String, TriangleMesh> parts) {
     for (String name : parts.keySet()) {
       boolean isSound = !name.isBlank() && name.equals(String.join(" ", name.trim().split("\\s+")));
-      if (!isSound || name.chars().anyMatch(Character::isISOControl)) {
+      if (!isSound || name.codePoints().anyMatch(PlyWriter::isUnwritable)) {
         throw new IllegalArgumentException(
             "parts: expected names of words with single spaces between them, found "
                 + PrintableText.quoted(name));
       }
     }
     return new PlyWriter(parts.values(), parts.keySet()).bytes();
+  }
+
+  /** Returns whether a character ends a line, or is half a character, which UTF-8 has not. */
+  private static boolean isUnwritable(int character) {
+    return Character.isISOControl(character)
+        || Character.getType(character) == Character.SURROGATE;
   }
 
   private static boolean isColored(TriangleMesh mesh) {
