@@ -81,7 +81,7 @@ public final class StagedModel {
    */
   public static StagedModel of(TriangleMesh mesh, Stage stage, SceneParser parser)
       throws SceneFormatException, IOException {
-    return read(TRIANGLES, ModelFormat.plyOf(mesh), ModelFolder.NONE, stage, parser);
+    return of(ModelFormat.plyOf(mesh), stage, parser);
   }
 
   /**
@@ -95,8 +95,12 @@ public final class StagedModel {
    */
   public static StagedModel of(Map<String, TriangleMesh> parts, Stage stage, SceneParser parser)
       throws SceneFormatException, IOException {
-    byte[] ply = ModelFormat.plyOf(new TreeMap<>(parts));
-    return read(TRIANGLES, ply, ModelFolder.NONE, stage, parser);
+    return of(ModelFormat.plyOf(new TreeMap<>(parts)), stage, parser);
+  }
+
+  private static StagedModel of(byte[] ply, Stage stage, SceneParser parser)
+      throws SceneFormatException, IOException {
+    return read(ModelSource.of(parser, TRIANGLES, ply, ModelFolder.NONE), stage);
   }
 
   private static StagedModel read(ModelSource source, Stage stage)

@@ -49,13 +49,17 @@ final class PlyParts {
         && property.name().equals(PROPERTY);
   }
 
+  /** Begins an element of faces. */
+  void begin(PlyElement faces) {
+    isUsed |= faces.properties().stream().anyMatch(this::uses);
+  }
+
   void read(PlyProperty property, PlyBody body) throws ModelFormatException {
     long number = body.integer(property);
     if (number < 0 || number >= names.size()) {
       throw body.error("expected a part from 0 to " + (names.size() - 1) + ", found " + number);
     }
     part = (int) number;
-    isUsed = true;
   }
 
   /**

@@ -228,7 +228,10 @@ public final class PlyReader {
             ? Optional.of(new PlyFaceData(element, !vertices.hasColors(), options.limits(), tally))
             : Optional.empty();
     if (indices.isPresent()) {
-      faceData = data.isPresent() ? data : faceData;
+      if (data.isPresent()) {
+        faceData = data;
+        parts.begin(element);
+      }
       List<String> ignored =
           element.properties().stream()
               .filter(p -> p != indices.get() && data.filter(d -> d.uses(p)).isEmpty())
