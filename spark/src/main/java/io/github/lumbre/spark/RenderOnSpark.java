@@ -1,8 +1,9 @@
 package io.github.lumbre.spark;
 
 import io.github.lumbre.cli.Lumbre;
+import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.run.Interruption;
-import io.github.lumbre.image.animation.AnimationFormat;
+import io.github.lumbre.image.internal.ImageFormat;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -10,8 +11,12 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.text.Normalizer;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -76,6 +81,11 @@ public final class RenderOnSpark {
       out.print(USAGE);
       out.flush();
       return 0;
+    }
+    Optional<String> clash = arguments.clash();
+    if (clash.isPresent()) {
+      err.println("error: " + clash.get());
+      return OUTPUT_CODE;
     }
     SparkConf conf = new SparkConf().setIfMissing("spark.master", "local[*]");
     conf.setIfMissing("spark.app.name", "Lumbre");
@@ -235,35 +245,60 @@ public final class RenderOnSpark {
         command.addAll(options);
         return List.of(command);
       }
+      if (scenes.size() > 1) {
+        output(options).ifPresent(Arguments::requireFolder);
+      }
       List<List<String>> commands = new ArrayList<>();
       for (String scene : scenes) {
         List<String> command = new ArrayList<>(List.of("render", scene));
-        command.addAll(scenes.size() == 1 ? options : inFolder(scene, options));
+        command.addAll(options);
         commands.add(command);
       }
       return commands;
     }
 
-    /** Returns the options of one of several scenes: its picture stands in the folder of -o. */
-    private static List<String> inFolder(String scene, List<String> options) {
-      List<String> own = new ArrayList<>(options);
-      for (int i = 0; i + 1 < own.size(); i++) {
-        if (own.get(i).equals("-o") || own.get(i).equals("--output")) {
-          requireFolder(own.get(i + 1));
-          String name = Path.of(scene).getFileName().toString().replaceFirst("\\.json$", "");
-          own.set(i + 1, Path.of(own.get(i + 1), name + ".png").toString());
+    /** Returns the value of {@code -o}, which the command line takes in five forms. */
+    private static Optional<String> output(List<String> options) {
+      Optional<String> output = Optional.empty();
+      for (int i = 0; i < options.size(); i++) {
+        String option = options.get(i);
+        if (option.equals("-o") || option.equals("--output")) {
+          output = i + 1 < options.size() ? Optional.of(options.get(++i)) : Optional.empty();
+        } else if (option.startsWith("--output=") || option.matches("-o.+")) {
+          output = Optional.of(option.replaceFirst("--output=|-o=?", ""));
         }
       }
-      return own;
+      return output;
     }
 
     private static void requireFolder(String output) {
-      if (AnimationFormat.of(Path.of(output)).isPresent()) {
+      Path path = Path.of(output);
+      boolean hasEnding = String.valueOf(path.getFileName()).indexOf('.') > 0;
+      if (output.equals("-") || hasEnding && !Files.isDirectory(path)) {
         throw new IllegalArgumentException(
-            "-o: expected a folder for the pictures of several scenes, found "
+            "-o: expected a folder for the pictures of several scenes, which exists or has a name"
+                + " without an ending, found "
                 + output
                 + "; only frames of one model are joined on Spark");
       }
+    }
+
+    /** Returns the message about two scenes with the same picture; empty if there are none. */
+    Optional<String> clash() {
+      Map<String, String> named = new HashMap<>();
+      for (List<String> command : commands.size() == 1 ? List.<List<String>>of() : commands) {
+        Path scene = Path.of(command.get(1));
+        Path picture = PictureOutput.defaultFor(scene, ImageFormat.PNG);
+        // Many file systems ignore the case of letters.
+        String name = Normalizer.normalize(picture.toString(), Normalizer.Form.NFC);
+        String other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), command.get(1));
+        if (other != null) {
+          return Optional.of(
+              "%s and %s: both pictures would be %s; rename one, or render them into two folders"
+                  .formatted(other, scene, picture));
+        }
+      }
+      return Optional.empty();
     }
   }
 }

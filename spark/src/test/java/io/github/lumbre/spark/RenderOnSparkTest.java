@@ -167,6 +167,34 @@ class RenderOnSparkTest {
     assertThat(directory.resolve("out/torus-knot.png")).exists();
   }
 
+  /** As on one machine, where a folder need not exist, and the endings of all scenes go. */
+  @Test
+  void picturesOfAListAreNamedAsHere() throws IOException {
+    String model = path("sheet.glb");
+    GlbSample.write(directory.resolve("sheet.glb"));
+    String[] flags = {"-s", "1", "--size", "20x20", "--output=" + path("new")};
+    List<String> args = new ArrayList<>(List.of(SCENES + "torus-knot.json", model));
+    args.addAll(List.of(flags));
+    assertDone(onSpark(args));
+    assertThat(directory.resolve("new/torus-knot.png")).exists();
+    assertThat(directory.resolve("new/sheet.png")).exists();
+  }
+
+  @Test
+  void scenesWithOnePictureAreRefused() {
+    String a = path("a/x.json");
+    String b = path("b/X.glb");
+    for (String folder : List.of("-oout", "--output=out", "")) {
+      List<String> args = new ArrayList<>(List.of(a, b, "-s", "1"));
+      args.addAll(folder.isEmpty() ? List.of() : List.of(folder));
+      Outcome outcome = onSpark(args);
+      assertThat(outcome.exitCode()).isEqualTo(6);
+      assertThat(outcome.err())
+          .contains(
+              a + " and " + b + ": both pictures would be X.png; rename one, or render them into");
+    }
+  }
+
   /** The pictures of a list are those of single renders, although they share the cores. */
   @Test
   void picturesOfAListAreBitIdentical() throws IOException {
@@ -366,8 +394,13 @@ class RenderOnSparkTest {
         .contains("--sheet: not available on Spark");
     assertThat(onSpark("--unit", "soon", SCENES + "cornell-box.json").err())
         .contains("--unit: expected 0.1s to 3600s, found soon");
+    for (String output : List.of("-oa.png", "-o=a.png", "--output=a.png")) {
+      assertThat(onSpark(path("a.json"), path("b.json"), output).err())
+          .contains("-o: expected a folder for the pictures of several scenes, which exists or")
+          .contains("found a.png");
+    }
     assertThat(onSpark(path("a.json"), path("b.json"), "-o", "a.gif").err())
-        .contains("-o: expected a folder for the pictures of several scenes, found a.gif");
+        .contains("found a.gif; only frames of one model are joined on Spark");
     assertThat(onSpark(path("missing.json")).exitCode()).isEqualTo(3);
     assertThat(onSpark("--help").out()).contains("Usage: lumbre-spark");
   }
