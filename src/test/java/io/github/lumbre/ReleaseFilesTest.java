@@ -98,6 +98,7 @@ class ReleaseFilesTest {
     Files.writeString(folder.resolve("b c.deb"), "second");
     Files.writeString(folder.resolve("A.tar.gz"), "first");
     Files.writeString(folder.resolve("SHA256SUMS"), "old");
+    Files.createDirectory(folder.resolve("0"));
     Files.createDirectory(folder.resolve("other"));
     assertThat(sums(folder)).isZero();
     assertThat(Files.readString(folder.resolve("SHA256SUMS")))
