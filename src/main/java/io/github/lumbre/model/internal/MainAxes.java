@@ -65,9 +65,11 @@ final class MainAxes {
   }
 
   private void add(ModelPart part) {
-    Interrupts.check();
     int[] corners = part.geometry().indices();
     for (int i = 0; i < corners.length; i += 3) {
+      if ((i & ModelLimits.INTERRUPT_MASK) == 0) {
+        Interrupts.check();
+      }
       Vec3 from = part.position(corners[i]);
       Vec3 side = part.position(corners[i + 1]).minus(from);
       Vec3 cross = side.cross(part.position(corners[i + 2]).minus(from));
