@@ -38,7 +38,6 @@ import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.StagedModel;
 import io.github.lumbre.stage.drawing.DisplayLight;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -148,7 +147,7 @@ final class DiffCommand extends Subcommand {
       throws TaskException, IOException {
     String name = path.getFileName().toString();
     try {
-      byte[] content = Files.readAllBytes(path);
+      byte[] content = ModelReader.bytes(path, options.limits());
       ModelFolder folder =
           ModelFolder.of(path.toAbsolutePath().getParent(), options.get(ModelOption.ASSETS));
       Model model = ModelReader.read(name, content, folder, options);

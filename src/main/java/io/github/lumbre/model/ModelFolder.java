@@ -69,7 +69,8 @@ public interface ModelFolder {
    * @param name relative path with / between names, percent-decoded
    * @param location of the reference in the model, for messages
    * @throws ModelFormatException if the name leaves the folder, or the file is missing or too large
-   * @throws IOException if the thread is interrupted
+   * @throws IOException if the file cannot be read
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   byte[] read(String name, String location) throws ModelFormatException, IOException;
 

@@ -10,7 +10,6 @@ import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scene.Scene;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -41,6 +40,7 @@ public final class Models {
    *
    * @throws ModelFormatException if the file is damaged, unsupported or too large
    * @throws IOException if the file cannot be read
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static ModelFile read(Path file) throws ModelFormatException, IOException {
     return read(file, ModelOptions.DEFAULT);
@@ -50,8 +50,10 @@ public final class Models {
   public static ModelFile read(Path file, ModelOptions options)
       throws ModelFormatException, IOException {
     Path parent = file.toAbsolutePath().normalize().getParent();
-    ModelFolder folder = new FileFolder(AllowedFolders.of(parent, options));
-    return read(file.getFileName().toString(), Files.readAllBytes(file), folder, options);
+    long most = options.limits().bytes();
+    ModelFolder folder = new FileFolder(AllowedFolders.of(parent, options), most);
+    byte[] content = ModelReader.bytes(file, options.limits());
+    return read(file.getFileName().toString(), content, folder, options);
   }
 
   /**
@@ -60,7 +62,8 @@ public final class Models {
    *
    * @param name of the file; its ending chooses the format
    * @throws ModelFormatException if the file is damaged, unsupported or too large, or names another
-   * @throws IOException if the thread is interrupted
+   * @throws IOException never
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static ModelFile read(String name, byte[] content)
       throws ModelFormatException, IOException {
@@ -72,7 +75,8 @@ public final class Models {
    *
    * @param content is read to its end, or to one byte more than the options' {@link Limits#bytes};
    *     not closed
-   * @throws IOException if the stream fails, or the thread is interrupted
+   * @throws IOException if the stream or the folder fails
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static ModelFile read(
       String name, InputStream content, ModelFolder folder, ModelOptions options)
@@ -86,7 +90,8 @@ public final class Models {
    * @param name of the file; its ending chooses the format
    * @param folder reads other files that the model names
    * @throws ModelFormatException if the file is damaged, unsupported or too large
-   * @throws IOException if the thread is interrupted
+   * @throws IOException if the folder fails
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    * @throws IllegalArgumentException if the pose is in motion: a scene that code builds has a model
    *     for each pose of {@link Scene#inMotion}
    */

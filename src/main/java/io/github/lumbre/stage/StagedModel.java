@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
 
 /**
  * A model on a stage, which is read and built once, and can be seen from several directions. Its
@@ -42,7 +43,8 @@ public final class StagedModel {
    *
    * @param model path of a glTF, OBJ, PLY, STL, OFF, 3MF, COLLADA or ZIP file
    * @throws SceneFormatException if the model does not exist or cannot be used; it lists the errors
-   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
+   * @throws IOException if the model exists but cannot be read
+   * @throws CancellationException if the calling thread is interrupted
    */
   public static StagedModel read(Path model, Stage stage, SceneParser parser)
       throws SceneFormatException, IOException {
@@ -59,7 +61,8 @@ public final class StagedModel {
    * @param files has other files that the model names; {@link ModelFolder#NONE} if there are none,
    *     as for a GLB file or a ZIP archive
    * @throws SceneFormatException if the model cannot be used; it lists the errors
-   * @throws IOException if the calling thread is interrupted
+   * @throws IOException if the folder fails
+   * @throws CancellationException if the calling thread is interrupted
    */
   public static StagedModel read(
       String name, byte[] model, ModelFolder files, Stage stage, SceneParser parser)
@@ -73,11 +76,12 @@ public final class StagedModel {
    * Without colors, it is light gray, otherwise colored paint, transparent where alpha is below 1.
    * Texture coordinates, tangents and the mesh's {@link TriangleMesh.Front} have no effect.
    *
-   * @param mesh with an area, in coordinates of at most 1e150; y points up unless an option of the
-   *     stage states another axis
+   * @param mesh with an area, at least 1e-100 in size and within 1e100 of the origin; y points up
+   *     unless an option of the stage states another axis
    * @throws SceneFormatException if the mesh cannot be used; it lists the errors, of the file
    *     {@code triangles.ply}
-   * @throws IOException if the calling thread is interrupted
+   * @throws IOException if a picture that the stage names cannot be read
+   * @throws CancellationException if the calling thread is interrupted
    */
   public static StagedModel of(TriangleMesh mesh, Stage stage, SceneParser parser)
       throws SceneFormatException, IOException {
@@ -114,7 +118,8 @@ public final class StagedModel {
    *
    * @param folder where asset paths start; contains the model and the sky's picture
    * @throws SceneFormatException if the scene cannot be used; it lists the errors
-   * @throws IOException if the model exists but cannot be read, or the thread is interrupted
+   * @throws IOException if the model exists but cannot be read
+   * @throws CancellationException if the calling thread is interrupted
    */
   public static StagedModel readIn(Path folder, Path model, Stage stage)
       throws SceneFormatException, IOException {

@@ -16,19 +16,22 @@ import java.util.Optional;
 
 /** Reads the files in some folders and below. Mutable; confined to one thread. */
 public final class FileFolder implements ModelFolder {
+  /** The largest number of bytes of a file: those of an array. */
+  static final long MAX_BYTES = Integer.MAX_VALUE - 8L;
+
   private final AllowedFolders folders;
   private final long mostBytes;
 
   public FileFolder(AllowedFolders folders) {
-    this(folders, Long.MAX_VALUE);
+    this(folders, MAX_BYTES);
   }
 
   /**
-   * @param mostBytes of a file
+   * @param mostBytes of a file; an array has at most 2^31 - 9
    */
   public FileFolder(AllowedFolders folders, long mostBytes) {
     this.folders = folders;
-    this.mostBytes = mostBytes;
+    this.mostBytes = Math.min(mostBytes, MAX_BYTES);
   }
 
   @Override

@@ -1,6 +1,8 @@
 package io.github.lumbre.model.internal;
 
 import io.github.lumbre.base.file.FileContent;
+import io.github.lumbre.base.limit.Limits;
+import io.github.lumbre.base.limit.internal.Interrupts;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
@@ -10,6 +12,7 @@ import io.github.lumbre.model.ModelOptions.Pose;
 import io.github.lumbre.model.section.Sections;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -56,6 +59,24 @@ public final class ModelReader {
   }
 
   /**
+   * Returns the bytes of a model file.
+   *
+   * @throws ModelFormatException if there are more than the limits, an array or the heap allow
+   * @throws IOException if the file cannot be read
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
+   */
+  public static byte[] bytes(Path file, Limits limits) throws ModelFormatException, IOException {
+    try {
+      long size = Files.size(file);
+      ModelLimits.require("", "bytes", Math.min(limits.bytes(), FileFolder.MAX_BYTES), size);
+      ModelLimits.require("", "bytes, the whole heap", Limits.NONE.heap(), size);
+      return Files.readAllBytes(file);
+    } catch (ClosedByInterruptException e) {
+      throw Interrupts.cancelled(e);
+    }
+  }
+
+  /**
    * Returns the content of a model file. The ending of its name chooses the format; if it is
    * unknown, such as .vrm, the content does. The model has a point, a triangle with an area, or a
    * light.
@@ -64,7 +85,8 @@ public final class ModelReader {
    * @param content bytes of the file
    * @param folder reads other files that the model names
    * @throws ModelFormatException if the file is damaged, unsupported or too large
-   * @throws IOException if the thread is interrupted
+   * @throws IOException if the folder fails
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static Model read(String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
@@ -82,6 +104,7 @@ public final class ModelReader {
   public static Model readPose(
       String name, byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
+    Interrupts.check();
     ModelFormat format = format(name, content);
     if (format != ModelFormat.GLTF && format != ModelFormat.ZIP) {
       Optional<String> animation = options.find(ModelOption.POSE).map(Pose::animation);

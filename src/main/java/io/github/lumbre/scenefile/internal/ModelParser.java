@@ -46,7 +46,8 @@ public interface ModelParser {
    * Reads a model.
    *
    * @throws SceneFormatException if the model cannot be used
-   * @throws IOException if the thread is interrupted
+   * @throws IOException if a file cannot be read
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   LoneModel read(Source source) throws SceneFormatException, IOException;
 

@@ -93,7 +93,8 @@ public final class GltfReader {
    * Returns the content of a file.
    *
    * @throws ModelFormatException if the file is damaged, unsupported or too large
-   * @throws IOException if the thread is interrupted
+   * @throws IOException if the folder fails
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static Model read(byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
