@@ -3,8 +3,12 @@ package io.github.lumbre.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.lumbre.cli.output.ExitCodes;
+import io.github.lumbre.cli.run.Engine;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.file.Files;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -99,6 +103,23 @@ class SharedFramesCommandsTest extends CommandFixture {
             ExitCodes.USAGE,
             "a-000.png: cannot be continued: its metadata have DenoisedWith 0 neighbors,"
                 + " expected 2");
+  }
+
+  /** A cluster gets the scene of each frame once. */
+  @Test
+  void enginesGetEachFrameOnce() {
+    AtomicInteger scenes = new AtomicInteger();
+    Engine engine =
+        (path, scene, local, isTimed) -> {
+          scenes.incrementAndGet();
+          return local;
+        };
+    String line = TURN + " -o T/a.png" + SMALL;
+    String[] args = line.replace("T/", directory + "/").split(" ");
+    PrintWriter none = new PrintWriter(Writer.nullWriter());
+    assertThat(Lumbre.run(args, none, none, engine)).isZero();
+    assertThat(directory.resolve("a-008.png")).exists();
+    assertThat(scenes).hasValue(9);
   }
 
   @Test

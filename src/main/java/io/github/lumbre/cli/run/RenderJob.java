@@ -159,7 +159,9 @@ public record RenderJob(
       long start = System.nanoTime();
       boolean isForVectors = file.scene().mayChangeKernel();
       boolean isTimed = budget.secondsLeft().isPresent();
-      PassLoop loop = new PassLoop(engine.over(scene, file, renderer, isTimed), film);
+      // A frame of a window has all its samples: a cluster would get its scene again.
+      Engine passing = options.window().isPresent() ? Engine.LOCAL : engine;
+      PassLoop loop = new PassLoop(passing.over(scene, file, renderer, isTimed), film);
       PassResult passes;
       try {
         plan(renderer, header);
