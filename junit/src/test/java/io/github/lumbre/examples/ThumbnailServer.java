@@ -97,12 +97,12 @@ public final class ThumbnailServer implements AutoCloseable {
   }
 
   private void answerHealth(HttpExchange exchange) throws IOException {
-    reply(exchange, stopping ? 503 : 200, text(stopping ? "stopping" : "ok"));
+    reply(exchange, stopping ? 503 : 200, stopping ? "stopping" : "ok");
   }
 
   private void answerUnlessStopping(HttpExchange exchange) throws IOException {
     if (stopping) {
-      reply(exchange, 503, text("stopping"));
+      reply(exchange, 503, "stopping");
       return;
     }
     running.register();
@@ -116,21 +116,24 @@ public final class ThumbnailServer implements AutoCloseable {
   private void answer(HttpExchange exchange) throws IOException {
     try {
       String ending = exchange.getRequestURI().getPath().substring(PATH.length());
-      reply(exchange, 200, thumbnails.png("." + ending, exchange.getRequestBody(), SIDE));
+      byte[] png = thumbnails.png("." + ending, exchange.getRequestBody(), SIDE);
+      reply(exchange, 200, "image/png", png);
     } catch (SceneFormatException e) {
       boolean isTooLarge = e.kind() == SceneFormatException.Kind.LIMIT;
-      reply(exchange, isTooLarge ? 413 : 422, text(e.getMessage()));
+      reply(exchange, isTooLarge ? 413 : 422, e.getMessage());
     } catch (RejectedExecutionException | InterruptedException e) {
-      reply(exchange, 503, text("busy, or stopped"));
+      reply(exchange, 503, "busy, or stopped");
     }
   }
 
-  private static byte[] text(String message) {
-    return message.getBytes(StandardCharsets.UTF_8);
+  private static void reply(HttpExchange exchange, int status, String message)
+      throws IOException {
+    reply(exchange, status, "text/plain; charset=utf-8", message.getBytes(StandardCharsets.UTF_8));
   }
 
-  private static void reply(HttpExchange exchange, int status, byte[] body) throws IOException {
-    exchange.getResponseHeaders().set("Content-Type", status == 200 ? "image/png" : "text/plain");
+  private static void reply(HttpExchange exchange, int status, String type, byte[] body)
+      throws IOException {
+    exchange.getResponseHeaders().set("Content-Type", type);
     exchange.sendResponseHeaders(status, body.length);
     exchange.getResponseBody().write(body);
     exchange.close();

@@ -214,6 +214,23 @@ class ThumbnailServerTest {
         "heap in use after each quarter: %s MiB%n", heap.stream().map(b -> b >> 20).toList());
   }
 
+  @Test
+  void answersStateWhatTheyAre() throws Exception {
+    try (ThumbnailServer server = new ThumbnailServer(LIMITS)) {
+      HttpClient client = HttpClient.newHttpClient();
+      for (String path : List.of("/health", "/thumbnail/obj")) {
+        HttpRequest request =
+            HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + path))
+                .POST(HttpRequest.BodyPublishers.ofString("no model"))
+                .build();
+        HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
+        assertThat(answer.headers().firstValue("Content-Type"))
+            .as(path)
+            .hasValue("text/plain; charset=utf-8");
+      }
+    }
+  }
+
   /** More uploads stall than there are permits for models. */
   @Test
   void stalledUploadsStopNobody() throws Exception {
