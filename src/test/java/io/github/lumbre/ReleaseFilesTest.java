@@ -1,6 +1,7 @@
 package io.github.lumbre;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.Gson;
@@ -13,8 +14,10 @@ import io.github.lumbre.testing.Folders;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.regex.MatchResult;
@@ -62,6 +65,38 @@ class ReleaseFilesTest {
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":cli");
     assertThat(alias(catalog()).getAsJsonArray("dependencies").get(0).getAsString())
         .isEqualTo("io.github.lumbre:lumbre:" + version + ":lab");
+  }
+
+  /** The pages about films and releases have versions as examples. */
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void preparingAReleaseChangesTheVersionEverywhere(@TempDir Path copy) throws Exception {
+    String version = first("pom.xml", "(?m)^  <version>(.+)</version>$");
+    List<Path> files = new ArrayList<>(Folders.files(Path.of("docs"), ".md"));
+    files.removeAll(List.of(Path.of("docs/film-format.md"), Path.of("docs/releasing.md")));
+    Stream.of("pom.xml", "spark/pom.xml", "junit/pom.xml", "README.md", "CITATION.cff")
+        .map(Path::of)
+        .forEach(files::add);
+    files.addAll(List.of(CATALOG, Path.of("codemeta.json"), Path.of("release/prepare")));
+    for (Path file : files) {
+      Files.createDirectories(copy.resolve(file).getParent());
+      Files.copy(file, copy.resolve(file), StandardCopyOption.COPY_ATTRIBUTES);
+    }
+    Process prepare =
+        new ProcessBuilder(copy.resolve("release/prepare").toString(), "98.7.6")
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(prepare.getInputStream().readAllBytes(), UTF_8);
+    assertThat(prepare.waitFor()).as(said).isZero();
+    assertThat(Files.readString(copy.resolve("docs/java.md"))).contains("lumbre:98.7.6\n");
+    assertThat(Files.readString(copy.resolve("docs/install.md")))
+        .contains("lumbre_98.7.6_amd64.deb", "lumbre-98.7.6-linux", "<version>98.7.6</version>")
+        .contains("lumbre-98.7.6-cli.jar", "lumbre-98.7.6-lab.jar");
+    for (Path file : files) {
+      assertThat(Files.readString(copy.resolve(file)))
+          .as(file.toString())
+          .doesNotContain("lumbre:" + version, "lumbre-" + version, ">" + version + "<");
+    }
   }
 
   /** What registries of research software read agrees with the build and the citation. */
