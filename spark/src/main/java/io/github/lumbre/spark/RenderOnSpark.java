@@ -247,6 +247,10 @@ public final class RenderOnSpark {
       }
       if (scenes.size() > 1) {
         output(options).ifPresent(Arguments::requireFolder);
+        if (options.stream().anyMatch(option -> option.matches("--checkpoint(=.*)?"))) {
+          throw new IllegalArgumentException(
+              "--checkpoint: requires one scene, found " + scenes.size());
+        }
       }
       List<List<String>> commands = new ArrayList<>();
       for (String scene : scenes) {

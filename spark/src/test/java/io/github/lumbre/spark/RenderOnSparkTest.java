@@ -399,6 +399,8 @@ class RenderOnSparkTest {
           .contains("-o: expected a folder for the pictures of several scenes, which exists or")
           .contains("found a.png");
     }
+    assertThat(onSpark(path("a.json"), path("b.json"), "--checkpoint=" + path("a.film")).err())
+        .contains("--checkpoint: requires one scene, found 2");
     assertThat(onSpark(path("a.json"), path("b.json"), "-o", "a.gif").err())
         .contains("found a.gif; only frames of one model are joined on Spark");
     assertThat(onSpark(path("missing.json")).exitCode()).isEqualTo(3);
