@@ -11,12 +11,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.text.Normalizer;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -276,9 +272,7 @@ public final class RenderOnSpark {
     }
 
     private static void requireFolder(String output) {
-      Path path = Path.of(output);
-      boolean hasEnding = String.valueOf(path.getFileName()).indexOf('.') > 0;
-      if (output.equals("-") || hasEnding && !Files.isDirectory(path)) {
+      if (!PictureOutput.isFolder(Path.of(output))) {
         throw new IllegalArgumentException(
             "-o: expected a folder for the pictures of several scenes, which exists or has a name"
                 + " without an ending, found "
@@ -289,20 +283,11 @@ public final class RenderOnSpark {
 
     /** Returns the message about two scenes with the same picture; empty if there are none. */
     Optional<String> clash() {
-      Map<String, String> named = new HashMap<>();
-      for (List<String> command : commands.size() == 1 ? List.<List<String>>of() : commands) {
-        Path scene = Path.of(command.get(1));
-        Path picture = PictureOutput.defaultFor(scene, ImageFormat.PNG);
-        // Many file systems ignore the case of letters.
-        String name = Normalizer.normalize(picture.toString(), Normalizer.Form.NFC);
-        String other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), command.get(1));
-        if (other != null) {
-          return Optional.of(
-              "%s and %s: both pictures would be %s; rename one, or render them into two folders"
-                  .formatted(other, scene, picture));
-        }
+      if (commands.size() == 1) {
+        return Optional.empty();
       }
-      return Optional.empty();
+      List<Path> scenes = commands.stream().map(command -> Path.of(command.get(1))).toList();
+      return PictureOutput.clash(scenes, s -> PictureOutput.defaultFor(s, ImageFormat.PNG));
     }
   }
 }

@@ -5,14 +5,8 @@ import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.image.animation.AnimationFormat;
 import io.github.lumbre.image.internal.ImageFormat;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.text.Normalizer;
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Option;
@@ -108,20 +102,11 @@ public final class TargetFlags extends Flags {
     if (animation().isPresent()) {
       return List.of(animation().get());
     }
-    List<Path> targets = new ArrayList<>();
-    Map<String, Path> named = new HashMap<>();
-    for (Path scene : scenes) {
-      Path target = inFolder(scene);
-      String name = Normalizer.normalize(target.toString(), Normalizer.Form.NFC);
-      Path other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), scene);
-      if (other != null) {
-        throw ExitCode.OUTPUT.failure(
-            "%s and %s: both pictures would be %s; rename one, or render them into two folders"
-                .formatted(other, scene, target));
-      }
-      targets.add(target);
+    Optional<String> clash = PictureOutput.clash(scenes, this::inFolder);
+    if (clash.isPresent()) {
+      throw ExitCode.OUTPUT.failure(clash.get());
     }
-    return targets;
+    return scenes.stream().map(this::inFolder).toList();
   }
 
   private void requireSheet(List<Path> scenes) {
@@ -167,13 +152,7 @@ public final class TargetFlags extends Flags {
 
   /** Returns whether {@code -o} is a folder, which need not exist if its name has no ending. */
   private boolean isFolder() {
-    return output
-        .filter(out -> !isStandardOutput() && (Files.isDirectory(out) || !hasEnding(out)))
-        .isPresent();
-  }
-
-  private static boolean hasEnding(Path path) {
-    return String.valueOf(path.getFileName()).indexOf('.') > 0;
+    return output.filter(PictureOutput::isFolder).isPresent();
   }
 
   private Path inFolder(Path scene) {

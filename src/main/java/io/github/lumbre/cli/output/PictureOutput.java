@@ -17,9 +17,14 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.text.Normalizer;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 /**
  * The picture file: reserved before the render starts, or with others whose names are reserved
@@ -67,6 +72,33 @@ public final class PictureOutput implements AutoCloseable {
     int dot = text.lastIndexOf('.');
     String base = dot > 0 ? text.substring(0, dot) : text;
     return Path.of((base.isEmpty() ? "picture" : base) + format.ending());
+  }
+
+  /** Returns whether pictures go into a folder, which need not exist if its name has no ending. */
+  public static boolean isFolder(Path output) {
+    boolean hasEnding = String.valueOf(output.getFileName()).indexOf('.') > 0;
+    return !output.equals(STANDARD) && (Files.isDirectory(output) || !hasEnding);
+  }
+
+  /**
+   * Returns a message about two scenes that have the same picture, also if only the case of letters
+   * differs, which many file systems ignore; empty if there are none.
+   *
+   * @param pictures returns the picture of a scene
+   */
+  public static Optional<String> clash(List<Path> scenes, UnaryOperator<Path> pictures) {
+    Map<String, Path> named = new HashMap<>();
+    for (Path scene : scenes) {
+      Path picture = pictures.apply(scene);
+      String name = Normalizer.normalize(picture.toString(), Normalizer.Form.NFC);
+      Path other = named.putIfAbsent(name.toLowerCase(Locale.ROOT), scene);
+      if (other != null) {
+        return Optional.of(
+            "%s and %s: both pictures would be %s; rename one, or render them into two folders"
+                .formatted(other, scene, picture));
+      }
+    }
+    return Optional.empty();
   }
 
   /**
