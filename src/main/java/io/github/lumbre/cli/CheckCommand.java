@@ -11,7 +11,10 @@ import io.github.lumbre.cli.output.PlanReport;
 import io.github.lumbre.cli.run.Denoising;
 import io.github.lumbre.cli.run.Interruption;
 import io.github.lumbre.cli.run.Run;
+import io.github.lumbre.geometry.TriangleMesh;
+import io.github.lumbre.geometry.internal.MeshEdges;
 import io.github.lumbre.math.Vec3;
+import io.github.lumbre.model.internal.HeapNeed;
 import io.github.lumbre.model.internal.ModelAnimation;
 import io.github.lumbre.scene.RenderSettings;
 import io.github.lumbre.scenefile.SceneFile;
@@ -84,7 +87,11 @@ final class CheckCommand extends Subcommand {
     report.putScene(file);
     ParsedScene parsed = file.parsed();
     report.putContents(parsed.contents());
-    parsed.model().ifPresent(model -> report.putModel(model, model.parts(parsed.scene())));
+    if (parsed.model().isPresent()) {
+      ModelContents model = parsed.model().get();
+      report.put("heap_bytes", HeapNeed.bytes(items(parsed)));
+      report.putModel(model, model.parts(parsed.scene()));
+    }
     return ExitCode.OK;
   }
 
@@ -111,8 +118,22 @@ final class CheckCommand extends Subcommand {
     String materials = listed(names.stream().map(CheckCommand::quoted));
     out.line("materials  " + contents.materials() + (materials.isEmpty() ? "" : ": " + materials));
     out.line("textures   " + contents.textures());
-    model.ifPresent(m -> describe(m, m.parts(parsed.scene()), out));
+    if (model.isPresent()) {
+      out.line("memory     " + HeapNeed.text(HeapNeed.bytes(items(parsed))));
+      describe(model.get(), model.get().parts(parsed.scene()), out);
+    }
     out.line("warnings   " + file.warnings().size());
+  }
+
+  /** Returns the number of triangles of all meshes of a model, each counted once, and of points. */
+  private static long items(ParsedScene model) {
+    long triangles =
+        model.scene().primitives().stream()
+            .flatMap(primitive -> MeshEdges.meshOf(primitive.shape()).stream())
+            .distinct()
+            .mapToLong(TriangleMesh::triangleCount)
+            .sum();
+    return triangles + model.contents().points();
   }
 
   /** Prints the names that flags take, and the bounds of a model. */

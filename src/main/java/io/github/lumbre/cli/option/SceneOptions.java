@@ -9,6 +9,7 @@ import io.github.lumbre.cli.output.PictureOutput;
 import io.github.lumbre.cli.output.ProblemText;
 import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelOption;
+import io.github.lumbre.model.internal.HeapNeed;
 import io.github.lumbre.model.internal.ModelFormat;
 import io.github.lumbre.model.internal.ModelReader;
 import io.github.lumbre.scenefile.SceneFile;
@@ -269,13 +270,17 @@ public final class SceneOptions {
   }
 
   /**
-   * Reads the scene and prints its warnings, each once.
+   * Reads the scene and prints its warnings, each once. Before that, it prints the heap that a
+   * large model takes.
    *
    * @throws TaskException if there are warnings under {@code --strict}
    * @throws IOException if the scene cannot be read
    */
   public SceneFile load(SceneParser parser, Messages messages)
       throws SceneFormatException, TaskException, IOException {
+    if (!isStandardInput() && !isImported() && isModel()) {
+      HeapNeed.note(scene).filter(warned::add).ifPresent(messages::line);
+    }
     SceneFile file = read(parser);
     if (guard.isPresent() && isModel()) {
       guard.get().checkAssets(scene, file.assetPaths(file.text().orElseThrow().path()));

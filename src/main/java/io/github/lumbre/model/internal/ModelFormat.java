@@ -27,11 +27,11 @@ import java.util.stream.Collectors;
  * class names the packages of the formats.
  */
 public enum ModelFormat {
-  GLTF("a glTF file", GltfReader::startsIn, GltfReader::read, "gltf", "glb"),
+  GLTF("a glTF file", GltfReader::startsIn, GltfReader::read, GltfReader::items, "gltf", "glb"),
   OBJ("an OBJ file", ObjModelReader::startsIn, ObjModelReader::read, "obj"),
-  PLY("a PLY file", PlyReader::startsIn, PlyReader::read, "ply"),
-  STL("an STL file", StlReader::startsIn, StlReader::read, "stl"),
-  OFF("an OFF file", OffReader::startsIn, OffReader::read, "off"),
+  PLY("a PLY file", PlyReader::startsIn, PlyReader::read, PlyReader::items, "ply"),
+  STL("an STL file", StlReader::startsIn, StlReader::read, StlReader::items, "stl"),
+  OFF("an OFF file", OffReader::startsIn, OffReader::read, OffReader::items, "off"),
   THREE_MF("a 3MF file", ThreeMfReader::startsIn, ThreeMfReader::read, "3mf"),
   COLLADA("a COLLADA file", DaeReader::startsIn, DaeReader::read, "dae"),
   ZIP("a ZIP archive", ZipReader::startsIn, ZipReader::read, "zip");
@@ -66,15 +66,32 @@ public enum ModelFormat {
         throws ModelFormatException, IOException;
   }
 
+  private interface Count {
+    /**
+     * Returns the number of triangles, or of points, that a file states before them; 0 if it states
+     * none, or is damaged.
+     *
+     * @param start the first megabytes of the file, or all of it
+     * @param size of the file in bytes
+     */
+    long in(byte[] start, long size);
+  }
+
   private final String title;
   private final Start start;
   private final Reader reader;
+  private final Count count;
   private final List<String> endings;
 
   ModelFormat(String title, Start start, Reader reader, String... endings) {
+    this(title, start, reader, (first, size) -> 0, endings);
+  }
+
+  ModelFormat(String title, Start start, Reader reader, Count count, String... endings) {
     this.title = title;
     this.start = start;
     this.reader = reader;
+    this.count = count;
     this.endings = List.of(endings);
   }
 
@@ -104,6 +121,11 @@ public enum ModelFormat {
   Model read(byte[] content, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     return reader.read(content, folder, options);
+  }
+
+  /** Returns the number of triangles or points that a file states; see {@link Count}. */
+  long items(byte[] first, long size) {
+    return count.in(first, size);
   }
 
   /** Returns the PLY file of a mesh that is not divided into parts. */

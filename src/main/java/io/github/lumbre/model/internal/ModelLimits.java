@@ -16,12 +16,6 @@ public final class ModelLimits {
   /** Items between two checks for an interrupt, minus 1; a power of two minus 1. */
   public static final int INTERRUPT_MASK = (1 << 14) - 1;
 
-  /**
-   * Heap bytes of a triangle of a mesh with shared vertices, at least, while the hierarchy of its
-   * scene is built.
-   */
-  private static final long BYTES_PER_TRIANGLE = 140;
-
   private ModelLimits() {}
 
   /**
@@ -35,7 +29,7 @@ public final class ModelLimits {
   }
 
   static void requireHeap(String location, long triangles, long heap) throws ModelFormatException {
-    long bytes = BYTES_PER_TRIANGLE * triangles;
+    long bytes = HeapNeed.bytes(triangles);
     if (bytes > heap) {
       throw Kind.TOO_LARGE.at(
           location,

@@ -34,6 +34,22 @@ record GltfContainer(ByteBuffer json, Optional<ByteBuffer> binary, List<String> 
         : new GltfContainer(bytes, Optional.empty(), List.of());
   }
 
+  /**
+   * Returns the JSON of a file; empty if the file is damaged, or its start does not hold all of it.
+   *
+   * @param size of the file
+   */
+  static Optional<ByteBuffer> json(byte[] start, long size) {
+    ByteBuffer bytes = ByteBuffer.wrap(start).order(ByteOrder.LITTLE_ENDIAN);
+    if (start.length < HEADER + CHUNK_HEADER || bytes.getInt(0) != MAGIC) {
+      return start.length == size ? Optional.of(bytes) : Optional.empty();
+    }
+    long length = Integer.toUnsignedLong(bytes.getInt(HEADER));
+    return length <= start.length - HEADER - CHUNK_HEADER
+        ? Optional.of(withoutPadding(bytes.slice(HEADER + CHUNK_HEADER, (int) length)))
+        : Optional.empty();
+  }
+
   private static GltfContainer ofBinary(ByteBuffer bytes) throws ModelFormatException {
     int size = checkedLength(bytes);
     ByteBuffer json = chunk(bytes, HEADER, size);

@@ -89,6 +89,11 @@ public final class GltfReader {
         || found.equals("JSON") && ASSET.matcher(FileContent.text(start)).find();
   }
 
+  /** Returns the number of triangles and points of all meshes that a file states. */
+  public static long items(byte[] start, long size) {
+    return GltfCensus.items(start, size);
+  }
+
   /**
    * Returns the content of a file.
    *

@@ -73,6 +73,20 @@ public final class OffReader {
     return FileContent.describe(start).equals(Optional.of("OFF"));
   }
 
+  /** Returns the number of faces that a header states; without any, that of vertices. */
+  public static long items(byte[] start, long size) {
+    for (OffLayout layout : OffLayout.values()) {
+      try {
+        int bytes = (int) Math.min(size, Integer.MAX_VALUE);
+        OffHeader header = OffHeader.read(new TextScanner(start), bytes, layout);
+        return header.faces() == 0 ? header.vertices() : header.faces();
+      } catch (ModelFormatException e) {
+        continue; // Reading the file reports what is wrong with it.
+      }
+    }
+    return 0;
+  }
+
   /** Returns the triangles of an OFF text. */
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
       throws ModelFormatException {

@@ -79,6 +79,36 @@ public final class PlyReader {
     return FileContent.describe(start).equals(Optional.of("PLY"));
   }
 
+  /**
+   * Returns the number of triangles that a header states, if all faces of a binary file have as
+   * many corners; without faces, that of vertices.
+   */
+  public static long items(byte[] start, long size) {
+    PlyHeader header;
+    try {
+      header = PlyHeader.read(start, new Warnings());
+    } catch (ModelFormatException e) {
+      return 0; // Reading the file reports what is wrong with it.
+    }
+    List<PlyElement> elements = header.elements();
+    Optional<PlyElement> faces =
+        elements.stream().filter(e -> indexProperty(e).isPresent() && e.count() > 0).findFirst();
+    if (faces.isEmpty()) {
+      return elements.stream().filter(PlyElement::isVertex).mapToLong(PlyElement::count).sum();
+    }
+    long least = elements.stream().mapToLong(e -> e.minBinaryBytes() * e.count()).sum();
+    long lists =
+        elements.stream()
+            .flatMap(element -> element.properties().stream())
+            .filter(PlyProperty::isList)
+            .count();
+    long bytes = indexProperty(faces.get()).orElseThrow().type().bytes();
+    long count = faces.get().count();
+    return lists == 1 && header.format() != PlyHeader.Format.TEXT
+        ? Math.max(count, (size - header.bodyOffset() - least) / bytes - 2 * count)
+        : count;
+  }
+
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
       throws ModelFormatException, IOException {
     return new PlyReader(file, options).read(folder);

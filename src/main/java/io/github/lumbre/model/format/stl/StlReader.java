@@ -28,6 +28,9 @@ public final class StlReader {
   private static final int EMPTY_BYTES = HEADER_BYTES + Integer.BYTES;
   private static final int FACET_BYTES = 50;
 
+  /** The usual number of bytes of a triangle in a text. */
+  private static final int TEXT_BYTES = 250;
+
   private StlReader() {}
 
   /** Returns whether a file begins like an STL text, or has the size that its header states. */
@@ -36,6 +39,14 @@ public final class StlReader {
     return found.isEmpty()
         ? size > EMPTY_BYTES && claimedBytes(start) == size
         : found.get().equals("STL");
+  }
+
+  /** Returns the number of triangles that a header states, or that a text of this size has. */
+  public static long items(byte[] start, long size) {
+    long claimed = claimedBytes(start);
+    return claimed != size && StlText.startsIn(start)
+        ? size / TEXT_BYTES
+        : (Math.min(claimed, size) - EMPTY_BYTES) / FACET_BYTES;
   }
 
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
