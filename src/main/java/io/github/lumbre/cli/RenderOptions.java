@@ -177,10 +177,15 @@ final class RenderOptions {
     return ofBudget.isPresent() ? ofBudget : quality.targetError();
   }
 
-  /** Returns the parser of the scene, with the settings of the flags. */
-  SceneParser parser() {
+  /**
+   * Returns the parser of the scene, with the settings of the flags. A drawing traces few rays.
+   *
+   * @throws TaskException if standard input cannot be read
+   */
+  SceneParser parser() throws TaskException {
     boolean isOpen = budgets.areGiven() || quality.targetError().isPresent();
-    SceneParser parser = kernel.over(scene.parser(), budgets.time());
+    SceneParser any = kernel.over(scene.parser(), budgets.time());
+    SceneParser parser = isDrawing() ? any.searchedLater() : any;
     return flags.over(parser, isOpen, quality.isAdaptive(), quality.depth());
   }
 

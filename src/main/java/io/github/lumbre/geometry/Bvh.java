@@ -66,7 +66,8 @@ public final class Bvh {
 
   /**
    * Returns a hierarchy over shapes that is built when the first ray is traced, for scenes that are
-   * read and perhaps not rendered. It never changes to the vector kernel.
+   * read and perhaps not rendered. Of many triangles, it is built where rays pass. It never changes
+   * to the vector kernel.
    *
    * @throws HierarchyLimitException if there are too many items for a hierarchy
    */
@@ -74,7 +75,12 @@ public final class Bvh {
     BvhItems items = new BvhItems(List.copyOf(shapes));
     BvhBuilder.requirePlaces(items);
     Kernel used = kernel == Kernel.AUTO ? Kernel.SCALAR : kernel;
-    return new Bvh(new LateTraversal(() -> used.over(items)), items.unbounded(), List.of());
+    boolean hasCells =
+        used == Kernel.SCALAR && items.triangleCount() >= CellTraversal.LEAST_TRIANGLES;
+    return new Bvh(
+        new LateTraversal(() -> hasCells ? new CellTraversal(items) : used.over(items)),
+        items.unbounded(),
+        List.of());
   }
 
   /**

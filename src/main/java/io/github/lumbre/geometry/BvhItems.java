@@ -28,6 +28,9 @@ final class BvhItems {
   /** The triangles of each shape; null for shapes that are no meshes. */
   private final TriangleMesh[] meshes;
 
+  /** The vertices of all meshes; null before they are asked for. */
+  private MeshPositions positions;
+
   /** The boxes of the bounded shapes, six doubles each. */
   private final double[] shapeBoxes;
 
@@ -58,6 +61,30 @@ final class BvhItems {
       Bounds3 box = all.get(bounded.get(i)).bounds();
       store(6 * i, box.min(), box.max());
     }
+  }
+
+  private BvhItems(BvhItems source, int[] triangles, boolean hasShapes) {
+    all = source.all;
+    meshes = source.meshes;
+    positions = source.positions();
+    triangleShape = new int[triangles.length];
+    triangleElement = new int[triangles.length];
+    for (int i = 0; i < triangles.length; i++) {
+      triangleShape[i] = source.triangleShape[triangles[i]];
+      triangleElement[i] = source.triangleElement[triangles[i]];
+    }
+    bounded.addAll(hasShapes ? source.bounded : List.of());
+    shapeBoxes = source.shapeBoxes;
+  }
+
+  /** Returns some of the triangles alone. */
+  BvhItems ofTriangles(int... triangles) {
+    return new BvhItems(this, triangles, false);
+  }
+
+  /** Returns the other bounded shapes alone. */
+  BvhItems withoutTriangles() {
+    return new BvhItems(this, new int[0], true);
   }
 
   private void numberTriangles() {
@@ -177,7 +204,14 @@ final class BvhItems {
       shape[i] = triangleShape[order[i]];
       element[i] = triangleElement[order[i]];
     }
-    return new Triangles(meshes, shape, element);
+    return new Triangles(meshes, positions(), shape, element);
+  }
+
+  private MeshPositions positions() {
+    if (positions == null) {
+      positions = MeshPositions.of(meshes);
+    }
+    return positions;
   }
 
   /** Returns the bounded shapes in the given order of item numbers. */

@@ -1,8 +1,6 @@
 package io.github.lumbre.geometry;
 
 import io.github.lumbre.math.internal.FusedMultiplyAdd;
-import java.util.ArrayList;
-import java.util.List;
 
 /**
  * Triangles in the order of a hierarchy's leaves, in flat arrays. Their test is the renderer's
@@ -32,21 +30,16 @@ final class Triangles {
    * Creates triangles that share the vertices of their meshes.
    *
    * @param meshes indexed by shape number; null for other shapes
+   * @param joined their vertices
    * @param shape the shape number of each triangle
    * @param element the number of each triangle in its mesh
    */
-  Triangles(TriangleMesh[] meshes, int[] shape, int[] element) {
-    int[] start = new int[meshes.length];
-    int end = 0;
-    for (int i = 0; i < meshes.length; i++) {
-      start[i] = end;
-      end = Math.addExact(end, meshes[i] == null ? 0 : meshes[i].positions().length);
-    }
-    positions = joined(meshes, end);
+  Triangles(TriangleMesh[] meshes, MeshPositions joined, int[] shape, int[] element) {
+    positions = joined.all();
     corners = new int[Math.multiplyExact(3, shape.length)];
     this.shape = shape;
     this.element = element;
-    new Corners(meshes, start).runAll(shape.length, MAX_PART);
+    new Corners(meshes, joined.start()).runAll(shape.length, MAX_PART);
   }
 
   private Triangles(double[] positions, int[] corners, int[] shape, int[] element) {
@@ -89,29 +82,6 @@ final class Triangles {
         corners[3 * i + corner] = start[shape[i]] + 3 * mesh.vertex(element[i], corner);
       }
     }
-  }
-
-  /**
-   * Returns the positions of all meshes in one array of the given length. For a single mesh,
-   * returns its own array.
-   */
-  private static double[] joined(TriangleMesh[] meshes, int length) {
-    List<double[]> parts = new ArrayList<>();
-    for (TriangleMesh mesh : meshes) {
-      if (mesh != null) {
-        parts.add(mesh.positions());
-      }
-    }
-    if (parts.size() == 1) {
-      return parts.get(0);
-    }
-    double[] all = new double[length];
-    int end = 0;
-    for (double[] part : parts) {
-      System.arraycopy(part, 0, all, end, part.length);
-      end += part.length;
-    }
-    return all;
   }
 
   /**

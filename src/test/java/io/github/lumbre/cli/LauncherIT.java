@@ -36,6 +36,8 @@ class LauncherIT {
       render small.txt --size 256x192 -s 2 -o small.txt --overwrite
       render --size=256 --samples=2 small.txt -o large.txt
       render --size 64x48 -s 2 small.txt --explode 1
+      render small.txt --look lines
+      render large.txt --look=lines --size 2000
       """;
   private static final String LONG =
       """
@@ -51,6 +53,10 @@ class LauncherIT {
       render --size 64x48 -s 2 small.txt --turntable 96
       render --size 64x48 -s 2 small.txt --explode 0..1
       render --size 64x48 -s 2 small.txt --explode=0..1
+      render large.txt --look clay,lines
+      render large.txt --look lines -s 16
+      render small.txt --look lines --checkpoint a.film
+      render small.txt --look lines --turntable 9
       views --size 64x48 -s 2 small.txt
       """;
 
