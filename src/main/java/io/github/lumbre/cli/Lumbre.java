@@ -182,8 +182,7 @@ public final class Lumbre implements Runnable {
     if (Collections.disjoint(List.of(args), List.of("completion", "man"))) {
       mentioned.retainAll(List.of(args));
     }
-    mentioned.add("help");
-    return mentioned;
+    return mentioned.isEmpty() ? Set.of("help") : mentioned;
   }
 
   private static CommandLine commandLine(
