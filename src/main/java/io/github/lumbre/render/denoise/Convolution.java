@@ -48,31 +48,28 @@ final class Convolution {
    * @param out receives the rows
    */
   void apply(Layer layer, Maps[] inputs, int first, int end, FilteredPart part, Maps out) {
-    if (scalar.isPresent()) {
-      for (int y = first; y < end; y++) {
-        int row = y;
-        part.forEach(y, (x, right) -> scalar.get().apply(layer, inputs, x, right, row, out));
-      }
-      return;
-    }
-    if (sums.length < layer.outputs()) {
+    if (scalar.isEmpty() && sums.length < layer.outputs()) {
       sums = new float[layer.outputs()][CHUNK];
     }
     for (int y = first; y < end; y++) {
       int row = y;
-      part.forEach(
-          y,
-          (left, right) -> {
-            for (int x = left, count; x < right; x += count) {
-              count = Math.min(right - x, CHUNK - pixels);
-              add(x, row, count);
-              if (pixels == CHUNK) {
-                finish(layer, inputs, out);
-              }
-            }
-          });
+      part.forEach(y, (left, right) -> apply(layer, inputs, left, right, row, out));
     }
     finish(layer, inputs, out);
+  }
+
+  private void apply(Layer layer, Maps[] inputs, int left, int right, int y, Maps out) {
+    if (scalar.isPresent()) {
+      scalar.get().apply(layer, inputs, left, right, y, out);
+      return;
+    }
+    for (int x = left, count; x < right; x += count) {
+      count = Math.min(right - x, CHUNK - pixels);
+      add(x, y, count);
+      if (pixels == CHUNK) {
+        finish(layer, inputs, out);
+      }
+    }
   }
 
   private void add(int x, int y, int count) {
@@ -85,6 +82,9 @@ final class Convolution {
 
   /** Computes the pixels of all runs. */
   private void finish(Layer layer, Maps[] inputs, Maps out) {
+    if (pixels == 0) {
+      return;
+    }
     for (int o = 0; o < layer.outputs(); o++) {
       Arrays.fill(sums[o], 0, pixels, layer.biases()[o]);
     }
