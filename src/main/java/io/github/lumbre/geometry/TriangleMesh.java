@@ -245,7 +245,7 @@ public final class TriangleMesh {
         size += 3;
       }
     }
-    return Arrays.copyOf(kept, size);
+    return size == kept.length ? kept : Arrays.copyOf(kept, size);
   }
 
   /** Returns the cross product of two edges, up to a positive factor; zero for parallel edges. */

@@ -114,13 +114,57 @@ public final class MeshEdges {
 
   /** Returns whether every edge of a mesh belongs to an even number of triangles. */
   public static boolean isClosed(TriangleMesh mesh) {
-    MeshEdges edges = new MeshEdges(List.of(mesh), 0);
-    for (int edge = 0; edge < edges.count(); edge++) {
-      if (edges.triangles(edge) % 2 != 0) {
+    int[] corners = exactPlaces(mesh);
+    int[] next = new int[mesh.vertexCount() + 1];
+    for (int side = 0; side < corners.length; side++) {
+      next[Math.min(corners[side], corners[following(side)]) + 1]++;
+    }
+    for (int place = 1; place < next.length; place++) {
+      next[place] += next[place - 1];
+    }
+    int[] ends = new int[corners.length];
+    for (int side = 0; side < corners.length; side++) {
+      int other = corners[following(side)];
+      ends[next[Math.min(corners[side], other)]++] = Math.max(corners[side], other);
+    }
+    // Now next is where the sides of the next place begin.
+    for (int place = 0, first = 0; place < next.length - 1; first = next[place++]) {
+      Arrays.sort(ends, first, next[place]);
+      if (!arePairs(ends, first, next[place])) {
         return false;
       }
     }
     return true;
+  }
+
+  /** Returns whether each number of a sorted range is there an even number of times. */
+  private static boolean arePairs(int[] sorted, int first, int end) {
+    for (int i = first; i < end; i += 2) {
+      if (i + 1 == end || sorted[i] != sorted[i + 1]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns the place of each corner of a mesh, whose vertices at one position are one place. */
+  private static int[] exactPlaces(TriangleMesh mesh) {
+    PositionIndex places = new PositionIndex();
+    int[] placeOfVertex = new int[mesh.vertexCount()];
+    Arrays.fill(placeOfVertex, -1);
+    int[] corners = new int[3 * mesh.triangleCount()];
+    for (int corner = 0; corner < corners.length; corner++) {
+      if (corner % CORNERS_PER_CHECK == 0) {
+        Interrupts.check();
+      }
+      int vertex = mesh.vertex(corner / 3, corner % 3);
+      if (placeOfVertex[vertex] < 0) {
+        Vec3 p = mesh.position(vertex);
+        placeOfVertex[vertex] = places.number(p.x(), p.y(), p.z());
+      }
+      corners[corner] = placeOfVertex[vertex];
+    }
+    return corners;
   }
 
   /** Sorts the sides by their edges, and returns where each edge begins. */

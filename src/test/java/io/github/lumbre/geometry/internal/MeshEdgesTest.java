@@ -67,4 +67,28 @@ class MeshEdgesTest {
     assertThat(MeshEdges.of(List.of(empty)).count()).isZero();
     assertThat(MeshEdges.of(List.of()).count()).isZero();
   }
+
+  /** Some edges have none, some three or four triangles. */
+  @Test
+  void meshesAreClosedIfTheirEdgesHaveEvenNumbersOfTriangles() {
+    double[] corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1, 0, 0, -0.};
+    int[][] faces = {{0, 1, 2}, {0, 3, 1}, {5, 2, 3}, {1, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}};
+    int closed = 0;
+    for (int chosen = 1; chosen < 1 << faces.length; chosen++) {
+      int some = chosen;
+      int[] indices =
+          IntStream.range(0, faces.length)
+              .filter(face -> (some >> face & 1) != 0)
+              .flatMap(face -> IntStream.of(faces[face]))
+              .toArray();
+      TriangleMesh mesh = TriangleMesh.of(corners, indices);
+      MeshEdges edges = MeshEdges.of(List.of(mesh));
+      boolean isClosed =
+          IntStream.range(0, edges.count()).allMatch(edge -> edges.triangles(edge) % 2 == 0);
+      assertThat(MeshEdges.isClosed(mesh)).as("%s", chosen).isEqualTo(isClosed);
+      closed += isClosed ? 1 : 0;
+    }
+    // Both tetrahedra, and their hull.
+    assertThat(closed).isEqualTo(3);
+  }
 }
