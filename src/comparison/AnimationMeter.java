@@ -1,27 +1,16 @@
 package io.github.lumbre.render.denoise.internal;
 
 import io.github.lumbre.image.Image;
-import io.github.lumbre.image.Rgb;
-import io.github.lumbre.image.ToneCurve;
 import io.github.lumbre.image.animation.FrameRate;
 import io.github.lumbre.image.compare.Flip;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
-import io.github.lumbre.render.Film;
-import io.github.lumbre.render.FilmRenderer;
-import io.github.lumbre.render.Progress;
-import io.github.lumbre.render.denoise.BuiltInDenoiser;
-import io.github.lumbre.render.denoise.NoisyPicture;
-import io.github.lumbre.render.denoise.NoisyPicture.Halves;
-import io.github.lumbre.scene.Layer;
 import io.github.lumbre.scene.RenderSettings;
-import io.github.lumbre.scene.Scene;
-import io.github.lumbre.scene.Setting;
-import io.github.lumbre.scenefile.SceneFile;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.Stage;
 import io.github.lumbre.stage.internal.ModelSequence;
 import io.github.lumbre.stage.internal.ModelSequence.Motion;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,42 +19,51 @@ import java.util.Optional;
 
 /**
  * Measures frames that are denoised alone and with their neighbors, against references. Arguments:
- * a model, the size of the frames such as {@code 160x120}, samples of a frame, samples of each half
- * of a reference, the number of frames, {@code turn:N} for frames of a turntable of N or {@code
- * NAME:FPS:FIRST} for frames of an animation, and {@code sky=NAME} or {@code ground}.
+ * a folder for frames, a model, the size of the frames such as {@code 160x120}, samples of a frame,
+ * samples of each half of a reference, the number of frames, {@code turn:N} for frames of a
+ * turntable of N or {@code NAME:FPS:FIRST} for frames of an animation, and {@code sky=NAME} or
+ * {@code ground}. Frames that are in the folder are not rendered again.
  *
  * <p>Values are in steps of 8 bits, as sRGB; noise of the references is subtracted. Prints, for
- * both kinds of frames: the mean and the median, over points of surfaces that move by more than a
- * quarter of a pixel a frame and stay visible for seven, of the variance over time of their error;
- * the squared difference of a point in neighboring frames, and that of the references; the squared
- * error; FLIP in the mean and in the worst frame; and the CPU time of the second over the first.
+ * frames alone and mixed with up to 4 neighbors to each side: the mean and the median, over points
+ * of surfaces that move by more than a quarter of a pixel a frame and stay visible for seven, of
+ * the variance over time of their error; the squared difference of a point in neighboring frames;
+ * the squared error, in the mean and in the worst frame, and that of pixels whose light changes by
+ * more than 12 steps within three frames; FLIP in the mean and in the worst frame; and the CPU time
+ * over that of frames alone. After ± are standard errors of the ratio to frames alone: those of the
+ * jackknife over tiles of 16 x 16 pixels.
  */
 final class AnimationMeter {
-  private static final int REACH = SharedFrames.REACH;
+  private static final int REACH = 3;
   private static final double SLOWEST = .25;
+  private static final double CHANGE = 12;
+  private static final int TILE = 16;
 
-  private final List<SceneFile> files = new ArrayList<>();
-  private final List<NoisyPicture> noisy = new ArrayList<>();
+  private final List<MeteredFrame> frames;
   private final List<SeenFrame> seen = new ArrayList<>();
-  private final List<Image> alone = new ArrayList<>();
-  private final List<Image> mixed = new ArrayList<>();
-  private final List<Image> references = new ArrayList<>();
-  private final List<Image> halves = new ArrayList<>();
-  private final int frames;
   private final boolean isClosed;
-  private double before;
-  private double after;
+  private final double seconds;
+  private final double lookSeconds;
 
-  private AnimationMeter(int frames, boolean isClosed) {
+  AnimationMeter(List<MeteredFrame> frames, boolean isClosed) throws InterruptedException {
     this.frames = frames;
     this.isClosed = isClosed;
+    double start = MeteredFrame.cpu();
+    for (MeteredFrame frame : frames) {
+      Optional<SeenFrame> like =
+          seen.isEmpty() ? Optional.empty() : Optional.of(seen.get(seen.size() - 1));
+      seen.add(frame.seen(like));
+    }
+    lookSeconds = MeteredFrame.cpu() - start;
+    seconds = frames.stream().mapToDouble(MeteredFrame::seconds).sum();
   }
 
-  public static void main(String[] args) throws Exception {
-    RenderSettings.Size size = RenderSettings.Size.of(args[1]);
-    String[] motion = args[5].split(":");
+  static AnimationMeter of(String[] args) throws Exception {
+    Path folder = Files.createDirectories(Path.of(args[0]));
+    RenderSettings.Size size = RenderSettings.Size.of(args[2]);
+    String[] motion = args[6].split(":");
     Stage stage = Stage.DEFAULT;
-    for (int i = 6; i < args.length; i++) {
+    for (int i = 7; i < args.length; i++) {
       stage =
           args[i].equals("ground")
               ? stage.with(Stage.GROUND, true)
@@ -78,172 +76,143 @@ final class AnimationMeter {
     ModelSequence sequence =
         ModelSequence.of(
             parser,
-            Path.of(args[0]),
+            Path.of(args[1]),
             Optional.empty(),
             stage,
             isTurntable
                 ? Motion.turntable(Integer.parseInt(motion[1]))
                 : Motion.animation(motion[0], new FrameRate(Integer.parseInt(motion[1]), 1)));
-    int frames = Integer.parseInt(args[4]);
+    int count = Integer.parseInt(args[5]);
     int first = isTurntable ? 0 : Integer.parseInt(motion[2]);
-    AnimationMeter meter = new AnimationMeter(frames, isTurntable && frames == sequence.count());
-    for (int i = 0; i < frames; i++) {
-      meter.render(
-          sequence.frame(first + i), Integer.parseInt(args[2]), Integer.parseInt(args[3]), i);
+    List<MeteredFrame> frames = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      frames.add(
+          MeteredFrame.of(
+              folder.resolve("frame-" + i),
+              sequence.frame(first + i),
+              Integer.parseInt(args[3]),
+              Integer.parseInt(args[4]),
+              i));
     }
-    meter.mix();
-    meter.print(Path.of(args[0]).getFileName() + " " + args[5]);
+    return new AnimationMeter(frames, isTurntable && count == sequence.count());
   }
 
-  private static double cpu() {
-    return 1e-9
-        * ProcessHandle.current().info().totalCpuDuration().orElseThrow().toNanos();
+  public static void main(String[] args) throws Exception {
+    of(args).print(Path.of(args[0]).getFileName().toString());
   }
 
-  private static RenderSettings settings(SceneFile file, int samples, long seed) {
-    return file.settings().toBuilder()
-        .samples(samples)
-        .seed(seed)
-        .set(Setting.LAYERS, Layer.FOR_DENOISING)
-        .build();
-  }
-
-  private static Film film(SceneFile file, int samples, long seed) throws InterruptedException {
-    FilmRenderer renderer = new FilmRenderer(settings(file, samples, seed), file.scene());
-    Film film = renderer.newFilm();
-    renderer.addSamples(film, samples, Progress.NONE);
-    return film;
-  }
-
-  private void render(SceneFile file, int samples, int half, int index) throws Exception {
-    double start = cpu();
-    NoisyPicture picture = NoisyPicture.of(film(file, samples, 0));
-    List<float[]> left = new ArrayList<>();
-    Image image = BuiltInDenoiser.denoise(picture, threads(), left::add).image();
-    double middle = cpu();
-    Optional<SeenFrame> like = index == 0 ? Optional.empty() : Optional.of(seen.get(index - 1));
-    seen.add(seen(file, picture, image, left.get(0), like));
-    before += middle - start;
-    after += cpu() - start;
-    files.add(file);
-    noisy.add(picture);
-    alone.add(image);
-    Image one = film(file, half, 2L * index + 1).develop();
-    Image other = film(file, half, 2L * index + 2).develop();
-    references.add(combined(one, other, .5, .5));
-    halves.add(combined(inSteps(one), inSteps(other), .5, -.5));
-  }
-
-  private static int threads() {
-    return Runtime.getRuntime().availableProcessors();
-  }
-
-  private static SeenFrame seen(
-      SceneFile file, NoisyPicture picture, Image image, float[] left, Optional<SeenFrame> like)
-      throws InterruptedException {
-    return SeenFrame.of(
-        file.scene(), settings(file, 1, 0), picture, image, left, like, threads());
-  }
-
-  private static Image combined(Image one, Image other, double a, double b) {
-    float[] values = new float[one.rgb().length];
-    for (int i = 0; i < values.length; i++) {
-      values[i] = (float) (a * one.rgb()[i] + b * other.rgb()[i]);
+  /** Returns the frames, mixed with so many to each side. */
+  List<Image> mixed(int reach) throws InterruptedException {
+    List<Image> mixed = new ArrayList<>();
+    for (int i = 0; i < frames.size(); i++) {
+      List<SeenFrame> before = near(i, -1, reach);
+      mixed.add(
+          SharedFrames.mixed(seen.get(i), before, near(i, 1, reach), MeteredFrame.threads()));
     }
-    return new Image(one.width(), one.height(), values, new float[0]);
+    return mixed;
   }
 
-  private static Image inSteps(Image linear) {
-    float[] values = new float[linear.rgb().length];
-    for (int i = 0; i < values.length; i += 3) {
-      float[] rgb = linear.rgb();
-      Rgb color = ToneCurve.SRGB.apply(new Rgb(rgb[i], rgb[i + 1], rgb[i + 2]));
-      values[i] = (float) (255 * color.r());
-      values[i + 1] = (float) (255 * color.g());
-      values[i + 2] = (float) (255 * color.b());
-    }
-    return new Image(linear.width(), linear.height(), values, new float[0]);
-  }
-
-  private void mix() throws InterruptedException {
-    double start = cpu();
-    for (int i = 0; i < frames; i++) {
-      mixed.add(SharedFrames.mixed(seen.get(i), near(i, -1), near(i, 1), threads()));
-    }
-    after += cpu() - start;
-  }
-
-  private List<SeenFrame> near(int index, int step) {
+  private List<SeenFrame> near(int index, int step, int reach) {
     List<SeenFrame> near = new ArrayList<>();
-    for (int k = 1; k <= REACH; k++) {
+    for (int k = 1; k <= reach; k++) {
       int other = index + step * k;
-      if (isClosed || 0 <= other && other < frames) {
-        near.add(seen.get(Math.floorMod(other, frames)));
+      if (isClosed || 0 <= other && other < frames.size()) {
+        near.add(seen.get(Math.floorMod(other, frames.size())));
       }
     }
     return near;
   }
 
-  /** Returns frames that show other values at the same points. */
-  private List<SeenFrame> withValues(List<Image> values) throws InterruptedException {
-    List<SeenFrame> frames = new ArrayList<>();
-    for (int i = 0; i < values.size(); i++) {
-      NoisyPicture of = noisy.get(i);
-      float[] none = new float[of.light().mean().length];
-      NoisyPicture plain =
-          new NoisyPicture(
-              of.width(),
-              of.height(),
-              new Halves(none, none),
-              Optional.empty(),
-              of.normal(),
-              of.alpha(),
-              0);
-      frames.add(seen(files.get(i), plain, values.get(i), none, Optional.of(seen.get(i))));
-    }
-    return frames;
-  }
+  /** Sums over tiles. */
+  private final class Tiles {
+    private final int width = frames.get(0).alone().width();
+    private final int columns = (width + TILE - 1) / TILE;
+    private final double[] sums =
+        new double[columns * ((frames.get(0).alone().height() + TILE - 1) / TILE)];
+    private final double[] counts = new double[sums.length];
+    private final List<Double> values = new ArrayList<>();
 
-  /** Values along the paths of points: their variances over time, and their steps. */
-  private record Paths(List<Double> variances, double step) {
+    void add(int pixel, double value) {
+      int tile = pixel / width / TILE * columns + pixel % width / TILE;
+      sums[tile] += value;
+      counts[tile]++;
+      values.add(value);
+    }
+
     double mean() {
-      return variances.stream().mapToDouble(v -> v).average().orElse(Double.NaN);
+      return meanWithout(-1);
     }
 
     double median() {
-      return variances.isEmpty()
-          ? Double.NaN
-          : variances.stream().sorted().toList().get(variances.size() / 2);
+      return values.isEmpty() ? 0 : values.stream().sorted().toList().get(values.size() / 2);
+    }
+
+    private double meanWithout(int tile) {
+      double sum = 0;
+      double count = 0;
+      for (int i = 0; i < sums.length; i++) {
+        sum += i == tile ? 0 : sums[i];
+        count += i == tile ? 0 : counts[i];
+      }
+      return sum / count;
+    }
+
+    /** Returns the standard error of the ratio of two means, less noise. */
+    double error(Tiles base, Tiles noise) {
+      double sum = 0;
+      double squares = 0;
+      int n = 0;
+      for (int i = 0; i < sums.length; i++) {
+        if (counts[i] > 0) {
+          double without = noise.meanWithout(i);
+          double ratio = (meanWithout(i) - without) / (base.meanWithout(i) - without);
+          sum += ratio;
+          squares += ratio * ratio;
+          n++;
+        }
+      }
+      return Math.sqrt(Math.max(0, squares - sum * sum / n) * (n - 1) / n);
     }
   }
 
-  private Paths paths(List<Image> values) throws InterruptedException {
-    List<SeenFrame> shown = withValues(values);
-    List<Double> variances = new ArrayList<>();
-    double steps = 0;
-    long count = 0;
-    double unit = shown.get(0).divisors[0];
-    for (int t = REACH; t < frames - REACH; t++) {
-      int[] numbers = shown.get(t).surfaces.numbersIn(shown.get(t + 1).surfaces);
-      double[] places = FrameTracks.places(shown.get(t));
+  /** Values along the paths of points: their variances over time, and their steps. */
+  private final class Paths {
+    final Tiles variances = new Tiles();
+    final Tiles steps = new Tiles();
+
+    Paths(List<Image> values) throws InterruptedException {
+      List<SeenFrame> shown = new ArrayList<>();
+      for (int i = 0; i < values.size(); i++) {
+        shown.add(frames.get(i).showing(values.get(i), seen.get(i)));
+      }
+      double unit = shown.get(0).divisors[0];
+      for (int t = REACH; t < frames.size() - REACH; t++) {
+        add(shown, t, unit);
+      }
+    }
+
+    private void add(List<SeenFrame> shown, int t, double unit) throws InterruptedException {
+      SeenFrame frame = shown.get(t);
+      int[] numbers = frame.surfaces.numbersIn(shown.get(t + 1).surfaces);
+      double[] places = FrameTracks.places(frame);
       List<FrameTracks> tracks = new ArrayList<>();
       for (int k = -REACH; k <= REACH; k++) {
-        tracks.add(FrameTracks.of(shown.get(t), places, shown.get(t + k), threads()));
+        tracks.add(FrameTracks.of(frame, places, shown.get(t + k), MeteredFrame.threads()));
       }
-      for (int pixel = 0; pixel < shown.get(t).variances.length; pixel++) {
+      for (int pixel = 0; pixel < frame.variances.length; pixel++) {
         int at = pixel;
         boolean isSeen = tracks.stream().allMatch(track -> track.isFollowed[at] > 0);
-        if (isSeen && isMoving(shown.get(t), shown.get(t + 1), numbers, pixel)) {
-          variances.add(unit * unit * variance(tracks, pixel));
+        if (isSeen && isMoving(frame, shown.get(t + 1), numbers, pixel)) {
+          variances.add(pixel, unit * unit * variance(tracks, pixel));
+          double step = 0;
           for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-            double step = unit * tracks.get(REACH + 1).differences[i];
-            steps += step * step / 3;
+            double difference = unit * tracks.get(REACH + 1).differences[i];
+            step += difference * difference / 3;
           }
-          count++;
+          steps.add(pixel, step);
         }
       }
     }
-    return new Paths(variances, steps / count);
   }
 
   private static double variance(List<FrameTracks> tracks, int pixel) {
@@ -260,8 +229,7 @@ final class AnimationMeter {
     return variance;
   }
 
-  private static boolean isMoving(
-      SeenFrame from, SeenFrame to, int[] numbers, int pixel) {
+  private static boolean isMoving(SeenFrame from, SeenFrame to, int[] numbers, int pixel) {
     int primitive = from.primitive(pixel);
     Vec3 there = from.point(pixel, to.surfaces, numbers[primitive]);
     Point2 start =
@@ -272,55 +240,124 @@ final class AnimationMeter {
     return Math.sqrt(x * x + y * y) > SLOWEST;
   }
 
-  private static double square(Image image) {
-    double sum = 0;
-    for (float value : image.rgb()) {
-      sum += value * (double) value;
+  /** Squared errors of a sequence. */
+  private final class Errors {
+    final Tiles all = new Tiles();
+    final Tiles changes = new Tiles();
+    final double[] frame = new double[frames.size()];
+    final double[] change = new double[frames.size()];
+    final double[] changed = new double[frames.size()];
+
+    Errors(List<Image> errors) {
+      for (int t = 0; t < errors.size(); t++) {
+        int pixels = errors.get(t).rgb().length / 3;
+        for (int pixel = 0; pixel < pixels; pixel++) {
+          double square = 0;
+          for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
+            square += errors.get(t).rgb()[i] * (double) errors.get(t).rgb()[i] / 3;
+          }
+          all.add(pixel, square);
+          frame[t] += square / pixels;
+          if (isChange[t][pixel]) {
+            changes.add(pixel, square);
+            change[t] += square;
+            changed[t]++;
+          }
+        }
+      }
     }
-    return sum / image.rgb().length;
+  }
+
+  private boolean[][] isChange;
+
+  private boolean[][] changes() {
+    List<Image> shown =
+        frames.stream().map(frame -> MeteredFrame.inSteps(frame.reference())).toList();
+    boolean[][] isChange = new boolean[frames.size()][shown.get(0).rgb().length / 3];
+    for (int t = 0; t < shown.size(); t++) {
+      for (int k = Math.max(0, t - REACH); k <= Math.min(shown.size() - 1, t + REACH); k++) {
+        for (int i = 0; i < 3 * isChange[t].length; i++) {
+          isChange[t][i / 3] |= Math.abs(shown.get(t).rgb()[i] - shown.get(k).rgb()[i]) > CHANGE;
+        }
+      }
+    }
+    return isChange;
   }
 
   private void print(String name) throws InterruptedException {
-    Paths noise = paths(halves);
-    double step = paths(references.stream().map(AnimationMeter::inSteps).toList()).step();
+    isChange = changes();
+    List<Image> halves = frames.stream().map(MeteredFrame::half).toList();
+    Kind noise = new Kind(new Paths(halves), new Errors(halves));
+    Paths references =
+        new Paths(frames.stream().map(frame -> MeteredFrame.inSteps(frame.reference())).toList());
     System.out.printf(
         Locale.ROOT,
-        "%s: %d points; step of references %.3f%n",
+        "%s: %d points; step of references %.3f; noise of references: variance %.3f, error %.3f%n",
         name,
-        noise.variances.size(),
-        step - noise.step);
-    print("alone", alone, noise);
-    print("mixed", mixed, noise);
-    System.out.printf(Locale.ROOT, "  CPU time %.3f%n", after / before);
+        noise.paths.variances.values.size(),
+        references.steps.mean() - noise.paths.steps.mean(),
+        noise.paths.variances.mean(),
+        noise.errors.all.mean());
+    List<Image> alone = frames.stream().map(MeteredFrame::alone).toList();
+    Kind base = kind(alone);
+    print("alone", alone, base, base, noise, 1);
+    for (int reach = 1; reach <= REACH + 1; reach++) {
+      double start = MeteredFrame.cpu();
+      List<Image> mixed = mixed(reach);
+      double took = MeteredFrame.cpu() - start + lookSeconds;
+      print("mixed " + reach, mixed, kind(mixed), base, noise, 1 + took / seconds);
+    }
   }
 
-  private void print(String name, List<Image> images, Paths noise) throws InterruptedException {
+  /** What is measured of a kind of frames. */
+  private record Kind(Paths paths, Errors errors) {}
+
+  private Kind kind(List<Image> images) throws InterruptedException {
     List<Image> errors = new ArrayList<>();
-    double square = 0;
+    for (int i = 0; i < images.size(); i++) {
+      errors.add(frames.get(i).error(images.get(i)));
+    }
+    Paths steps = new Paths(images.stream().map(MeteredFrame::inSteps).toList());
+    Paths paths = new Paths(errors);
+    paths.steps.values.clear();
+    System.arraycopy(steps.steps.sums, 0, paths.steps.sums, 0, steps.steps.sums.length);
+    return new Kind(paths, new Errors(errors));
+  }
+
+  private void print(
+      String name, List<Image> images, Kind kind, Kind base, Kind noise, double time) {
     double worst = 0;
+    double worstChange = 0;
     double flips = 0;
     double worstFlip = 0;
-    for (int i = 0; i < frames; i++) {
-      errors.add(combined(inSteps(images.get(i)), inSteps(references.get(i)), 1, -1));
-      double error = square(errors.get(i)) - square(halves.get(i));
-      square += error / frames;
-      worst = Math.max(worst, error);
-      double flip = Flip.mean(images.get(i), references.get(i));
-      flips += flip / frames;
+    for (int i = 0; i < images.size(); i++) {
+      worst = Math.max(worst, kind.errors.frame[i] - noise.errors.frame[i]);
+      double ratio =
+          (kind.errors.change[i] - noise.errors.change[i])
+              / (base.errors.change[i] - noise.errors.change[i]);
+      worstChange = Math.max(worstChange, kind.errors.changed[i] == 0 ? 0 : ratio);
+      double flip = Flip.mean(images.get(i), frames.get(i).reference());
+      flips += flip / images.size();
       worstFlip = Math.max(worstFlip, flip);
     }
-    Paths paths = paths(errors);
+    Paths paths = kind.paths;
     System.out.printf(
         Locale.ROOT,
-        "  %s: variance %.3f, median %.3f; step %.3f; squared error %.3f, worst %.3f; FLIP %.5f,"
-            + " worst %.5f%n",
+        "  %s: variance %.3f ±%.3f, median %.3f; step %.3f; squared error %.3f ±%.3f, worst %.3f;"
+            + " in changes %.3f ±%.3f, worst ratio %.3f; FLIP %.5f, worst %.5f; CPU %.3f%n",
         name,
-        paths.mean() - noise.mean(),
-        paths.median(),
-        paths(images.stream().map(AnimationMeter::inSteps).toList()).step(),
-        square,
+        paths.variances.mean() - noise.paths.variances.mean(),
+        paths.variances.error(base.paths.variances, noise.paths.variances),
+        paths.variances.median(),
+        paths.steps.mean(),
+        kind.errors.all.mean() - noise.errors.all.mean(),
+        kind.errors.all.error(base.errors.all, noise.errors.all),
         worst,
+        kind.errors.changes.mean() - noise.errors.changes.mean(),
+        kind.errors.changes.error(base.errors.changes, noise.errors.changes),
+        worstChange,
         flips,
-        worstFlip);
+        worstFlip,
+        time);
   }
 }

@@ -60,4 +60,24 @@ final class Rows {
       throw new IllegalStateException(failure.get());
     }
   }
+
+  /** Computes one pixel, which has a number: row by row, from the top left. */
+  @FunctionalInterface
+  interface OfPixel {
+    void compute(int pixel);
+  }
+
+  /** Computes all pixels of a picture, as {@link #compute} does. */
+  static void forEach(int width, int height, int threads, OfPixel work)
+      throws InterruptedException {
+    compute(
+        height,
+        threads,
+        () ->
+            y -> {
+              for (int pixel = y * width; pixel < (y + 1) * width; pixel++) {
+                work.compute(pixel);
+              }
+            });
+  }
 }

@@ -5,6 +5,7 @@ import io.github.lumbre.geometry.NearestHit;
 import io.github.lumbre.geometry.SurfaceHit;
 import io.github.lumbre.image.Image;
 import io.github.lumbre.integrator.SampleLayers;
+import io.github.lumbre.material.Bsdf;
 import io.github.lumbre.math.Point2;
 import io.github.lumbre.math.Vec3;
 import io.github.lumbre.math.sampling.Sampler;
@@ -35,8 +36,14 @@ public final class SeenFrame {
   /** Pixels to each side whose noise is averaged. */
   private static final int NEAR = 2;
 
+  /** The part of the variance that is not expected on surfaces without a diffuse lobe. */
+  private static final double REFLECTING = .6;
+
   /** Surfaces that are passed in search of a visible one. */
   private static final int MOST_PASSED = 64;
+
+  /** A variance that does not matter, for each square of light. */
+  private static final double LEAST_VARIANCE = 1e-12;
 
   private static final int NONE = -1;
 
@@ -68,7 +75,11 @@ public final class SeenFrame {
   /** By what light is divided, three values for each pixel. */
   final float[] divisors;
 
-  /** The variance of divided light that is left, summed over the channels. */
+  /**
+   * The variance of divided light that is left, summed over the channels. It is smaller on surfaces
+   * that reflect more than their diffuse lobe does: reflections move unlike the surface, so that
+   * differences in time count as changes sooner.
+   */
   final float[] variances;
 
   /** The primitive that each pixel shows, or -1. */
@@ -148,10 +159,21 @@ public final class SeenFrame {
       double noise = (double) left[i] / divisors[i];
       squares[i / 3] += (float) (noise * noise);
     }
-    Means means = new Means(image.width(), image.height(), NEAR, threads);
-    float[] counts = new float[squares.length];
-    Arrays.fill(counts, 1);
-    means.of(squares, counts, variances);
+    Rows.compute(
+        image.height(),
+        threads,
+        () -> {
+          Sums around = new Sums(image.width(), image.height(), NEAR);
+          float[] sums = new float[image.width()];
+          return y -> {
+            around.of(squares, y, sums);
+            int rows = Math.min(y, NEAR) + Math.min(image.height() - 1 - y, NEAR) + 1;
+            for (int x = 0; x < sums.length; x++) {
+              int columns = Math.min(x, NEAR) + Math.min(sums.length - 1 - x, NEAR) + 1;
+              variances[y * sums.length + x] = sums[x] / (rows * columns);
+            }
+          };
+        });
   }
 
   /** Finds the point at the center of a pixel. */
@@ -169,7 +191,8 @@ public final class SeenFrame {
       return;
     }
     SurfaceHit surface = scene.surfaceAt(hit);
-    if (SampleLayers.isClear(scene.primitiveAt(hit).material().at(surface))) {
+    Bsdf bsdf = scene.primitiveAt(hit).material().at(surface);
+    if (SampleLayers.isClear(bsdf)) {
       return;
     }
     Vec3 normal = new Vec3(normals[3 * pixel], normals[3 * pixel + 1], normals[3 * pixel + 2]);
@@ -182,6 +205,13 @@ public final class SeenFrame {
     triangles[pixel] = hit.element();
     weights[2 * pixel] = (float) at.x();
     weights[2 * pixel + 1] = (float) at.y();
+    variances[pixel] *= (float) (1 - REFLECTING * (1 - diffuseShare(bsdf)));
+  }
+
+  /** Returns the part of the reflected light that looks the same from everywhere. */
+  private static double diffuseShare(Bsdf bsdf) {
+    double all = bsdf.albedo().max();
+    return all > 0 ? Math.min(1, bsdf.diffuseAlbedo().max() / all) : 1;
   }
 
   /** Finds the first surface that does not let most light straight through. */
@@ -215,6 +245,15 @@ public final class SeenFrame {
   /** Returns where the point of a pixel is in a pose in which its primitive has a number. */
   Vec3 point(int pixel, PosedSurfaces pose, int primitive) {
     return pose.point(primitive, triangles[pixel], weights[2 * pixel], weights[2 * pixel + 1]);
+  }
+
+  /** Returns the variance of divided light that is left out of account, as that of rounding is. */
+  double leastVariance(int pixel) {
+    double squares = 0;
+    for (int c = 0; c < 3; c++) {
+      squares += divided(pixel, c) * divided(pixel, c);
+    }
+    return LEAST_VARIANCE * squares;
   }
 
   /** Returns divided light. */

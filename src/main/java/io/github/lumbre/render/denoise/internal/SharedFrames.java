@@ -20,16 +20,8 @@ public final class SharedFrames {
   public static final int REACH = 3;
 
   /** What {@link #mixed} needs in memory, besides the frames. */
-  public static final int BYTES_PER_PIXEL = 12 + 4 + 16 + 2 * 20 + 5 * 4 + 12;
-
-  /** Pixels to each side whose differences are compared with their noise. */
-  private static final int NEAR = 2;
-
-  /** Squared differences may be this much larger than the variance that was expected. */
-  private static final double EXPECTED = 1;
-
-  /** The excess of squared differences that makes weights smaller by a factor of e. */
-  private static final double TOLERANCE = .5;
+  public static final int BYTES_PER_PIXEL =
+      12 + 4 + 16 + 2 * 20 + 5 * 4 + 2 * 4 + ChangeTest.BYTES_PER_PIXEL;
 
   /** How much less frames weigh for each squared step in time, as a power of e. */
   private static final double DECAY = .02;
@@ -37,17 +29,14 @@ public final class SharedFrames {
   /** The weight of frames at the ends of a sequence, whose light may change steadily. */
   private static final double ONE_SIDED = .35;
 
-  /** Larger ratios of squared differences and variances count as this. */
-  private static final double LARGEST_RATIO = 1e6;
-
-  /** Added to variances, for each square of light. */
-  private static final double LEAST_VARIANCE = 1e-12;
+  /** Added to variances, so that their ratio is a number. */
+  private static final double LEAST_VARIANCE = 1e-30;
 
   private final SeenFrame frame;
   private final int threads;
   private final int width;
   private final int height;
-  private final Means around;
+  private final ChangeTest test;
 
   /** Where the camera sees the point of each pixel. */
   private final double[] places;
@@ -63,7 +52,7 @@ public final class SharedFrames {
     this.threads = threads;
     width = frame.image.width();
     height = frame.image.height();
-    around = new Means(width, height, NEAR, threads);
+    test = new ChangeTest(width, height, frame::leastVariance, threads);
     sums = new float[3 * width * height];
     weights = new float[width * height];
     places = FrameTracks.places(frame);
@@ -101,109 +90,53 @@ public final class SharedFrames {
         : Optional.empty();
   }
 
-  /** The squared differences of pixels over their variances, averaged over neighborhoods. */
-  @FunctionalInterface
-  private interface Ratio {
-    /** Returns the ratio of a pixel that is followed. */
-    double of(int pixel);
-  }
-
   private void add(FrameTracks only, double most) throws InterruptedException {
-    float[] ratios = averaged(only.isFollowed, pixel -> ratio(only, pixel));
-    forEach(pixel -> add(only, pixel, most * weight(ratios[pixel]) * only.isFollowed[pixel]));
+    float[] same = test.weights(only.differences, only.variances, only.isFollowed);
+    forEach(pixel -> add(only, pixel, most * same[pixel]));
   }
 
   private void add(FrameTracks one, FrameTracks other, double most) throws InterruptedException {
-    float[] both = new float[weights.length];
-    for (int i = 0; i < both.length; i++) {
-      both[i] = one.isFollowed[i] * other.isFollowed[i];
-    }
-    float[] ofOne = averaged(one.isFollowed, pixel -> ratio(one, pixel));
-    float[] ofOther = averaged(other.isFollowed, pixel -> ratio(other, pixel));
-    float[] ofBoth = averaged(both, pixel -> ratio(one, other, pixel));
+    float[] ofOne = test.weights(one.differences, one.variances, one.isFollowed);
+    float[] ofOther = test.weights(other.differences, other.variances, other.isFollowed);
+    float[] ofBoth = weights(one, other);
     forEach(
         pixel -> {
-          double pair = weight(ofBoth[pixel]) * both[pixel];
-          double first = weight(ofOne[pixel]) * one.isFollowed[pixel];
-          double second = weight(ofOther[pixel]) * other.isFollowed[pixel];
-          add(one, pixel, most * Math.max(pair, first));
-          add(other, pixel, most * Math.max(pair, second));
+          add(one, pixel, most * Math.max(ofBoth[pixel], ofOne[pixel]));
+          add(other, pixel, most * Math.max(ofBoth[pixel], ofOther[pixel]));
         });
   }
 
-  private void add(FrameTracks tracks, int pixel, double weight) {
+  /** Returns the weights of the mean of two frames. */
+  private float[] weights(FrameTracks one, FrameTracks other) throws InterruptedException {
+    float[] both = new float[weights.length];
+    float[] means = new float[sums.length];
+    float[] variances = new float[weights.length];
+    forEach(
+        pixel -> {
+          both[pixel] = one.isFollowed[pixel] * other.isFollowed[pixel];
+          double own = frame.variances[pixel];
+          double others = (one.variances[pixel] - own) + (other.variances[pixel] - own);
+          variances[pixel] = (float) (own + .25 * others);
+          for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
+            means[i] = (float) (.5 * ((double) one.differences[i] + other.differences[i]));
+          }
+        });
+    return test.weights(means, variances, both);
+  }
+
+  /** Adds a pixel. Light that is noisier than the frame's own weighs less. */
+  private void add(FrameTracks tracks, int pixel, double same) {
+    double own = frame.variances[pixel] + LEAST_VARIANCE;
+    double there = Math.max(own, tracks.variances[pixel] - frame.variances[pixel]);
+    double weight = same * Math.sqrt(own / there);
     weights[pixel] += (float) weight;
     for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
       sums[i] += (float) (weight * tracks.differences[i]);
     }
   }
 
-  private static double weight(double ratio) {
-    return ratio <= EXPECTED ? 1 : Elementary.exp((EXPECTED - ratio) / TOLERANCE);
-  }
-
-  private double ratio(FrameTracks tracks, int pixel) {
-    double squares = 0;
-    for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-      squares += (double) tracks.differences[i] * tracks.differences[i];
-    }
-    return ratio(squares, tracks.variances[pixel], pixel);
-  }
-
-  /** Returns the ratio of the mean of two frames. */
-  private double ratio(FrameTracks one, FrameTracks other, int pixel) {
-    double squares = 0;
-    for (int i = 3 * pixel; i < 3 * pixel + 3; i++) {
-      double mean = .5 * ((double) one.differences[i] + other.differences[i]);
-      squares += mean * mean;
-    }
-    double own = frame.variances[pixel];
-    double others = (one.variances[pixel] - own) + (other.variances[pixel] - own);
-    return ratio(squares, own + .25 * others, pixel);
-  }
-
-  private double ratio(double squares, double variance, int pixel) {
-    if (squares == 0) {
-      return 0;
-    }
-    double least = 0;
-    for (int c = 0; c < 3; c++) {
-      double light = frame.divided(pixel, c);
-      least += LEAST_VARIANCE * light * light;
-    }
-    double ratio = squares / (variance + least);
-    return ratio < LARGEST_RATIO ? ratio : LARGEST_RATIO;
-  }
-
-  /** Averages ratios over the pixels of neighborhoods that are followed. */
-  private float[] averaged(float[] isFollowed, Ratio ratio) throws InterruptedException {
-    float[] ratios = new float[weights.length];
-    forEach(
-        pixel -> {
-          if (isFollowed[pixel] > 0) {
-            ratios[pixel] = (float) ratio.of(pixel);
-          }
-        });
-    float[] averaged = new float[ratios.length];
-    around.of(ratios, isFollowed, averaged);
-    return averaged;
-  }
-
-  @FunctionalInterface
-  private interface OfPixel {
-    void run(int pixel);
-  }
-
-  private void forEach(OfPixel action) throws InterruptedException {
-    Rows.compute(
-        height,
-        threads,
-        () ->
-            y -> {
-              for (int pixel = y * width; pixel < (y + 1) * width; pixel++) {
-                action.run(pixel);
-              }
-            });
+  private void forEach(Rows.OfPixel action) throws InterruptedException {
+    Rows.forEach(width, height, threads, action);
   }
 
   private Image picture() {
