@@ -31,9 +31,12 @@ is_short() {
     esac
     if [ -f "$argument" ]; then
       files=$((files + 1))
-      # A minimal system has no wc.
-      [ -r "$argument" ] && bytes=$(wc -c <"$argument" 2>/dev/null) || return 1
-      [ "$bytes" -le "$largest" ] || largest=$bytes
+      # Most of a glTF file lies beside it. A minimal system has no wc.
+      for file in "$argument" "${argument%.gltf}.bin"; do
+        [ -f "$file" ] || continue
+        [ -r "$file" ] && bytes=$(wc -c <"$file" 2>/dev/null) || return 1
+        [ "$bytes" -le "$largest" ] || largest=$bytes
+      done
     fi
     previous=$argument
   done

@@ -42,6 +42,7 @@ class LauncherIT {
   private static final String LONG =
       """
       check large.txt
+      check apart.gltf
       render small.txt
       render --size=256x192 --samples=16 small.txt
       render --size 640x480 --samples 1 small.txt
@@ -455,6 +456,8 @@ class LauncherIT {
     Path workplace = Files.createDirectory(directory.resolve("one"));
     Files.writeString(workplace.resolve("small.txt"), "no scene");
     Files.write(workplace.resolve("large.txt"), new byte[8_000_001]);
+    Files.writeString(workplace.resolve("apart.gltf"), "{}");
+    Files.write(workplace.resolve("apart.bin"), new byte[8_000_001]);
     launch();
     script(home.resolve("java/bin/java"), "#!/bin/sh\necho \"$@\"\n");
     Files.writeString(home.resolve("java/release"), "JAVA_VERSION=\"17.0.1\"\n");
