@@ -89,7 +89,7 @@ final class CheckCommand extends Subcommand {
     report.putContents(parsed.contents());
     if (parsed.model().isPresent()) {
       ModelContents model = parsed.model().get();
-      report.put("heap_bytes", HeapNeed.bytes(items(parsed)));
+      report.put("heap_bytes", need(parsed).bytes());
       report.putModel(model, model.parts(parsed.scene()));
     }
     return ExitCode.OK;
@@ -119,21 +119,21 @@ final class CheckCommand extends Subcommand {
     out.line("materials  " + contents.materials() + (materials.isEmpty() ? "" : ": " + materials));
     out.line("textures   " + contents.textures());
     if (model.isPresent()) {
-      out.line("memory     " + HeapNeed.text(HeapNeed.bytes(items(parsed))));
+      out.line("memory     " + need(parsed).text());
       describe(model.get(), model.get().parts(parsed.scene()), out);
     }
     out.line("warnings   " + file.warnings().size());
   }
 
-  /** Returns the number of triangles of all meshes of a model, each counted once, and of points. */
-  private static long items(ParsedScene model) {
+  /** Returns the triangles of all meshes of a model, each counted once, and its points. */
+  private static HeapNeed need(ParsedScene model) {
     long triangles =
         model.scene().primitives().stream()
             .flatMap(primitive -> MeshEdges.meshOf(primitive.shape()).stream())
             .distinct()
             .mapToLong(TriangleMesh::triangleCount)
             .sum();
-    return triangles + model.contents().points();
+    return new HeapNeed(triangles, model.contents().points());
   }
 
   /** Prints the names that flags take, and the bounds of a model. */

@@ -92,7 +92,7 @@ class HeapNeedTruthTest {
   @Test
   void aModelTakesAboutTheHeapThatTheNoteStates() throws Exception {
     Path model = surface();
-    long need = HeapNeed.bytes(TRIANGLES);
+    long need = HeapNeed.ofTriangles(TRIANGLES).bytes();
     Outcome enough = render(model, PROGRAM + need * 4 / 3);
     assertThat(enough.exitCode()).as(enough.err()).isZero();
     assertThat(enough.err())

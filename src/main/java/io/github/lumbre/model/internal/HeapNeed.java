@@ -4,19 +4,27 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Estimates the heap that a model takes until its scene is rendered, by its triangles. Pictures of
- * textures and the film come in addition. Stateless.
+ * Estimates the heap that a model takes until its scene is rendered. Pictures of textures and the
+ * film come in addition.
+ *
+ * @param triangles of all meshes, each counted once
+ * @param points of all clouds
  */
-public final class HeapNeed {
+public record HeapNeed(long triangles, long points) {
+  /** Of a file that does not state it. */
+  public static final HeapNeed UNKNOWN = new HeapNeed(0, 0);
+
   /**
    * Heap bytes of a triangle of a mesh with shared vertices, at least, while the hierarchy of its
-   * scene is built. A point takes about as many.
+   * scene is built.
    */
   private static final long BYTES_PER_TRIANGLE = 140;
+
+  /** The same of a point. */
+  private static final long BYTES_PER_POINT = 270;
 
   /** The bytes of a file in which its counts are sought. */
   private static final int START = 4 << 20;
@@ -27,21 +35,30 @@ public final class HeapNeed {
   /** Less than this is not worth a line, unless it is a tenth of the heap. */
   private static final long NOTICEABLE = 100L << 20;
 
-  private HeapNeed() {}
-
-  /**
-   * Returns the heap bytes that a model takes.
-   *
-   * @param items triangles of all meshes, each counted once, and points
-   */
-  public static long bytes(long items) {
-    return BYTES_PER_TRIANGLE * items;
+  public static HeapNeed ofTriangles(long triangles) {
+    return new HeapNeed(triangles, 0);
   }
 
-  /** Returns a number of bytes of the heap in words, such as "about 134 MiB of heap". */
-  public static String text(long bytes) {
+  public static HeapNeed ofPoints(long points) {
+    return new HeapNeed(0, points);
+  }
+
+  /** Returns the heap bytes that the model takes. */
+  public long bytes() {
+    return BYTES_PER_TRIANGLE * triangles + BYTES_PER_POINT * points;
+  }
+
+  /** Returns what the model consists of, such as "12 triangles". */
+  String items() {
+    return points == 0
+        ? triangles + " triangles"
+        : (triangles == 0 ? "" : triangles + " triangles and ") + points + " points";
+  }
+
+  /** Returns the bytes in words, such as "about 134 MiB of the heap of 512 MiB". */
+  public String text() {
     return "about %d MiB of the heap of %d MiB"
-        .formatted((bytes >> 20) + 1, Runtime.getRuntime().maxMemory() >> 20);
+        .formatted((bytes() >> 20) + 1, Runtime.getRuntime().maxMemory() >> 20);
   }
 
   /**
@@ -49,28 +66,24 @@ public final class HeapNeed {
    * that is little, or the start of the file does not state it.
    */
   public static Optional<String> note(Path file) {
-    long items;
+    HeapNeed need;
     try {
-      items = Files.size(file) < SMALL_FILE ? 0 : items(file);
+      need = Files.size(file) < SMALL_FILE ? UNKNOWN : of(file);
     } catch (IOException e) {
       // Reading the file reports the error.
       return Optional.empty();
     }
-    long bytes = bytes(items);
-    return bytes < Math.min(NOTICEABLE, Runtime.getRuntime().maxMemory() / 10)
+    return need.bytes() < Math.min(NOTICEABLE, Runtime.getRuntime().maxMemory() / 10)
         ? Optional.empty()
-        : Optional.of(
-            String.format(
-                Locale.ROOT, "%s: %d triangles take %s", file, items, text(bytes)));
+        : Optional.of(file + ": " + need.items() + " take " + need.text());
   }
 
   /**
-   * Returns the number of triangles, or of points, that the start of a model's file states; 0 if it
-   * states none.
+   * Returns what the start of a model's file states.
    *
    * @throws IOException if the file cannot be read
    */
-  static long items(Path file) throws IOException {
+  static HeapNeed of(Path file) throws IOException {
     long size = Files.size(file);
     byte[] start;
     try (InputStream in = Files.newInputStream(file)) {
@@ -79,7 +92,7 @@ public final class HeapNeed {
     String name = String.valueOf(file.getFileName());
     return ModelFormat.named(name)
         .or(() -> ModelFormat.in(start, size))
-        .map(format -> format.items(start, size))
-        .orElse(0L);
+        .map(format -> format.need(start, size))
+        .orElse(UNKNOWN);
   }
 }

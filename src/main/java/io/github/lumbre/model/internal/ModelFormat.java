@@ -27,11 +27,11 @@ import java.util.stream.Collectors;
  * class names the packages of the formats.
  */
 public enum ModelFormat {
-  GLTF("a glTF file", GltfReader::startsIn, GltfReader::read, GltfReader::items, "gltf", "glb"),
+  GLTF("a glTF file", GltfReader::startsIn, GltfReader::read, GltfReader::need, "gltf", "glb"),
   OBJ("an OBJ file", ObjModelReader::startsIn, ObjModelReader::read, "obj"),
-  PLY("a PLY file", PlyReader::startsIn, PlyReader::read, PlyReader::items, "ply"),
-  STL("an STL file", StlReader::startsIn, StlReader::read, StlReader::items, "stl"),
-  OFF("an OFF file", OffReader::startsIn, OffReader::read, OffReader::items, "off"),
+  PLY("a PLY file", PlyReader::startsIn, PlyReader::read, PlyReader::need, "ply"),
+  STL("an STL file", StlReader::startsIn, StlReader::read, StlReader::need, "stl"),
+  OFF("an OFF file", OffReader::startsIn, OffReader::read, OffReader::need, "off"),
   THREE_MF("a 3MF file", ThreeMfReader::startsIn, ThreeMfReader::read, "3mf"),
   COLLADA("a COLLADA file", DaeReader::startsIn, DaeReader::read, "dae"),
   ZIP("a ZIP archive", ZipReader::startsIn, ZipReader::read, "zip");
@@ -68,13 +68,13 @@ public enum ModelFormat {
 
   private interface Count {
     /**
-     * Returns the number of triangles, or of points, that a file states before them; 0 if it states
-     * none, or is damaged.
+     * Returns the triangles and points that a file states before them; {@link HeapNeed#UNKNOWN} if
+     * it states none, or is damaged.
      *
      * @param start the first megabytes of the file, or all of it
      * @param size of the file in bytes
      */
-    long in(byte[] start, long size);
+    HeapNeed in(byte[] start, long size);
   }
 
   private final String title;
@@ -84,7 +84,7 @@ public enum ModelFormat {
   private final List<String> endings;
 
   ModelFormat(String title, Start start, Reader reader, String... endings) {
-    this(title, start, reader, (first, size) -> 0, endings);
+    this(title, start, reader, (first, size) -> HeapNeed.UNKNOWN, endings);
   }
 
   ModelFormat(String title, Start start, Reader reader, Count count, String... endings) {
@@ -123,8 +123,8 @@ public enum ModelFormat {
     return reader.read(content, folder, options);
   }
 
-  /** Returns the number of triangles or points that a file states; see {@link Count}. */
-  long items(byte[] first, long size) {
+  /** Returns the triangles and points that a file states; see {@link Count}. */
+  HeapNeed need(byte[] first, long size) {
     return count.in(first, size);
   }
 

@@ -25,17 +25,27 @@ public final class ModelLimits {
    * @throws ModelFormatException if it cannot
    */
   public static void requireHeap(String location, long triangles) throws ModelFormatException {
-    requireHeap(location, triangles, Runtime.getRuntime().maxMemory());
+    requireHeap(location, HeapNeed.ofTriangles(triangles), Runtime.getRuntime().maxMemory());
   }
 
-  static void requireHeap(String location, long triangles, long heap) throws ModelFormatException {
-    long bytes = HeapNeed.bytes(triangles);
+  /**
+   * Checks that the scene of points can fit into the heap, before anything of it is allocated.
+   *
+   * @throws ModelFormatException if it cannot
+   */
+  public static void requireHeapOfPoints(String location, long points)
+      throws ModelFormatException {
+    requireHeap(location, HeapNeed.ofPoints(points), Runtime.getRuntime().maxMemory());
+  }
+
+  static void requireHeap(String location, HeapNeed need, long heap) throws ModelFormatException {
+    long bytes = need.bytes();
     if (bytes > heap) {
       throw Kind.TOO_LARGE.at(
           location,
-          ("expected a model that fits into the heap of %d MiB, found %d triangles,"
+          ("expected a model that fits into the heap of %d MiB, found %s,"
                   + " which take %d MiB or more; Java's option -Xmx sets the heap")
-              .formatted(heap >> 20, triangles, (bytes >> 20) + 1));
+              .formatted(heap >> 20, need.items(), (bytes >> 20) + 1));
     }
   }
 

@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests what the starts of model files state of their triangles, and of the heap that they take. */
+/** Tests what the starts of model files state, and the heap that they take. */
 class HeapNeedTest {
   private static final String VERTICES =
       "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n";
@@ -29,8 +29,8 @@ class HeapNeedTest {
     return file;
   }
 
-  private long items(String name, String start, long more) throws IOException {
-    return HeapNeed.items(file(name, start, start.length() + more));
+  private HeapNeed need(String name, String start, long more) throws IOException {
+    return HeapNeed.of(file(name, start, start.length() + more));
   }
 
   private static String ply(String format, String faces) {
@@ -41,19 +41,19 @@ class HeapNeedTest {
   void aHeaderOfPlyStatesTriangles() throws IOException {
     String faces = "element face 12\nproperty list uchar int vertex_indices\n";
     String little = ply("binary_little_endian", faces);
-    assertThat(items("a.ply", little, 8 * 12 + 12 * 13)).isEqualTo(12);
+    assertThat(need("a.ply", little, 8 * 12 + 12 * 13)).isEqualTo(HeapNeed.ofTriangles(12));
     // Quadrilaterals are two triangles each.
-    assertThat(items("b.ply", little, 8 * 12 + 12 * 17)).isEqualTo(24);
-    assertThat(items("c.ply", ply("ascii", faces), 400)).isEqualTo(12);
-    assertThat(items("d.ply", ply("ascii", ""), 400)).isEqualTo(8);
-    assertThat(items("e.ply", "ply\nformat ascii 7.0\n", 0)).isZero();
+    assertThat(need("b.ply", little, 8 * 12 + 12 * 17)).isEqualTo(HeapNeed.ofTriangles(24));
+    assertThat(need("c.ply", ply("ascii", faces), 400)).isEqualTo(HeapNeed.ofTriangles(12));
+    assertThat(need("d.ply", ply("ascii", ""), 400)).isEqualTo(HeapNeed.ofPoints(8));
+    assertThat(need("e.ply", "ply\nformat ascii 7.0\n", 0)).isEqualTo(HeapNeed.UNKNOWN);
   }
 
   @Test
   void sizesOfStlFilesStateTriangles() throws IOException {
     ByteBuffer header = ByteBuffer.allocate(84).order(ByteOrder.LITTLE_ENDIAN);
     byte[] file = header.putInt(80, 300).array();
-    assertThat(ModelFormat.STL.items(file, 84 + 300 * 50)).isEqualTo(300);
+    assertThat(ModelFormat.STL.need(file, 84 + 300 * 50)).isEqualTo(HeapNeed.ofTriangles(300));
     String text =
         """
         solid
@@ -65,15 +65,15 @@ class HeapNeedTest {
             endloop
           endfacet
         """;
-    long triangles = items("a.stl", text, 999L * (text.length() - 6));
+    long triangles = need("a.stl", text, 999L * (text.length() - 6)).triangles();
     assertThat(triangles).isBetween(667L, 1500L);
   }
 
   @Test
   void aHeaderOfOffStatesFacesOrPoints() throws IOException {
-    assertThat(items("a.off", "OFF\n9 7 0\n", 900)).isEqualTo(7);
-    assertThat(items("b.off", "OFF\n9 0 0\n", 900)).isEqualTo(9);
-    assertThat(items("c.off", "OFF\nnine\n", 900)).isZero();
+    assertThat(need("a.off", "OFF\n9 7 0\n", 900)).isEqualTo(HeapNeed.ofTriangles(7));
+    assertThat(need("b.off", "OFF\n9 0 0\n", 900)).isEqualTo(HeapNeed.ofPoints(9));
+    assertThat(need("c.off", "OFF\nnine\n", 900)).isEqualTo(HeapNeed.UNKNOWN);
   }
 
   /** Meshes that share their triangles count once. */
@@ -81,7 +81,7 @@ class HeapNeedTest {
   void theAccessorsOfGltfStateTriangles() throws IOException {
     GltfFile file = GltfFile.ofTriangle();
     byte[] glb = file.glb();
-    assertThat(ModelFormat.GLTF.items(glb, glb.length)).isEqualTo(1);
+    assertThat(ModelFormat.GLTF.need(glb, glb.length)).isEqualTo(HeapNeed.ofTriangles(1));
     byte[] text =
         """
         {"accessors": [{"count": 30}, {"count": 12}],
@@ -91,8 +91,8 @@ class HeapNeedTest {
                            {"attributes": {"POSITION": 1}, "mode": 5},
                            {"attributes": {"POSITION": 1}, "indices": 0, "mode": 0}]}]}"""
             .getBytes(US_ASCII);
-    assertThat(ModelFormat.GLTF.items(text, text.length)).isEqualTo(10 + 10 + 12);
-    assertThat(ModelFormat.GLTF.items(text, text.length + 1)).isZero();
+    assertThat(ModelFormat.GLTF.need(text, text.length)).isEqualTo(new HeapNeed(10 + 10, 12));
+    assertThat(ModelFormat.GLTF.need(text, text.length + 1)).isEqualTo(HeapNeed.UNKNOWN);
   }
 
   @Test

@@ -28,9 +28,10 @@ class ModelLimitsTest {
   /** A million triangles were rendered with a heap of 155 MiB, and not with one of 146 MiB. */
   @Test
   void modelsThatCannotFitIntoTheHeapAreRefused() {
-    assertThatCode(() -> ModelLimits.requireHeap("", 1_000_000, 155L << 20))
+    HeapNeed triangles = HeapNeed.ofTriangles(1_000_000);
+    assertThatCode(() -> ModelLimits.requireHeap("", triangles, 155L << 20))
         .doesNotThrowAnyException();
-    assertThatThrownBy(() -> ModelLimits.requireHeap("element face", 1_000_000, 100L << 20))
+    assertThatThrownBy(() -> ModelLimits.requireHeap("element face", triangles, 100L << 20))
         .isInstanceOf(ModelFormatException.class)
         .hasMessage(
             "element face: expected a model that fits into the heap of 100 MiB, found 1000000"
@@ -96,5 +97,17 @@ class ModelLimitsTest {
       assertThatThrownBy(reading).isInstanceOf(CancellationException.class);
       assertThat(Thread.interrupted()).isTrue();
     }
+  }
+
+  /** A million points were rendered with a heap of 320 MiB, and not with one of 280 MiB. */
+  @Test
+  void pointsThatCannotFitIntoTheHeapAreRefused() {
+    HeapNeed points = HeapNeed.ofPoints(1_000_000);
+    assertThatCode(() -> ModelLimits.requireHeap("", points, 320L << 20))
+        .doesNotThrowAnyException();
+    assertThatThrownBy(() -> ModelLimits.requireHeap("element vertex", points, 200L << 20))
+        .hasMessage(
+            "element vertex: expected a model that fits into the heap of 200 MiB, found 1000000"
+                + " points, which take 258 MiB or more; Java's option -Xmx sets the heap");
   }
 }

@@ -2,6 +2,7 @@ package io.github.lumbre.model.format.gltf;
 
 import io.github.lumbre.base.limit.Limits;
 import io.github.lumbre.model.ModelFormatException;
+import io.github.lumbre.model.internal.HeapNeed;
 import java.nio.ByteBuffer;
 import java.util.HashSet;
 import java.util.List;
@@ -13,24 +14,27 @@ final class GltfCensus {
   private GltfCensus() {}
 
   /**
-   * Returns the number of triangles and points of all meshes, each counted once; 0 if the JSON is
+   * Returns the triangles and points of all meshes, each counted once; unknown if the JSON is
    * damaged, or not in the start of the file.
    *
    * @param size of the file
    */
-  static long items(byte[] start, long size) {
+  static HeapNeed need(byte[] start, long size) {
     Optional<ByteBuffer> json = GltfContainer.json(start, size);
     try {
-      return json.isEmpty() ? 0 : items(GltfJson.read(json.get(), new GltfBudget(Limits.NONE)));
+      return json.isEmpty()
+          ? HeapNeed.UNKNOWN
+          : need(GltfJson.read(json.get(), new GltfBudget(Limits.NONE)));
     } catch (ModelFormatException e) {
-      return 0; // Reading the file reports what is wrong with it.
+      return HeapNeed.UNKNOWN; // Reading the file reports what is wrong with it.
     }
   }
 
-  private static long items(GltfJson root) throws ModelFormatException {
+  private static HeapNeed need(GltfJson root) throws ModelFormatException {
     List<GltfJson> accessors = root.objects("accessors");
     Set<List<Long>> known = new HashSet<>();
-    long items = 0;
+    long triangles = 0;
+    long points = 0;
     for (GltfJson mesh : root.objects("meshes")) {
       for (GltfJson primitive : mesh.objects("primitives")) {
         GltfJson attributes = primitive.requireObject("attributes");
@@ -40,10 +44,11 @@ final class GltfCensus {
         int index = counted.index(member, accessors.size()).orElse(-1);
         if (index >= 0 && known.add(List.of((long) index, mode))) {
           int corners = (int) accessors.get(index).whole("count", 0, 0, Integer.MAX_VALUE);
-          items += mode == 0 ? corners : GltfTriangles.count((int) mode, corners);
+          points += mode == 0 ? corners : 0;
+          triangles += mode == 0 ? 0 : GltfTriangles.count((int) mode, corners);
         }
       }
     }
-    return items;
+    return new HeapNeed(triangles, points);
   }
 }

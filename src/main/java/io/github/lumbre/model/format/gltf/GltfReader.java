@@ -9,6 +9,7 @@ import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOption;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.HeapNeed;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelCamera;
 import io.github.lumbre.model.internal.ModelFiles;
@@ -89,9 +90,9 @@ public final class GltfReader {
         || found.equals("JSON") && ASSET.matcher(FileContent.text(start)).find();
   }
 
-  /** Returns the number of triangles and points of all meshes that a file states. */
-  public static long items(byte[] start, long size) {
-    return GltfCensus.items(start, size);
+  /** Returns the triangles and points of all meshes that a file states. */
+  public static HeapNeed need(byte[] start, long size) {
+    return GltfCensus.need(start, size);
   }
 
   /**

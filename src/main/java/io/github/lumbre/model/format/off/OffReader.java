@@ -5,6 +5,7 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.HeapNeed;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelGeometry;
 import io.github.lumbre.model.internal.ModelLimits;
@@ -59,6 +60,7 @@ public final class OffReader {
     colors = new OffColors(header.faces());
     if (header.faces() == 0) {
       ModelLimits.require("", "points", options.limits().triangles(), header.vertices());
+      ModelLimits.requireHeapOfPoints("", header.vertices());
     }
     int expected = Math.min(header.faces(), size / TRIANGLE_BYTES);
     ModelLimits.requireTriangles("", expected, options.limits());
@@ -73,18 +75,20 @@ public final class OffReader {
     return FileContent.describe(start).equals(Optional.of("OFF"));
   }
 
-  /** Returns the number of faces that a header states; without any, that of vertices. */
-  public static long items(byte[] start, long size) {
+  /** Returns the faces that a header states; without any, the vertices. */
+  public static HeapNeed need(byte[] start, long size) {
     for (OffLayout layout : OffLayout.values()) {
       try {
         int bytes = (int) Math.min(size, Integer.MAX_VALUE);
         OffHeader header = OffHeader.read(new TextScanner(start), bytes, layout);
-        return header.faces() == 0 ? header.vertices() : header.faces();
+        return header.faces() == 0
+            ? HeapNeed.ofPoints(header.vertices())
+            : HeapNeed.ofTriangles(header.faces());
       } catch (ModelFormatException e) {
         continue; // Reading the file reports what is wrong with it.
       }
     }
-    return 0;
+    return HeapNeed.UNKNOWN;
   }
 
   /** Returns the triangles of an OFF text. */

@@ -7,6 +7,7 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.HeapNeed;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelFiles;
 import io.github.lumbre.model.internal.ModelGeometry;
@@ -68,6 +69,7 @@ public final class PlyReader {
     isCloud = header.elements().stream().noneMatch(e -> isFace(e) && e.count() > 0);
     if (isCloud) {
       ModelLimits.require("element vertex", "points", options.limits().triangles(), vertexCount);
+      ModelLimits.requireHeapOfPoints("element vertex", vertexCount);
     } else {
       requireFaces();
     }
@@ -80,21 +82,22 @@ public final class PlyReader {
   }
 
   /**
-   * Returns the number of triangles that a header states, if all faces of a binary file have as
-   * many corners; without faces, that of vertices.
+   * Returns the triangles that a header states, if all faces of a binary file have as many corners;
+   * without faces, the vertices.
    */
-  public static long items(byte[] start, long size) {
+  public static HeapNeed need(byte[] start, long size) {
     PlyHeader header;
     try {
       header = PlyHeader.read(start, new Warnings());
     } catch (ModelFormatException e) {
-      return 0; // Reading the file reports what is wrong with it.
+      return HeapNeed.UNKNOWN; // Reading the file reports what is wrong with it.
     }
     List<PlyElement> elements = header.elements();
     Optional<PlyElement> faces =
         elements.stream().filter(e -> indexProperty(e).isPresent() && e.count() > 0).findFirst();
     if (faces.isEmpty()) {
-      return elements.stream().filter(PlyElement::isVertex).mapToLong(PlyElement::count).sum();
+      return HeapNeed.ofPoints(
+          elements.stream().filter(PlyElement::isVertex).mapToLong(PlyElement::count).sum());
     }
     long least = elements.stream().mapToLong(e -> e.minBinaryBytes() * e.count()).sum();
     long lists =
@@ -104,9 +107,10 @@ public final class PlyReader {
             .count();
     long bytes = indexProperty(faces.get()).orElseThrow().type().bytes();
     long count = faces.get().count();
-    return lists == 1 && header.format() != PlyHeader.Format.TEXT
-        ? Math.max(count, (size - header.bodyOffset() - least) / bytes - 2 * count)
-        : count;
+    return HeapNeed.ofTriangles(
+        lists == 1 && header.format() != PlyHeader.Format.TEXT
+            ? Math.max(count, (size - header.bodyOffset() - least) / bytes - 2 * count)
+            : count);
   }
 
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)

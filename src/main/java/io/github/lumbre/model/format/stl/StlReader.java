@@ -6,6 +6,7 @@ import io.github.lumbre.model.ModelFolder;
 import io.github.lumbre.model.ModelFormatException;
 import io.github.lumbre.model.ModelFormatException.Kind;
 import io.github.lumbre.model.ModelOptions;
+import io.github.lumbre.model.internal.HeapNeed;
 import io.github.lumbre.model.internal.Model;
 import io.github.lumbre.model.internal.ModelLimits;
 import io.github.lumbre.model.internal.ModelPart;
@@ -41,12 +42,13 @@ public final class StlReader {
         : found.get().equals("STL");
   }
 
-  /** Returns the number of triangles that a header states, or that a text of this size has. */
-  public static long items(byte[] start, long size) {
+  /** Returns the triangles that a header states, or that a text of this size has. */
+  public static HeapNeed need(byte[] start, long size) {
     long claimed = claimedBytes(start);
-    return claimed != size && StlText.startsIn(start)
-        ? size / TEXT_BYTES
-        : (Math.min(claimed, size) - EMPTY_BYTES) / FACET_BYTES;
+    return HeapNeed.ofTriangles(
+        claimed != size && StlText.startsIn(start)
+            ? size / TEXT_BYTES
+            : Math.max(0, (Math.min(claimed, size) - EMPTY_BYTES) / FACET_BYTES));
   }
 
   public static Model read(byte[] file, ModelFolder folder, ModelOptions options)
