@@ -62,6 +62,7 @@ final class CheckCommand extends Subcommand {
     Messages errors = errors();
     imports.validate();
     options.importBy(imports);
+    options.announce(errors);
     if (!json) {
       SceneFile file = options.load(parser(), errors);
       describe(file, out);

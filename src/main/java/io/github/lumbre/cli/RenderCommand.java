@@ -221,7 +221,7 @@ final class RenderCommand extends Subcommand {
       } else {
         Interruption.Wait reading = monitor.reading(scene.scene());
         try (reading) {
-          file = scene.load(options.parser(), messages);
+          file = options.load();
         }
       }
       if (dryRun) {
@@ -329,9 +329,7 @@ final class RenderCommand extends Subcommand {
       }
       options.scene.choose(index);
       try {
-        return monitor.reading(
-            options.scene.scene(),
-            () -> options.scene.load(options.parser(), options.run.errors()));
+        return monitor.reading(options.scene.scene(), options::load);
       } finally {
         options.scene.choose(current);
       }

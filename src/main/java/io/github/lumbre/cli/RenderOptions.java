@@ -26,8 +26,11 @@ import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.model.Models;
+import io.github.lumbre.scenefile.SceneFile;
+import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.internal.StagedSheet;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -175,6 +178,18 @@ final class RenderOptions {
   OptionalDouble targetError() {
     OptionalDouble ofBudget = budgets.targetError();
     return ofBudget.isPresent() ? ofBudget : quality.targetError();
+  }
+
+  /**
+   * Reads the scene with the settings of the flags. The heap that a large model takes is printed
+   * first, unless nothing but warnings shall be.
+   *
+   * @throws TaskException if there are warnings under {@code --strict}
+   * @throws IOException if the scene cannot be read
+   */
+  SceneFile load() throws SceneFormatException, TaskException, IOException {
+    run.announce(scene);
+    return scene.load(parser(), run.errors());
   }
 
   /**

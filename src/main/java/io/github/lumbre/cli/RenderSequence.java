@@ -325,7 +325,7 @@ final class RenderSequence {
       if (Files.exists(all.get(i))) {
         choose(i);
         if (first.isEmpty() || !options.sequence.areGiven()) {
-          first = Optional.of(options.scene.load(options.parser(), options.run.errors()));
+          first = Optional.of(options.load());
         }
         finished.add(all.get(i), expected(i, first.get()));
       }

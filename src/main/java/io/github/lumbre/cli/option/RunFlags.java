@@ -1,5 +1,6 @@
 package io.github.lumbre.cli.option;
 
+import io.github.lumbre.base.TaskException;
 import io.github.lumbre.cli.option.FlagConverters.ProgressStyle;
 import io.github.lumbre.cli.output.JsonProgress;
 import io.github.lumbre.cli.output.Messages;
@@ -111,6 +112,13 @@ public final class RunFlags extends Flags {
       Optional<String> hint = finder.get();
       hint.ifPresent(text -> errors().line("hint: " + text));
       hasHinted = hint.isPresent();
+    }
+  }
+
+  /** {@linkplain SceneOptions#announce Announces} a scene, except under {@code --quiet}. */
+  public void announce(SceneOptions scene) throws TaskException {
+    if (!quiet) {
+      scene.announce(errors());
     }
   }
 

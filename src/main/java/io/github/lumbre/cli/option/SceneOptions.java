@@ -270,17 +270,24 @@ public final class SceneOptions {
   }
 
   /**
-   * Reads the scene and prints its warnings, each once. Before that, it prints the heap that a
-   * large model takes.
+   * Prints the heap that a large model takes, before it is read; once.
+   *
+   * @throws TaskException if standard input cannot be read
+   */
+  public void announce(Messages messages) throws TaskException {
+    if (!isStandardInput() && !isImported() && isModel()) {
+      HeapNeed.note(scene).filter(warned::add).ifPresent(messages::line);
+    }
+  }
+
+  /**
+   * Reads the scene and prints its warnings, each once.
    *
    * @throws TaskException if there are warnings under {@code --strict}
    * @throws IOException if the scene cannot be read
    */
   public SceneFile load(SceneParser parser, Messages messages)
       throws SceneFormatException, TaskException, IOException {
-    if (!isStandardInput() && !isImported() && isModel()) {
-      HeapNeed.note(scene).filter(warned::add).ifPresent(messages::line);
-    }
     SceneFile file = read(parser);
     if (guard.isPresent() && isModel()) {
       guard.get().checkAssets(scene, file.assetPaths(file.text().orElseThrow().path()));
