@@ -125,7 +125,7 @@ class SharedFramesCommandsTest extends CommandFixture {
   @Test
   void estimatesStateTheMemoryOfTheWindow() throws IOException {
     Outcome outcome = run("render T/sample.glb --turntable 9 --dry-run --size 640x480");
-    assertThat(outcome.out()).contains("window   199 MiB more for frames that are denoised");
+    assertThat(outcome.out()).contains("window   203 MiB more for frames that are denoised");
     assertThat(run("render T/sample.glb --dry-run --size 640x480").out()).doesNotContain("window");
   }
 }
