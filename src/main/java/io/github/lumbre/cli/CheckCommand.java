@@ -120,7 +120,7 @@ final class CheckCommand extends Subcommand {
     out.line("materials  " + contents.materials() + (materials.isEmpty() ? "" : ": " + materials));
     out.line("textures   " + contents.textures());
     if (model.isPresent()) {
-      out.line("memory     " + need(parsed).text());
+      out.line("memory     " + need(parsed).text() + " of heap");
       describe(model.get(), model.get().parts(parsed.scene()), out);
     }
     out.line("warnings   " + file.warnings().size());

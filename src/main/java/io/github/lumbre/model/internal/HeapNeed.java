@@ -55,10 +55,9 @@ public record HeapNeed(long triangles, long points) {
         : (triangles == 0 ? "" : triangles + " triangles and ") + points + " points";
   }
 
-  /** Returns the bytes in words, such as "about 134 MiB of the heap of 512 MiB". */
+  /** Returns the bytes in words, such as "about 134 MiB". */
   public String text() {
-    return "about %d MiB of the heap of %d MiB"
-        .formatted((bytes() >> 20) + 1, Runtime.getRuntime().maxMemory() >> 20);
+    return "about " + ((bytes() >> 20) + 1) + " MiB";
   }
 
   /**
@@ -73,9 +72,12 @@ public record HeapNeed(long triangles, long points) {
       // Reading the file reports the error.
       return Optional.empty();
     }
-    return need.bytes() < Math.min(NOTICEABLE, Runtime.getRuntime().maxMemory() / 10)
+    long heap = Runtime.getRuntime().maxMemory();
+    return need.bytes() < Math.min(NOTICEABLE, heap / 10)
         ? Optional.empty()
-        : Optional.of(file + ": " + need.items() + " take " + need.text());
+        : Optional.of(
+            "%s: %s take %s of the heap of %d MiB"
+                .formatted(file, need.items(), need.text(), heap >> 20));
   }
 
   /**
