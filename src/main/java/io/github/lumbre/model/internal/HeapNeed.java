@@ -29,8 +29,8 @@ public record HeapNeed(long triangles, long points) {
   /** The bytes of a file in which its counts are sought. */
   private static final int START = 4 << 20;
 
-  /** Smaller files take too little heap to say so: they have too few triangles. */
-  private static final long SMALL_FILE = 1 << 19;
+  /** Hardly a smaller file takes so much heap that it is said; few are compressed that well. */
+  private static final long SMALL_FILE = 2 << 20;
 
   /** Less than this is not worth a line, unless it is a tenth of the heap. */
   private static final long NOTICEABLE = 100L << 20;
