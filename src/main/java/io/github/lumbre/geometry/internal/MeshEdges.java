@@ -114,57 +114,73 @@ public final class MeshEdges {
 
   /** Returns whether every edge of a mesh belongs to an even number of triangles. */
   public static boolean isClosed(TriangleMesh mesh) {
-    int[] corners = exactPlaces(mesh);
-    int[] next = new int[mesh.vertexCount() + 1];
-    for (int side = 0; side < corners.length; side++) {
-      next[Math.min(corners[side], corners[following(side)]) + 1]++;
-    }
-    for (int place = 1; place < next.length; place++) {
-      next[place] += next[place - 1];
-    }
-    int[] ends = new int[corners.length];
-    for (int side = 0; side < corners.length; side++) {
-      int other = corners[following(side)];
-      ends[next[Math.min(corners[side], other)]++] = Math.max(corners[side], other);
-    }
-    // Now next is where the sides of the next place begin.
-    for (int place = 0, first = 0; place < next.length - 1; first = next[place++]) {
-      Arrays.sort(ends, first, next[place]);
-      if (!arePairs(ends, first, next[place])) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** Returns whether each number of a sorted range is there an even number of times. */
-  private static boolean arePairs(int[] sorted, int first, int end) {
-    for (int i = first; i < end; i += 2) {
-      if (i + 1 == end || sorted[i] != sorted[i + 1]) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** Returns the place of each corner of a mesh, whose vertices at one position are one place. */
-  private static int[] exactPlaces(TriangleMesh mesh) {
+    // Most edges are even by their vertices. Only of the others, vertices at one position are found.
+    int[] odd =
+        odd(
+            mesh.vertexCount(),
+            3 * mesh.triangleCount(),
+            (side, end) -> mesh.vertex(side / 3, (end == 0 ? side : following(side)) % 3));
     PositionIndex places = new PositionIndex();
-    int[] placeOfVertex = new int[mesh.vertexCount()];
-    Arrays.fill(placeOfVertex, -1);
-    int[] corners = new int[3 * mesh.triangleCount()];
-    for (int corner = 0; corner < corners.length; corner++) {
-      if (corner % CORNERS_PER_CHECK == 0) {
+    for (int i = 0; i < odd.length; i++) {
+      Vec3 p = mesh.position(odd[i]);
+      odd[i] = places.number(p.x(), p.y(), p.z());
+    }
+    return odd(odd.length, odd.length / 2, (side, end) -> odd[2 * side + end]).length == 0;
+  }
+
+  /** The ends of sides. */
+  @FunctionalInterface
+  private interface Sides {
+    /**
+     * @param end 0 or 1
+     */
+    int place(int side, int end);
+  }
+
+  /** Returns both ends of each pair of places that an odd number of sides connect. */
+  private static int[] odd(int placeCount, int count, Sides sides) {
+    int[] ends = new int[placeCount];
+    int[] others = byPlace(ends, count, sides);
+    int[] odd = new int[0];
+    int found = 0;
+    for (int place = 0, i = 0; place < placeCount; place++) {
+      Arrays.sort(others, i, ends[place]);
+      while (i < ends[place]) {
+        if (i + 1 < ends[place] && others[i] == others[i + 1]) {
+          i += 2;
+        } else {
+          odd = found < odd.length ? odd : Arrays.copyOf(odd, 2 * found + 2);
+          odd[found++] = place;
+          odd[found++] = others[i++];
+        }
+      }
+    }
+    return Arrays.copyOf(odd, found);
+  }
+
+  /**
+   * Returns the larger places of sides, grouped by the smaller ones.
+   *
+   * @param ends receives where the group of each place ends
+   */
+  private static int[] byPlace(int[] ends, int count, Sides sides) {
+    for (int side = 0; side < count; side++) {
+      if (side % CORNERS_PER_CHECK == 0) {
         Interrupts.check();
       }
-      int vertex = mesh.vertex(corner / 3, corner % 3);
-      if (placeOfVertex[vertex] < 0) {
-        Vec3 p = mesh.position(vertex);
-        placeOfVertex[vertex] = places.number(p.x(), p.y(), p.z());
-      }
-      corners[corner] = placeOfVertex[vertex];
+      ends[Math.min(sides.place(side, 0), sides.place(side, 1))]++;
     }
-    return corners;
+    for (int place = 0, sum = 0; place < ends.length; place++) {
+      sum += ends[place];
+      ends[place] = sum - ends[place];
+    }
+    int[] others = new int[count];
+    for (int side = 0; side < count; side++) {
+      int one = sides.place(side, 0);
+      int other = sides.place(side, 1);
+      others[ends[Math.min(one, other)]++] = Math.max(one, other);
+    }
+    return others;
   }
 
   /** Sorts the sides by their edges, and returns where each edge begins. */
