@@ -7,6 +7,7 @@ import java.io.StringWriter;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
@@ -16,6 +17,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Checks the programs of comparisons and of the denoiser's training, which are not built. */
 class ComparisonTest {
+  private static final Path FOLDER = Path.of("src");
+
   @TempDir private Path classes;
 
   @ParameterizedTest
@@ -24,10 +27,10 @@ class ComparisonTest {
         "comparison/RenderServer.java",
         "comparison/KernelServer.java",
         "comparison/DenoiserMeter.java",
-        "comparison/AnimationMeter.java",
+        "comparison/AnimationMeter.java comparison/MeteredFrame.java",
         "denoiser/TrainingRenderer.java"
       })
-  void compilesAgainstTheLibraryAlone(String source) throws Exception {
+  void compilesAgainstTheLibraryAlone(String sources) throws Exception {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter messages = new StringWriter();
     try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null)) {
@@ -42,7 +45,8 @@ class ComparisonTest {
                   null,
                   options,
                   null,
-                  files.getJavaFileObjects(Path.of("src", source)))
+                  files.getJavaFileObjects(
+                      Stream.of(sources.split(" ")).map(FOLDER::resolve).toArray(Path[]::new)))
               .call();
       assertThat(compiled).as(messages.toString()).isTrue();
     }

@@ -221,7 +221,7 @@ final class RenderCommand extends Subcommand {
       } else {
         Interruption.Wait reading = monitor.reading(scene.scene());
         try (reading) {
-          file = options.load();
+          file = options.announced().load(options.parser(), messages);
         }
       }
       if (dryRun) {
@@ -329,7 +329,9 @@ final class RenderCommand extends Subcommand {
       }
       options.scene.choose(index);
       try {
-        return monitor.reading(options.scene.scene(), options::load);
+        return monitor.reading(
+            options.scene.scene(),
+            () -> options.announced().load(options.parser(), options.run.errors()));
       } finally {
         options.scene.choose(current);
       }

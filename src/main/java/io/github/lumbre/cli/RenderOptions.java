@@ -26,11 +26,8 @@ import io.github.lumbre.cli.run.Frames;
 import io.github.lumbre.image.ImageWriter;
 import io.github.lumbre.image.internal.ImageFormat;
 import io.github.lumbre.model.Models;
-import io.github.lumbre.scenefile.SceneFile;
-import io.github.lumbre.scenefile.SceneFormatException;
 import io.github.lumbre.scenefile.SceneParser;
 import io.github.lumbre.stage.internal.StagedSheet;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -181,15 +178,14 @@ final class RenderOptions {
   }
 
   /**
-   * Reads the scene with the settings of the flags. The heap that a large model takes is printed
-   * first, unless nothing but warnings shall be.
+   * Prints the heap that a large model takes, unless nothing but warnings shall be printed; returns
+   * the scene, which has not been read.
    *
-   * @throws TaskException if there are warnings under {@code --strict}
-   * @throws IOException if the scene cannot be read
+   * @throws TaskException if standard input cannot be read
    */
-  SceneFile load() throws SceneFormatException, TaskException, IOException {
+  SceneOptions announced() throws TaskException {
     run.announce(scene);
-    return scene.load(parser(), run.errors());
+    return scene;
   }
 
   /**

@@ -325,7 +325,7 @@ final class RenderSequence {
       if (Files.exists(all.get(i))) {
         choose(i);
         if (first.isEmpty() || !options.sequence.areGiven()) {
-          first = Optional.of(options.load());
+          first = Optional.of(options.announced().load(options.parser(), options.run.errors()));
         }
         finished.add(all.get(i), expected(i, first.get()));
       }
