@@ -343,7 +343,8 @@ final class AnimationMeter {
     System.out.printf(
         Locale.ROOT,
         "  %s: variance %.3f ±%.3f, median %.3f; step %.3f, its error %.3f; squared error %.3f"
-            + " ±%.3f, worst %.3f; in changes %.3f ±%.3f, worst ratio %.3f; FLIP %.5f, worst %.5f; CPU %.3f%n",
+            + " ±%.3f, worst %.3f; in changes %.3f ±%.3f, worst ratio %.3f;"
+            + " FLIP %.5f, worst %.5f; CPU %.3f%n",
         name,
         paths.variances.mean() - noise.paths.variances.mean(),
         paths.variances.error(base.paths.variances, noise.paths.variances),

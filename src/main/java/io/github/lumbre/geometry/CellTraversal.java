@@ -26,7 +26,7 @@ final class CellTraversal implements Traversal {
   /** The other bounded shapes. */
   private final Traversal shapes;
 
-  /** The triangles, grouped by cells, and where each cell begins. The cells of a block are together. */
+  /** The triangles, grouped by cells, and where each begins. The cells of a block are together. */
   private final int[] order;
 
   private final int[] first = new int[CELLS + 1];

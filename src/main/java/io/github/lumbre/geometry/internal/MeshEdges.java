@@ -114,7 +114,7 @@ public final class MeshEdges {
 
   /** Returns whether every edge of a mesh belongs to an even number of triangles. */
   public static boolean isClosed(TriangleMesh mesh) {
-    // Most edges are even by their vertices. Only of the others, vertices at one position are found.
+    // Most edges are even by their vertices: positions are compared for the others alone.
     int[] odd =
         odd(
             mesh.vertexCount(),

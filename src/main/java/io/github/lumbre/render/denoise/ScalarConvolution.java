@@ -25,7 +25,7 @@ final class ScalarConvolution {
   /** Values of an input's row that the pixels of a block need. */
   private static final int WIDTH = BLOCK + SIDE - 1;
 
-  /** Rows of the inputs around a block that are not 0: their values, and where their weights are. */
+  /** Rows of the inputs around a block that are not 0: values, and where their weights are. */
   private float[] values = new float[0];
 
   private int[] places = new int[0];

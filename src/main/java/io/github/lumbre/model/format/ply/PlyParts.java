@@ -16,8 +16,8 @@ import java.util.Optional;
 /**
  * The parts of a PLY file whose faces have the integer property {@code part}, which counts the
  * names that comments {@code PartName} state, from 0; so that programs without a format of scenes
- * can name parts. Files without such names have no parts. Triangles of strips are in the first part.
- * Mutable.
+ * can name parts. Files without such names have no parts. Triangles of strips are in the first
+ * part. Mutable.
  */
 final class PlyParts {
   /** The first word of a comment that names a part. */

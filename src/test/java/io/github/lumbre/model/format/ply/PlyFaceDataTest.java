@@ -106,7 +106,7 @@ class PlyFaceDataTest {
     assertThat(ply(names, "", SQUARE).read().warnings()).containsExactly(ignored);
   }
 
-  /** Strips have neither parts nor data of their own, whether they are before the faces or after. */
+  /** Strips have neither parts nor data of their own, before the faces or after them. */
   @Test
   void stripsBesideFacesDoNotChangeThem() throws Exception {
     String strip = "element tristrips 1;property list int int vertex_indices;";
