@@ -10,7 +10,7 @@ import java.util.Arrays;
  * inputs that are 0 are left out, which are half of all.
  *
  * <p>A sum has its terms in the same order as by {@link Convolution}, and so the same bits. A
- * thumbnail's network takes a third of the time (docs/measurements/2026-11-start.md). The launchers
+ * thumbnail is denoised in half of the time (docs/measurements/2026-11-start.md). The launchers
  * set the property where they choose that compiler: {@code src/main/jvm/short-options}.
  */
 final class ScalarConvolution {

@@ -40,7 +40,7 @@ class ConvolutionTest {
     return out;
   }
 
-  /** Returns the squares of a picture of which some pixels are noisy. */
+  /** Returns squares of which two of three are filtered. */
   private static FilteredUnits units(int level) {
     int across = (WIDTH << level) / TileFilter.UNIT;
     boolean[] filtered = new boolean[across * FilteredUnits.count(ROWS << level)];
