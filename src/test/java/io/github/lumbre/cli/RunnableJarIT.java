@@ -8,6 +8,8 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.testing.Pictures;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -93,6 +95,42 @@ class RunnableJarIT {
     }
     assertThat(versions).containsKey("picocli/CommandLine.class");
     assertThat(versions.values()).allMatch(version -> version >= 50);
+  }
+
+  /** Java 17 links lambdas at each start, and archives classes. */
+  @Test
+  void lambdasAreClassesOfTheJar() throws Exception {
+    TinyScene.write(directory, TinyScene.JSON);
+    List<String> command = Program.lumbre("check", "tiny.json");
+    command.add(1, "-Xlog:class+load");
+    String loaded = Program.run(directory, command).done().out();
+    assertThat(loaded).contains("io.github.lumbre.cli.Lumbre$$0 ");
+    assertThat(loaded).doesNotContainPattern("io\\.github\\.lumbre\\.[\\w.$]*Lambda[^s]");
+  }
+
+  /** Listing the methods of a class makes Java verify it. */
+  @Test
+  void allClassesOfLumbreAreValid() throws Exception {
+    int count = 0;
+    try (JarFile jar = new JarFile(Program.JAR.toFile());
+        URLClassLoader loader =
+            new URLClassLoader(
+                new URL[] {
+                  Program.JAR.toUri().toURL(),
+                  Program.JAR.resolveSibling("lumbre-lab.jar").toUri().toURL()
+                },
+                ClassLoader.getPlatformClassLoader())) {
+      for (JarEntry entry : Collections.list(jar.entries())) {
+        String name = entry.getName();
+        if (name.startsWith("io/github/lumbre/") && name.endsWith(".class")) {
+          Class<?> type =
+              loader.loadClass(name.substring(0, name.length() - 6).replace('/', '.'));
+          assertThat(type.getDeclaredMethods()).isNotNull();
+          count++;
+        }
+      }
+    }
+    assertThat(count).isGreaterThan(4000);
   }
 
   @Test
