@@ -361,8 +361,9 @@ final class RenderCommand extends Subcommand {
     keeper.begin(
         FilmHeader.identity(file.hash(), file.settings()),
         RecordedLayers.of(file.settings(), file.scene()),
-        FilmNotes.of(
-            scene, file, picture.target(), options.bits(), options.scene.isLenient(), budget),
+        () ->
+            FilmNotes.of(
+                scene, file, picture.target(), options.bits(), options.scene.isLenient(), budget),
         RenderStatistics.ZERO,
         file.settings());
     file.parsed()

@@ -173,10 +173,12 @@ final class ResumeCommand extends Subcommand {
         MemoryCheck.require(file.settings(), FilmLayers.of(file.settings(), file.scene()));
         interruption.requireRender();
         setDamagedAside(loaded);
+        Map<String, String> kept =
+            FilmNotes.of(path, file, target, notes.bits(), notes.lenient(), budget);
         keeper.begin(
             header.identity(),
             header.layers(),
-            FilmNotes.of(path, file, target, notes.bits(), notes.lenient(), budget),
+            () -> kept,
             header.faults(),
             file.settings());
         RenderJob job =

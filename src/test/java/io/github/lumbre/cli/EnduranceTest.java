@@ -60,7 +60,7 @@ class EnduranceTest {
     long start = System.nanoTime();
     try (FilmKeeper keeper = keeper()) {
       keeper.begin(
-          Map.of(), RecordedLayers.NONE, Map.of(), RenderStatistics.ZERO, scene.settings());
+          Map.of(), RecordedLayers.NONE, Map::of, RenderStatistics.ZERO, scene.settings());
       for (int pass = 1; pass <= LOOKS * PASSES_PER_LOOK; pass++) {
         Progress pausing = Progress.NONE.cancelledAlsoIf(keeper::isDue);
         PassResult result = renderer.addSamples(film, pass, pausing);

@@ -20,6 +20,7 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Saves the film of a running render to an optional checkpoint file, or to a fallback directory if
@@ -62,18 +63,20 @@ public final class FilmKeeper implements PassListener, AutoCloseable {
    *
    * @param newIdentity scene and settings of the film
    * @param newLayers what the film records besides the picture
+   * @param newNotes returns the notes; they hold hashes of all files, so that it is called only if
+   *     films are saved
    * @param existing faults of the film's existing samples
    */
   public void begin(
       Map<String, String> newIdentity,
       RecordedLayers newLayers,
-      Map<String, String> newNotes,
+      Supplier<Map<String, String>> newNotes,
       RenderStatistics existing,
       RenderSettings settings) {
     faults = existing;
     statistics = existing;
     identity = newIdentity;
-    notes = newNotes;
+    notes = file.isPresent() ? newNotes.get() : Map.of();
     layers = newLayers;
     checkpoints =
         file.map(

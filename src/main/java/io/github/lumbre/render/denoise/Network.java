@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.ShortBuffer;
 
 /**
  * The weights of the network: a U-Net of five levels, each half the size of the one before. Each
@@ -57,7 +58,7 @@ final class Network {
   private final Layer[] heads = new Layer[LEVELS];
 
   private Network(byte[] weights) {
-    ByteBuffer in = ByteBuffer.wrap(weights).order(ByteOrder.LITTLE_ENDIAN);
+    ShortBuffer in = ByteBuffer.wrap(weights).order(ByteOrder.LITTLE_ENDIAN).asShortBuffer();
     for (int level = 0; level < LEVELS; level++) {
       int inputs = level == 0 ? FEATURES : DOWN[level - 1];
       down[level] = new Layer[] {layer(in, inputs, DOWN[level], 9), null};
@@ -87,7 +88,7 @@ final class Network {
     }
   }
 
-  private static Layer layer(ByteBuffer in, int inputs, int outputs, int taps) {
+  private static Layer layer(ShortBuffer in, int inputs, int outputs, int taps) {
     int count = inputs * taps;
     int stride = (count + 2) / 3 * 3;
     float[] weights = new float[stride * outputs];
@@ -99,9 +100,11 @@ final class Network {
     return new Layer(inputs, outputs, stride, weights, biases);
   }
 
-  private static void readHalves(ByteBuffer in, float[] values, int first, int count) {
-    for (int i = first; i < first + count; i++) {
-      values[i] = half(in.getShort());
+  private static void readHalves(ShortBuffer in, float[] values, int first, int count) {
+    short[] halves = new short[count];
+    in.get(halves);
+    for (int i = 0; i < count; i++) {
+      values[first + i] = half(halves[i]);
     }
   }
 
