@@ -64,7 +64,8 @@ public final class SampledTexture implements Texture<Rgb> {
 
   @Override
   public Rgb at(double u, double v) {
-    return new Rgb(channel(u, v, 0), channel(u, v, 1), channel(u, v, 2));
+    Bilinear around = around(u, v);
+    return new Rgb(blend(around, 0), blend(around, 1), blend(around, 2));
   }
 
   /**
@@ -74,35 +75,60 @@ public final class SampledTexture implements Texture<Rgb> {
    *     picture has none
    */
   public double channel(double u, double v, int channel) {
+    return blend(around(u, v), channel);
+  }
+
+  /** Returns the texels around a point, or four times the one that contains it. */
+  private Bilinear around(double u, double v) {
     if (!Texel.isFinite(u, v)) {
       InvalidCoordinates.count();
-      return channel(0, 0, channel);
+      return around(0, 0);
     }
     double x = clamped(u) * pixels.width();
     // Row 0 is at the top.
     double y = (1 - clamped(v)) * pixels.height();
     if (filter == ImageTexture.Filter.NEAREST) {
-      return texel((long) Math.floor(x), (long) Math.ceil(y) - 1, channel);
+      int column = index(wrapU, floor(x), pixels.width());
+      int row = index(wrapV, -floor(-y) - 1, pixels.height());
+      return new Bilinear(column, column, row, row, 0, 0);
     }
-    double left = Math.floor(x - .5);
-    double top = Math.floor(y - .5);
-    double s = x - .5 - left;
-    double t = y - .5 - top;
-    long column = (long) left;
-    long row = (long) top;
-    return Bilinear.mix(
-        Bilinear.mix(texel(column, row, channel), texel(column + 1, row, channel), s),
-        Bilinear.mix(texel(column, row + 1, channel), texel(column + 1, row + 1, channel), s),
-        t);
+    long left = floor(x - .5);
+    long top = floor(y - .5);
+    return new Bilinear(
+        index(wrapU, left, pixels.width()),
+        index(wrapU, left + 1, pixels.width()),
+        index(wrapV, top, pixels.height()),
+        index(wrapV, top + 1, pixels.height()),
+        x - .5 - left,
+        y - .5 - top);
   }
 
   private static double clamped(double coordinate) {
-    return Math.max(-MAX_COORDINATE, Math.min(MAX_COORDINATE, coordinate));
+    return Math.abs(coordinate) < MAX_COORDINATE
+        ? coordinate
+        : Math.copySign(MAX_COORDINATE, coordinate);
   }
 
-  private double texel(long column, long row, int channel) {
-    int x = wrapU.index(column, pixels.width());
-    int y = wrapV.index(row, pixels.height());
+  /** Returns the largest integer that is not larger; {@link Math#floor} is slow at the start. */
+  private static long floor(double x) {
+    long cut = (long) x;
+    return x < cut ? cut - 1 : cut;
+  }
+
+  /** Returns the column or row that continues the picture; inside of it without a division. */
+  private static int index(Wrap wrap, long i, int size) {
+    return 0 <= i && i < size ? (int) i : wrap.index(i, size);
+  }
+
+  private double blend(Bilinear around, int channel) {
+    return around.blend(
+        texel(around.x0(), around.y0(), channel),
+        texel(around.x1(), around.y0(), channel),
+        texel(around.x0(), around.y1(), channel),
+        texel(around.x1(), around.y1(), channel));
+  }
+
+  private double texel(int x, int y, int channel) {
     return channel == ALPHA
         ? (double) pixels.alpha(x, y) / pixels.max()
         : decoded[pixels.raw(x, y, channel)];
