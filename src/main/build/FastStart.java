@@ -25,6 +25,8 @@ import org.objectweb.asm.Type;
  * <ul>
  *   <li>Old class files get the format of Java 17. Java keeps no classes of formats before Java 6 in
  *       its archives and caches: it would read and verify picocli's classes at each start.
+ *   <li>picocli's default names of negated flags, four regular expressions, are compiled once instead
+ *       of for each group of flags. They are immutable.
  *   <li>Each lambda and method reference of Lumbre gets a class of its own, which Java archives like
  *       any other. Otherwise Java 17 links each of them at each start, 0.15 ms for about 700
  *       (docs/measurements/2026-11-start.md).
@@ -32,6 +34,11 @@ import org.objectweb.asm.Type;
  */
 final class FastStart {
   private static final int OLDEST_ARCHIVED = Opcodes.V1_6;
+
+  /** The class of the names of negated flags, and its method that makes the default ones. */
+  private static final String NEGATION = "picocli/CommandLine$RegexTransformer";
+
+  private static final String DEFAULT_NEGATION = "createDefault";
 
   private final Map<String, byte[]> files = new LinkedHashMap<>();
   private final Lambdas lambdas = new Lambdas();
@@ -102,7 +109,10 @@ final class FastStart {
             super.visit(Opcodes.V17, access, name, signature, base, interfaces);
           }
         };
-    reader.accept(upgrade, ClassReader.SKIP_FRAMES);
+    boolean isNegation = reader.getClassName().equals(NEGATION);
+    reader.accept(
+        isNegation ? new KeptResult(upgrade, NEGATION, DEFAULT_NEGATION) : upgrade,
+        ClassReader.SKIP_FRAMES);
     return writer.toByteArray();
   }
 
@@ -119,6 +129,60 @@ final class FastStart {
         };
     new ClassReader(host).accept(join, 0);
     return writer.toByteArray();
+  }
+}
+
+/** Calls a static method without arguments once, when its class is initialized. */
+final class KeptResult extends ClassVisitor {
+  private static final String FIELD = "KEPT";
+
+  private final String owner;
+  private final String method;
+  private String descriptor;
+
+  KeptResult(ClassVisitor next, String owner, String method) {
+    super(Opcodes.ASM9, next);
+    this.owner = owner;
+    this.method = method;
+  }
+
+  private String first() {
+    return method + "First";
+  }
+
+  @Override
+  public MethodVisitor visitMethod(
+      int access, String name, String type, String signature, String[] exceptions) {
+    if (!name.equals(method)) {
+      return super.visitMethod(access, name, type, signature, exceptions);
+    }
+    descriptor = type;
+    return super.visitMethod(access, first(), type, signature, exceptions);
+  }
+
+  @Override
+  public void visitEnd() {
+    if (descriptor == null) {
+      throw new IllegalArgumentException(owner + ": expected a method " + method);
+    }
+    String type = Type.getReturnType(descriptor).getDescriptor();
+    int constant = Opcodes.ACC_PRIVATE | Opcodes.ACC_STATIC | Opcodes.ACC_FINAL;
+    visitField(constant, FIELD, type, null, null).visitEnd();
+    MethodVisitor code = super.visitMethod(Opcodes.ACC_STATIC, "<clinit>", "()V", null, null);
+    code.visitCode();
+    code.visitMethodInsn(Opcodes.INVOKESTATIC, owner, first(), descriptor, false);
+    code.visitFieldInsn(Opcodes.PUTSTATIC, owner, FIELD, type);
+    code.visitInsn(Opcodes.RETURN);
+    code.visitMaxs(0, 0);
+    code.visitEnd();
+    int access = Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC;
+    code = super.visitMethod(access, method, descriptor, null, null);
+    code.visitCode();
+    code.visitFieldInsn(Opcodes.GETSTATIC, owner, FIELD, type);
+    code.visitInsn(Opcodes.ARETURN);
+    code.visitMaxs(0, 0);
+    code.visitEnd();
+    super.visitEnd();
   }
 }
 

@@ -65,8 +65,11 @@ public final class Lumbre implements Runnable {
   /** The character that Java substitutes for bytes that are invalid in the locale's encoding. */
   private static final char GARBLED = '\ufffd';
 
-  /** The types of picocli's own converters that no flag uses and that take a while to load. */
-  static final String EXCLUDED_CONVERTERS = "java\\.(sql|time)\\..*";
+  /**
+   * The types of picocli's own converters that no flag uses and that take a while to load: regular
+   * expressions, simple ones because picocli compiles them for each type.
+   */
+  static final String EXCLUDED_CONVERTERS = "java.sql.*,java.time.*";
 
   /** The commands under the headings of the help, in its order. */
   static final Map<String, List<Class<?>>> SECTIONS = new LinkedHashMap<>();

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -214,7 +215,8 @@ class LumbreTest {
   private static void collectExcluded(CommandLine command, List<String> excluded) {
     for (ArgSpec arg : command.getCommandSpec().args()) {
       for (Class<?> type : arg.auxiliaryTypes()) {
-        boolean isExcluded = type.getName().matches(Lumbre.EXCLUDED_CONVERTERS);
+        boolean isExcluded =
+            Stream.of(Lumbre.EXCLUDED_CONVERTERS.split(",")).anyMatch(type.getName()::matches);
         // Durations have a converter of ours.
         if (arg.converters().length == 0 && isExcluded && type != Duration.class) {
           excluded.add(command.getCommandName() + ": " + arg);

@@ -117,13 +117,16 @@ public final class StageTypes {
   private record SunType() implements SettingType<View> {
     private static final NumberType ELEVATION = new NumberType(ClearSky.LOWEST, 90);
 
-    /** A time with a zone in the forms of ISO 8601: Z, +02:00, +0200 and +02. */
-    private static final DateTimeFormatter TIME =
-        new DateTimeFormatterBuilder()
-            .parseCaseInsensitive()
-            .append(DateTimeFormatter.ISO_LOCAL_DATE_TIME)
-            .appendPattern("[XXX][X]")
-            .toFormatter(Locale.ROOT);
+    /** Made when a time is first read: Java's formats take a while to load. */
+    private static final class Time {
+      /** A time with a zone in the forms of ISO 8601: Z, +02:00, +0200 and +02. */
+      static final DateTimeFormatter FORMAT =
+          new DateTimeFormatterBuilder()
+              .parseCaseInsensitive()
+              .append(DateTimeFormatter.ISO_LOCAL_DATE_TIME)
+              .appendPattern("[XXX][X]")
+              .toFormatter(Locale.ROOT);
+    }
 
     @Override
     public View parse(String text) {
@@ -158,7 +161,7 @@ public final class StageTypes {
 
     private static Instant time(String text) {
       try {
-        return OffsetDateTime.parse(text, TIME).toInstant();
+        return OffsetDateTime.parse(text, Time.FORMAT).toInstant();
       } catch (DateTimeParseException e) {
         throw new IllegalArgumentException(
             "expected a time such as 2026-06-21T12:00Z, found " + text, e);
