@@ -125,7 +125,12 @@ class RunnableJarIT {
         if (name.matches("(io/github/lumbre/|picocli/CommandLine).*[.]class")) {
           Class<?> type =
               loader.loadClass(name.substring(0, name.length() - 6).replace('/', '.'));
-          assertThat(type.getDeclaredMethods()).isNotNull();
+          try {
+            assertThat(type.getDeclaredMethods()).isNotNull();
+          } catch (NoClassDefFoundError e) {
+            // The tests run without the module of vectors.
+            assertThat(e.getMessage()).startsWith("jdk/incubator/vector/");
+          }
           count++;
         }
       }
