@@ -8,6 +8,9 @@ import io.github.lumbre.geometry.Kernel;
 import io.github.lumbre.testing.Pictures;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.lang.reflect.Method;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.ByteBuffer;
@@ -24,6 +27,7 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
+import java.util.zip.ZipEntry;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -32,6 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the program as users run it: its process, its exit code and its files. */
 class RunnableJarIT {
@@ -136,6 +141,44 @@ class RunnableJarIT {
       }
     }
     assertThat(count).isGreaterThan(4000);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"cornell-box.json", "models/lantern.glb"})
+  void theJarRendersThePicturesOfItsSources(String scene) throws Exception {
+    String file = Path.of("scenes", scene).toAbsolutePath().toString();
+    byte[][] pictures = new byte[2][];
+    for (int i = 0; i < pictures.length; i++) {
+      Path picture = directory.resolve(i + ".pfm");
+      String[] render = {"render", file, "--size", "64x48", "-s", "4", "-o", picture.toString()};
+      if (i == 0) {
+        lumbre(render).done();
+      } else {
+        PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
+        assertThat(Lumbre.run(render, nowhere, nowhere)).isZero();
+      }
+      pictures[i] = Files.readAllBytes(picture);
+    }
+    assertThat(pictures[0]).isEqualTo(pictures[1]);
+  }
+
+  @Test
+  void theNamesOfNegatedFlagsAreCompiledOnce() throws Exception {
+    try (URLClassLoader loader =
+        new URLClassLoader(
+            new URL[] {Program.JAR.toUri().toURL()}, ClassLoader.getPlatformClassLoader())) {
+      Method names =
+          loader.loadClass("picocli.CommandLine$RegexTransformer").getMethod("createDefault");
+      assertThat(names.invoke(null)).isNotNull().isSameAs(names.invoke(null));
+    }
+  }
+
+  @Test
+  void theWeightsOfTheDenoiserAreStored() throws IOException {
+    try (JarFile jar = new JarFile(Program.JAR.toFile())) {
+      JarEntry weights = jar.getJarEntry("io/github/lumbre/render/denoise/weights.f16");
+      assertThat(weights.getMethod()).isEqualTo(ZipEntry.STORED);
+    }
   }
 
   @Test

@@ -29,7 +29,7 @@ public record HeapNeed(long triangles, long points) {
   /** The bytes of a file in which its counts are sought. */
   private static final int START = 4 << 20;
 
-  /** Hardly a smaller file takes so much heap that it is said; few are compressed that well. */
+  /** A smaller file hardly takes {@link #NOTICEABLE} bytes of heap, unless it is compressed well. */
   private static final long SMALL_FILE = 2 << 20;
 
   /** Less than this is not worth a line, unless it is a tenth of the heap. */

@@ -40,7 +40,7 @@ class ConvolutionTest {
     return out;
   }
 
-  /** Returns squares of which two of three are filtered. */
+  /** Returns squares, every third of which is not filtered. */
   private static FilteredUnits units(int level) {
     int across = (WIDTH << level) / TileFilter.UNIT;
     boolean[] filtered = new boolean[across * FilteredUnits.count(ROWS << level)];

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests wrap modes, channels and decoding of textures of models. */
 class SampledTextureTest {
@@ -37,6 +38,40 @@ class SampledTextureTest {
     SampledTexture texture = indices(4, 4, Filter.NEAREST, wrap);
     assertThat(Math.round(65535 * texture.channel(coordinate, .1, 0))).isEqualTo(expected);
     assertThat(Math.round(65535 * texture.channel(.1, coordinate, 1))).isEqualTo(expected);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2, 3})
+  void borderOfTwoTexelsBelongsToTheOneOnTheRightAndAbove(int index) {
+    SampledTexture texture = indices(4, 4, Filter.NEAREST, Wrap.REPEAT);
+    assertThat(Math.round(65535 * texture.channel(index / 4., .1, 0))).isEqualTo(index);
+    assertThat(Math.round(65535 * texture.channel(.1, index / 4., 1))).isEqualTo(index);
+  }
+
+  /** Only repeated columns and only repeated rows meet the other border. */
+  @Test
+  void eachDirectionHasItsWrapMode() {
+    Pixels pixels = Pixels.of(2, 2, 1, new byte[] {0, 51, 102, (byte) 255});
+    for (boolean isColumn : new boolean[] {false, true}) {
+      Wrap wrapU = isColumn ? Wrap.REPEAT : Wrap.CLAMP;
+      Wrap wrapV = isColumn ? Wrap.CLAMP : Wrap.REPEAT;
+      SampledTexture texture =
+          new SampledTexture(pixels, Role.DATA, Filter.BILINEAR, wrapU, wrapV);
+      // The texel at the lower left is .4, its right neighbor 1, and the one above it 0.
+      double atLeft = texture.channel(0, .25, 0);
+      double atBottom = texture.channel(.25, 0, 0);
+      assertThat(atLeft).isCloseTo(isColumn ? .7 : .4, within(1e-15));
+      assertThat(atBottom).isCloseTo(isColumn ? .4 : .2, within(1e-15));
+    }
+  }
+
+  @Test
+  void hugeCoordinatesAreBeyondTheBordersAndInvalidOnesAtTheOrigin() {
+    SampledTexture texture = indices(4, 4, Filter.BILINEAR, Wrap.CLAMP);
+    assertThat(Math.round(65535 * texture.channel(1e300, -1e300, 0))).isEqualTo(3);
+    assertThat(Math.round(65535 * texture.channel(-1e300, 1e300, 1))).isEqualTo(3);
+    assertThat(texture.at(Double.NaN, .5)).isEqualTo(texture.at(0, 0));
+    assertThat(InvalidCoordinates.take()).isEqualTo(1);
   }
 
   @Test
